@@ -2,7 +2,6 @@
 import json
 import os
 import subprocess
-from pathlib import Path
 
 from docutils import nodes
 from docutils.parsers.rst import Directive
@@ -11,7 +10,6 @@ from sphinx.util.nodes import nested_parse_with_titles
 
 import trivet
 
-ROOT = Path(__file__).resolve().parents[1]
 PROGRAM = os.environ.get("TRIVET_PROGRAM", "trivet")
 
 project = "Trivet"
@@ -56,19 +54,24 @@ class ProgramHelp(Directive):
 
 
 class SchemaKeys(Directive):
-    """``.. trivet-schema:: ops/files/layout/layout.schema.json``: one table of keys for each object of a JSON Schema."""
+    """``.. trivet-schema:: layout``: one table of keys for each object of a JSON Schema that the program prints."""
 
     required_arguments = 1
 
     def run(self):
-        schema = json.loads((ROOT / self.arguments[0]).read_text(encoding="utf-8"))
+        done = subprocess.run([PROGRAM, "schema", self.arguments[0]], capture_output=True, text=True, check=True)
+        schema = json.loads(done.stdout)
         lines = []
-        for title, part in [(schema["title"], schema)] + sorted(schema.get("$defs", {}).items()):
+        for title, part in [(schema["title"], schema)] + self.operations(schema) + sorted(schema.get("$defs", {}).items()):
             lines += self.table(title, part)
         holder = nodes.section()
         holder.document = self.state.document
         nested_parse_with_titles(self.state, StringList(lines, source=self.arguments[0]), holder)
         return holder.children
+
+    def operations(self, schema):
+        forms = schema["properties"].get("operations", {}).get("items", {}).get("oneOf", [])
+        return [("operation " + form["properties"]["op"]["const"], form) for form in forms if "properties" in form]
 
     def table(self, title, part):
         keys = part.get("properties")

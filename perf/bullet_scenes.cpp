@@ -27,7 +27,7 @@ struct Arguments {
   std::uint64_t count = 0, seed = 0;
 };
 
-// What a way of making scenes costs, and what was found.
+// Cost of a way of making scenes, and its findings.
 struct Totals {
   std::string name;
   int scenes = 0, objects = 0, without = 0, not_stopped = 0, moving = 0;
@@ -102,7 +102,7 @@ class Comparison {
     judge(k, made, poses, bullet.moves_within(kAfterwards), way.totals);
   }
 
-  // What `trivet check` says of the layout that is left in the folder.
+  // Verdict of `trivet check` on the layout that is left in the folder.
   void judge(std::uint64_t k, const farm::MadeScene& made, const Poses& poses, bool moves,
              Totals& totals) {
     const Layout layout = farm::layout_of_poses(m_work.recipe, with_poses(k, made, poses), "scene");

@@ -70,7 +70,7 @@ bool same_contact(const FirstContact& a, const FirstContact& b) {
          a.face_fixed == b.face_fixed && a.point == b.point && a.normal == b.normal;
 }
 
-/// Of all threads: drivers have their own.
+/// Counts all threads: drivers have their own.
 template <class Work>
 Took timed_all(Work&& work) {
   return timed_warm(std::forward<Work>(work), CLOCK_PROCESS_CPUTIME_ID);

@@ -72,8 +72,8 @@ TestScene make_test_scene(const char* name, const char* demo_name, const char* c
 /// A cell of the table.
 struct Cell {
   Samples samples;  // of operations
-  // Of a movement. CPU: of all threads; detection has its share of the wall clock, both of their
-  // fastest runs.
+  // Times of a movement. CPU: of all threads; detection has its share of the wall clock, both of
+  // their fastest runs.
   std::vector<double> movement_ms, detection_ms, cpu_ms, detection_cpu_ms;
   int refused = 0, wrong = 0;
 };

@@ -14,7 +14,7 @@ struct Starts {
   std::vector<std::string> without;   // no position in kSampleTries was free
 };
 
-/// Of an object, as BlenderProc's sample_poses() has it.
+/// Tries for each object, as BlenderProc's sample_poses() has them.
 inline constexpr int kSampleTries = 1000;
 
 /// At random, as BlenderProc's sample_poses_on_surface() does it: rotations as `trivet batch` draws

@@ -23,7 +23,7 @@ def layout(count, folder):
     with open(os.path.join(folder, "box.obj"), "w") as file:
         file.write(BOX)
     width = int(count ** 0.5) + 1
-    height = 2 ** -20 * SPACING * width * 2 ** 0.5
+    height = 2 ** -20 * min(10, SPACING * width * 2 ** 0.5)
     boxes = [{"name": "box_%d" % i, "model": "box.obj", "up": "z",
               "position": [SPACING * (i % width), SPACING * (i // width), height]} for i in range(count)]
     path = os.path.join(folder, "layout.json")

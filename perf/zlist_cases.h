@@ -63,13 +63,13 @@ struct Left {
   }
 };
 
-/// Whether a stage's answer equals that of the BVHs; if not, hashes it.
+/// True if a stage's answer equals that of the BVHs; if not, hashes it.
 bool is_right(const FirstContact& found, const FirstContact& truth, ResultHash& hash);
 
 /// Asks all queries, within a budget of time, and adds the row.
 void add_stage(const Cases& cases, const Method& method, CandidateFinder& stage);
 
-/// Those of the GPU's stages.
+/// Rows of the GPU's stages.
 void zlist_gpu_rows(const Cases& cases);
 
 }  // namespace trivet::perf

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Packs the add-on as a zip that Blender installs: make_zip.py OUTPUT.zip
 
-The version is that of the root's CMakeLists.txt. The same zip is an add-on for Blender 3.4 to 4.1 (bl_info) and an
+The version is that of include/trivet/version.h. The same zip is an add-on for Blender 3.4 to 4.1 (bl_info) and an
 extension from 4.2 on (blender_manifest.toml). The same sources give the same bytes.
 """
 import re
@@ -28,12 +28,12 @@ files = "Models in a temporary folder, exported scenes"
 
 
 def version() -> str:
-    """Of Trivet, by its one place."""
-    text = (HERE.parent.parent / "CMakeLists.txt").read_text(encoding="utf-8")
-    found = re.search(r"project\(Trivet VERSION ([0-9]+)\.([0-9]+)\.([0-9]+)", text)
-    if not found:
-        raise SystemExit("CMakeLists.txt: no project(Trivet VERSION X.Y.Z)")
-    return ".".join(found.groups())
+    """Version of Trivet, by its one place."""
+    text = (HERE.parent.parent / "include/trivet/version.h").read_text(encoding="utf-8")
+    found = re.findall(r"#define TRIVET_VERSION_(?:MAJOR|MINOR|PATCH) ([0-9]+)", text)
+    if len(found) != 3:
+        raise SystemExit("include/trivet/version.h: no TRIVET_VERSION_MAJOR, _MINOR and _PATCH")
+    return ".".join(found)
 
 
 def files() -> dict:

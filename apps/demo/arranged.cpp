@@ -28,7 +28,7 @@ ArrangedDemo make_arranged_demo(const std::string& name) {
     if (name == known) return make();
     accepted += (accepted.empty() ? "" : ", ") + std::string(known);
   }
-  throw Error(Error::Kind::BadInput, "no arranged demo '" + name + "'; there are " + accepted);
+  throw Error(Error::Kind::BadInput, "no arranged demo '%1'; there are %2", name, accepted);
 }
 
 }  // namespace trivet

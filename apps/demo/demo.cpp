@@ -22,7 +22,7 @@ constexpr std::pair<const char*, Maker> kMakers[] = {
 const Model& DemoLayout::model(const std::string& file) const {
   for (const DemoModel& m : models)
     if (m.file == file) return m.model;
-  throw Error(Error::Kind::BadInput, "the demo '" + name + "' has no model '" + file + "'");
+  throw Error(Error::Kind::BadInput, "the demo '%1' has no model '%2'", name, file);
 }
 
 std::vector<std::string> demo_names() {
@@ -37,7 +37,7 @@ DemoLayout make_demo(const std::string& name) {
     if (name == known) return make();
     accepted += (accepted.empty() ? "" : ", ") + std::string(known);
   }
-  throw Error(Error::Kind::BadInput, "no demo '" + name + "'; there are " + accepted);
+  throw Error(Error::Kind::BadInput, "no demo '%1'; there are %2", name, accepted);
 }
 
 std::string layout_json(const DemoLayout& demo) { return write_layout(demo.layout) + "\n"; }

@@ -1,4 +1,4 @@
-// What confines a program that reads untrusted files, so far as the system has it.
+// Parts that confine a program that reads untrusted files, so far as the system has them.
 #pragma once
 
 #include <string>

@@ -41,7 +41,7 @@ bool set_capabilities(const Capabilities& all) {
   return syscall(SYS_capset, &of, halves) == 0;
 }
 
-// That of reading any file, or if root lacks it (as in containers) that of opening any.
+// The capability of reading any file, or if root lacks it (as in containers) that of opening any.
 std::uint64_t reading_capability(const Capabilities& all) {
   for (const int capability : {CAP_DAC_READ_SEARCH, CAP_DAC_OVERRIDE})
     if (const std::uint64_t bit = std::uint64_t{1} << capability; all.permitted & bit) return bit;

@@ -52,7 +52,7 @@ void save_scene(const Scene& scene, const std::string& path) {
 
 Scene open_session(const std::string& path, const std::string& journal) {
   return guarded([&] {
-    return scene_of(trivet::open_session(path, run_options(path), usual_limits(), journal));
+    return scene_of(trivet::open_session(path, run_options(path), usual_limits(), {journal}));
   });
 }
 
@@ -60,7 +60,7 @@ Restored restore_session(const std::string& journal) {
   return guarded([&] {
     RestoredSession restored =
         trivet::restore_session(journal, run_options(journal), usual_limits(), false);
-    std::vector<std::string> notes = restored.opened.notes;
+    std::vector<std::string> notes = in_english(restored.opened.notes);
     return Restored{scene_of(std::move(restored.opened)), restored.exact, std::move(notes)};
   });
 }
@@ -97,9 +97,10 @@ Export export_scene(const Scene& scene, const std::string& path, const ExportOpt
     inner.density = options.density;
     inner.friction = options.friction;
     inner.max_overlap = options.max_overlap;
+    inner.files.mujoco = options.mujoco;
     check_collision_rule(inner.collision, path);
     const SimulationExport done = export_simulation(scene.internal().scene(), path, inner);
-    return Export{done.files, done.notes};
+    return Export{done.files, in_english(done.notes)};
   });
 }
 

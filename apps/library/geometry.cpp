@@ -20,8 +20,8 @@ std::shared_ptr<const trivet::Shape> made(const Mesh& mesh) {
   vertices.reserve(mesh.vertices.size());
   for (const Vec3& v : mesh.vertices) {
     if (std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > kMaxCoordinate)
-      bad_input("vertices: " + std::to_string(vertices.size()) +
-                " has a coordinate beyond 1e30; accepted: -1e30 to 1e30");
+      bad_input("vertices: %1 has a coordinate beyond 1e30; accepted: -1e30 to 1e30",
+                vertices.size());
     vertices.push_back(inner(v));
   }
   std::vector<Index3> triangles;
@@ -32,7 +32,7 @@ std::shared_ptr<const trivet::Shape> made(const Mesh& mesh) {
 
 Body body_of(const PlacedShape& placed) {
   if (!(placed.scale > 0) || !std::isfinite(placed.scale))
-    bad_input("scale: " + std::to_string(placed.scale) + "; accepted: above 0");
+    bad_input("scale: %1; accepted: above 0", std::to_string(placed.scale));
   return Body(*placed.shape.internal().shape,
               world_from_object(inner(placed.pose), UpAxis::Z, placed.scale));
 }
@@ -40,7 +40,7 @@ Body body_of(const PlacedShape& placed) {
 trivet::Vec3 unit(const Vec3& direction, const char* name) {
   const trivet::Vec3 given = inner(direction);
   if (!given.allFinite() || !(given.norm() > 0))
-    bad_input(std::string(name) + ": of length 0 or not finite; accepted: any other");
+    bad_input("%1: of length 0 or not finite; accepted: any other", std::string(name));
   return given.normalized();
 }
 

@@ -26,6 +26,7 @@ struct Shape::Internal {
 struct Model::Internal {
   std::shared_ptr<const trivet::Model> model;
   std::string path;  // the model itself has none: scene files keep its geometry
+  std::vector<std::string> notes;
 };
 
 /// Calls f(); errors behind the interface become those of the interface.

@@ -10,8 +10,9 @@ namespace {
 std::shared_ptr<const Model::Internal> made(trivet::Model model) {
   std::string path = std::move(model.path);
   model.path.clear();
-  return std::make_shared<Model::Internal>(
-      Model::Internal{std::make_shared<const trivet::Model>(std::move(model)), std::move(path)});
+  std::vector<std::string> notes = in_english(model.notes);
+  return std::make_shared<Model::Internal>(Model::Internal{
+      std::make_shared<const trivet::Model>(std::move(model)), std::move(path), std::move(notes)});
 }
 
 Shape shape_of(const trivet::Model& model) {
@@ -30,7 +31,7 @@ Model::Model(const Mesh& mesh)
 const std::string& Model::path() const { return m_internal->path; }
 bool Model::y_up() const { return m_internal->model->up == UpAxis::Y; }
 std::optional<double> Model::metres_per_unit() const { return m_internal->model->metres_per_unit; }
-const std::vector<std::string>& Model::notes() const { return m_internal->model->notes; }
+const std::vector<std::string>& Model::notes() const { return m_internal->notes; }
 
 Model load_model(const std::string& path, const ModelLimits& limits) {
   return guarded([&] {

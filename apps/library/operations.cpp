@@ -5,7 +5,7 @@
 
 #include "apps/library/scene_internal.h"
 #include "core/base/bad_input.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "trivet/arrange.h"
 
 namespace trivet::v0 {
@@ -81,7 +81,7 @@ auto inner_or_none(const std::optional<T>& given) {
   return given ? std::optional(inner(*given)) : std::nullopt;
 }
 
-/// What all moves of objects in the scene have in common.
+/// Makes the common part of all moves of objects in the scene.
 template <class Inner, class Options>
 Inner move_of(const Options& options) {
   Inner out;

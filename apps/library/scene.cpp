@@ -95,7 +95,7 @@ std::string name_of(const trivet::Scene& scene, const Support& support) {
 
 namespace {
 
-// Beside the folder of this library: PREFIX/lib/libtrivet.so, PREFIX/bin/trivet-import.
+// Looks above the folder of this library: PREFIX/lib/libtrivet.so, PREFIX/bin/trivet-import.
 std::string importer_of_installation() {
   Dl_info info{};
   if (!dladdr(reinterpret_cast<const void*>(&version), &info) || !info.dli_fname) return "";
@@ -136,8 +136,8 @@ SettleOptions Scene::Internal::settle() const {
 
 const Object& Scene::Internal::at(ObjectId id) const {
   if (!scene().contains(inner(id)))
-    bad_input("object: slot " + std::to_string(id.index) + ", generation " +
-              std::to_string(id.generation) + " is not in the scene; accepted: ids of objects()");
+    bad_input("object: slot %1, generation %2 is not in the scene; accepted: ids of objects()",
+              id.index, id.generation);
   return scene().at(inner(id));
 }
 
@@ -232,8 +232,9 @@ ObjectInfo Scene::info(ObjectId id) const {
 Model Scene::model(ObjectId id) const {
   return guarded([&] {
     const Object& object = m_internal->at(id);
-    return Model(std::make_shared<Model::Internal>(
-        Model::Internal{object.model, object.model ? object.model->path : std::string()}));
+    return Model(std::make_shared<Model::Internal>(Model::Internal{
+        object.model, object.model ? object.model->path : std::string(),
+        object.model ? in_english(object.model->notes) : std::vector<std::string>()}));
   });
 }
 
@@ -268,7 +269,7 @@ Material material_preset(const std::string& name) {
     if (const auto found = trivet::material_preset(name)) return outer(*found);
     std::string known;
     for (const std::string& one : material_names()) known += (known.empty() ? "" : ", ") + one;
-    bad_input("material: \"" + name + "\" is not accepted; accepted: " + known);
+    bad_input("material: \"%1\" is not accepted; accepted: %2", name, known);
   });
 }
 

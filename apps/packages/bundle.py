@@ -90,7 +90,7 @@ def bundle(files: list[Path], folder: Path, leave: str) -> dict[Path, Path]:
 
 def packages_of(files: list[Path]) -> set[str]:
     """The Debian packages that files of this machine come from."""
-    # Of merged folders packages know files as /lib/..., not as /usr/lib/...
+    # Merged folders: packages list files as /lib/..., not as /usr/lib/...
     names = {variant: file for file in files for variant in (str(file), str(file).removeprefix("/usr"))}
     done = subprocess.run(["dpkg-query", "--search", *names], capture_output=True, text=True)
     found = {names[path]: owners for owners, path in re.findall(r"^(.+): (/.+)$", done.stdout, re.M)}

@@ -90,7 +90,7 @@ with the same bits; contacts and supports as arrays.")
 endif()
 # Libraries that TrivetConfig.cmake looks for: static ones need them.
 set(needs libeigen3-dev libembree-dev libqhull-dev libtbb-dev libassimp-dev libpng-dev libjpeg-dev libwebp-dev
-  nlohmann-json3-dev coinor-libclp-dev libtinyxml2-dev libccd-dev pkg-config)
+  nlohmann-json3-dev coinor-libclp-dev libtinyxml2-dev libccd-dev libarchive-dev libexpat1-dev pkg-config)
 foreach(pair HACD=libbullet-extras-dev EXR=libopenexr-dev MESHOPT=libmeshoptimizer-dev DRACO=libdraco-dev)
   string(REPLACE "=" ";" pair ${pair})
   list(GET pair 0 use)

@@ -24,8 +24,24 @@ inline HttpRequest request_of(http::request<http::string_body>&& message) {
   out.method = std::string(message.method_string());
   out.path = std::string(message.target().substr(0, message.target().find('?')));
   out.body = std::move(message.body());
-  out.from_browser = message.count(http::field::origin) > 0;
+  const auto [first, last] = message.equal_range(http::field::host);
+  for (auto host = first; host != last; ++host) out.hosts.emplace_back(host->value());
+  out.names_origin = message.count(http::field::origin) > 0;
+  out.fetch_site = std::string(message["Sec-Fetch-Site"]);
+  if (out.method == "HEAD") out.method = "GET";  // and the answer's body is left out
   return out;
+}
+
+// Length of the body told in one way that this server knows: where two programs disagree about it,
+// the second takes bytes of a body for a request.
+inline std::optional<HttpResponse> bad_length(const http::fields& fields) {
+  const size_t codings = fields.count(http::field::transfer_encoding);
+  if (codings == 0) return std::nullopt;
+  if (fields.count(http::field::content_length) > 0)
+    return problem(400, "Content-Length and Transfer-Encoding exclude each other");
+  if (codings > 1 || !beast::iequals(fields[http::field::transfer_encoding], "chunked"))
+    return problem(501, "this Transfer-Encoding is not accepted; accepted: chunked");
+  return std::nullopt;
 }
 
 inline bool is_garbage(error_code failed) {
@@ -50,6 +66,7 @@ class ClientConnection : public Connection,
 
   void read() {
     m_parser.emplace();
+    m_wants_body = true;
     m_parser->body_limit(m_server.limits.max_body_bytes);
     m_stream.expires_after(m_server.request_time());
     m_reading = true;
@@ -70,7 +87,9 @@ class ClientConnection : public Connection,
       return write(problem(413, "the request is too large"), false);
     if (is_garbage(failed)) return write(problem(400, "this is no HTTP request"), false);
     if (failed) return;
+    if (auto problem = bad_length(m_parser->get())) return write(std::move(*problem), false);
     const bool keep_alive = m_parser->keep_alive();
+    m_wants_body = m_parser->get().method() != http::verb::head;
     m_stream.expires_never();
     m_server.dispatch(request_of(m_parser->release()),
                       [self = this->shared_from_this(), keep_alive](HttpResponse&& response) {
@@ -83,9 +102,12 @@ class ClientConnection : public Connection,
     m_response = {static_cast<http::status>(response.status), 11};
     m_response.set(http::field::content_type, response.type);
     if (response.status == 503) m_response.set(http::field::retry_after, "1");
-    m_response.body() = std::move(response.body);
+    // A page may neither read it nor show it as something else.
+    m_response.set("X-Content-Type-Options", "nosniff");
+    m_response.set("Cross-Origin-Resource-Policy", "same-origin");
     m_response.keep_alive(keep_alive);
-    m_response.prepare_payload();
+    m_response.content_length(response.body.size());
+    if (m_wants_body) m_response.body() = std::move(response.body);
     m_stream.expires_after(m_server.request_time());
     http::async_write(m_stream, m_response,
                       [self = this->shared_from_this(), keep_alive](error_code failed, size_t) {
@@ -111,7 +133,7 @@ class ClientConnection : public Connection,
   beast::flat_buffer m_buffer;
   std::optional<http::request_parser<http::string_body>> m_parser;
   http::response<http::string_body> m_response;
-  bool m_reading = false;
+  bool m_reading = false, m_wants_body = true;
 };
 
 // Accepts while there may be more connections.

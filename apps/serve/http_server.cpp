@@ -16,8 +16,8 @@ using Unix = asio::local::stream_protocol;
 using asio::ip::tcp;
 using State = HttpServer::State;
 
-[[noreturn]] void cannot_listen(const std::string& where, const std::string& why) {
-  throw Error(Error::Kind::Environment, where + ": cannot be listened to: " + why);
+[[noreturn]] void cannot_listen(const std::string& where, const Sentence& why) {
+  throw Error(Error::Kind::Environment, "%1: cannot be listened to: %2", where, why);
 }
 
 // A socket file without a server behind it.
@@ -34,7 +34,7 @@ typename Protocol::endpoint listen_at(State& server, const typename Protocol::en
   error_code failed;
   typename Protocol::acceptor acceptor(server.io);
   const auto must = [&](const char* what) {
-    if (failed) cannot_listen(name, std::string(what) + ": " + failed.message());
+    if (failed) cannot_listen(name, say("%1: %2", what, failed.message()));
   };
   acceptor.open(at.protocol(), failed);
   must("open");
@@ -82,7 +82,7 @@ void HttpServer::State::end_if_drained() {
 }
 
 void HttpServer::State::dispatch(HttpRequest&& request, std::function<void(HttpResponse&&)> done) {
-  if (request.from_browser) return done(problem(403, "pages in a browser are not served"));
+  if (auto refusal = handlers.refusal(request)) return done(std::move(*refusal));
   if (handlers.is_quick(request)) return done(handlers.answer(request));
   if (num_waiting >= limits.max_waiting)
     return done(problem(503, "too many requests wait; ask again later"));
@@ -101,6 +101,11 @@ void HttpServer::State::compute(HttpRequest&& request, std::function<void(HttpRe
   });
 }
 
+HttpResponse problem(int status, const char* reason) {
+  return {status, "application/json",
+          std::string("{\"status\":\"error\",\"reason\":\"") + reason + "\"}"};
+}
+
 HttpServer::HttpServer(Handlers handlers, const HttpLimits& limits)
     : m_state(std::make_unique<State>(std::move(handlers), limits)) {}
 
@@ -116,18 +121,16 @@ unsigned short HttpServer::listen(const std::string& address, unsigned short por
   error_code failed;
   const asio::ip::address at = asio::ip::make_address(address, failed);
   if (failed)
-    throw Error(
-        Error::Kind::BadInput,
-        "address \"" + address + "\" is not accepted; accepted: one such as 127.0.0.1 or ::1");
+    throw Error(Error::Kind::BadInput,
+                "address \"%1\" is not accepted; accepted: one such as 127.0.0.1 or ::1", address);
   return listen_at<tcp>(*m_state, tcp::endpoint(at, port), address + ":" + std::to_string(port))
       .port();
 }
 
 void HttpServer::listen_unix(const std::string& path) {
   if (path.size() >= sizeof(sockaddr_un::sun_path))
-    throw Error(Error::Kind::BadInput, path + ": the path of a socket has at most " +
-                                           std::to_string(sizeof(sockaddr_un::sun_path) - 1) +
-                                           " bytes");
+    throw Error(Error::Kind::BadInput, "%1: the path of a socket has at most %2 bytes", path,
+                sizeof(sockaddr_un::sun_path) - 1);
   std::error_code ignored;
   if (std::filesystem::is_socket(path, ignored) && is_left_behind(m_state->io, path))
     std::filesystem::remove(path, ignored);
@@ -148,7 +151,7 @@ void HttpServer::run() {
 }
 
 HttpLoad HttpServer::load() const {
-  return {m_state->num_connections, m_state->num_waiting, m_state->num_computing};
+  return {m_state->num_connections, m_state->num_waiting, m_state->num_computing, 0};
 }
 
 }  // namespace trivet::serve

@@ -6,7 +6,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace trivet::serve {
 
@@ -14,7 +16,9 @@ struct HttpRequest {
   std::string method;  // "GET"
   std::string path;    // "/sessions/1", without the query
   std::string body;
-  bool from_browser = false;  // it names the page that asks
+  std::vector<std::string> hosts;  // values of its fields "Host": a good request has one
+  bool names_origin = false;       // a browser says which page asks
+  std::string fetch_site;          // "Sec-Fetch-Site" of a browser; else empty
 };
 
 struct HttpResponse {
@@ -22,6 +26,9 @@ struct HttpResponse {
   std::string type = "application/json";
   std::string body;
 };
+
+/// {"status": "error", "reason": ...}. @param reason  without quotes.
+HttpResponse problem(int status, const char* reason);
 
 struct HttpLimits {
   int num_threads = 1;        // that compute
@@ -33,11 +40,14 @@ struct HttpLimits {
 
 struct HttpLoad {
   int connections = 0, waiting = 0, computing = 0;
+  long refused = 0;  // requests that were not looked at; see gate.h
 };
 
 class HttpServer {
  public:
   struct Handlers {
+    /// Answer given instead, at once; nullopt: nothing.
+    std::function<std::optional<HttpResponse>(const HttpRequest&)> refusal;
     std::function<HttpResponse(const HttpRequest&)> answer;  // on any thread; must not throw
     /// True: `answer` is called on the thread of the connections, ahead of all that wait.
     std::function<bool(const HttpRequest&)> is_quick;

@@ -37,7 +37,7 @@ struct HttpServer::State {
   void wait_for_signal();
   void drain();
   void end_if_drained();
-  /// Of a connection's destructor.
+  /// Called by a connection's destructor.
   void connection_ended() noexcept;
 
   /// Answers a request; `done` is called on the thread of the connections.
@@ -55,11 +55,5 @@ struct HttpServer::State {
   bool draining = false;
   std::atomic<int> num_connections = 0, num_waiting = 0, num_computing = 0;
 };
-
-/// An answer of the server itself.
-inline HttpResponse problem(int status, const char* reason) {
-  return {status, "application/json",
-          std::string("{\"status\":\"error\",\"reason\":\"") + reason + "\"}"};
-}
 
 }  // namespace trivet::serve

@@ -41,6 +41,12 @@ struct Metrics::State {
                                    .Name("trivet_request_seconds")
                                    .Help("Seconds to compute an answer, by route")
                                    .Register(registry);
+  Counter& refused =
+      BuildCounter()
+          .Name("trivet_requests_refused_total")
+          .Help("Requests for another host or of pages, for which nothing is computed")
+          .Register(registry)
+          .Add({});
   Gauge& sessions = gauge("trivet_sessions", "Sessions that are open");
   Gauge& connections = gauge("trivet_connections", "Connections that are open");
   Gauge& waiting = gauge("trivet_requests_waiting", "Requests that wait for a thread");
@@ -61,6 +67,7 @@ std::string Metrics::text(const HttpLoad& load, size_t num_sessions) {
   m_state->connections.Set(load.connections);
   m_state->waiting.Set(load.waiting);
   m_state->computing.Set(load.computing);
+  m_state->refused.Increment(static_cast<double>(load.refused) - m_state->refused.Value());
   m_state->resident.Set(resident_bytes());
   return TextSerializer().Serialize(m_state->registry.Collect());
 }

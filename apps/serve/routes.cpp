@@ -33,7 +33,7 @@ HttpResponse wrong_method(const HttpRequest& request, const std::string& accepte
   return error(405, request.method + " is not accepted here; accepted: " + accepted);
 }
 
-// Of a request for a scene of the recipe.
+// Route of a request for a scene of the recipe.
 std::string scene_route(const std::string& path) {
   if (path == kSessions) return path;
   return path.ends_with("/scene.glb") ? "/scenes/K/scene.glb" : "/scenes/K";
@@ -146,7 +146,7 @@ std::function<OpenedSession()> Routes::start_of(const std::string& body) const {
     number =
         static_cast<size_t>(std::find(names.begin(), names.end(), start->text()) - names.begin());
     if (number == names.size())
-      start->refuse("a start of this server" + did_you_mean(start->text(), names));
+      start->refuse(say("a start of this server%1", did_you_mean(start->text(), names)));
   }
   if (names.empty()) place.refuse("{\"scene\": K}, a scene of the recipe");
   return [this, number] { return copy_of(m_things.starts[number], m_things.import); };

@@ -28,7 +28,7 @@ class RecipeScenes {
   RecipeScenes(const std::string& recipe, std::uint64_t seed, const ImportLimits& import,
                const std::string& version, double scene_seconds);
 
-  // Of these three each throws NoScene.
+  // Each of these three throws NoScene.
 
   /// Scene k as a batch of this recipe and seed has it, to the byte.
   std::string json(std::uint64_t k) const;

@@ -1,12 +1,15 @@
 #include "apps/serve/serve.h"
 
 #include "apps/serve/detectors.h"
+#include "apps/serve/gate.h"
 #include "apps/serve/http_server.h"
 #include "apps/serve/routes.h"
 #include "apps/serve/sessions.h"
 
 namespace trivet::serve {
 namespace {
+
+constexpr size_t kMaxTextBytes = 4096;  // of names in requests: a session keeps them
 
 std::vector<OpenedSession> open_all(const ServeOptions& options, Detectors& detectors) {
   const Detectors::Loan detector(detectors);
@@ -16,7 +19,7 @@ std::vector<OpenedSession> open_all(const ServeOptions& options, Detectors& dete
   out.reserve(options.starts.size());
   for (const std::string& start : options.starts) {
     out.push_back(open_session(start, run, options.import));
-    for (const std::string& note : out.back().notes) options.note(start + ": " + note);
+    for (const Sentence& note : out.back().notes) options.note(start + ": " + in_english(note));
   }
   return out;
 }
@@ -34,7 +37,18 @@ DialogueOptions dialogue_options(const ServeOptions& options) {
   out.version = options.version;
   out.source = "request";
   out.own_files = true;
+  out.max_states = static_cast<size_t>(options.max_states);
+  out.max_objects = static_cast<size_t>(options.max_objects);
+  out.max_text_bytes = kMaxTextBytes;
   return out;
+}
+
+// Any by a Unix socket: no browser opens one.
+std::vector<std::string> hosts(const ServeOptions& options) {
+  if (!options.socket.empty()) return {};
+  std::vector<std::string> names = names_of(options.address);
+  names.insert(names.end(), options.hosts.begin(), options.hosts.end());
+  return names;
 }
 
 HttpLimits http_limits(const ServeOptions& options) {
@@ -56,9 +70,15 @@ void serve(const ServeOptions& options) {
   ServedSessions sessions(dialogue_options(options), {options.max_sessions, options.idle_seconds},
                           detectors);
   const HttpServer* carrier = nullptr;
-  Routes routes(things, sessions, [&] { return carrier->load(); });
+  Gate gate(hosts(options));
+  Routes routes(things, sessions, [&] {
+    HttpLoad load = carrier->load();
+    load.refused = gate.num_refused();
+    return load;
+  });
   HttpServer server(
-      {[&](const HttpRequest& request) { return routes.answer(request); }, Routes::is_quick,
+      {[&](const HttpRequest& request) { return gate.refusal(request); },
+       [&](const HttpRequest& request) { return routes.answer(request); }, Routes::is_quick,
        [&] {
          sessions.end_all();
          if (things.scenes) things.scenes->end();

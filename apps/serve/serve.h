@@ -20,15 +20,18 @@ struct ServeOptions {
   std::string recipe;               // of random scenes, see apps/farm; empty: none
   std::uint64_t seed = 0;           // of these
   RunOptions run;                   // of the layouts; `settle` and `rules` of the sessions, too
-  /// Of each computing thread, for the operations of starts and sessions; scenes of the recipe are
-  /// made by BVHs. Safe to call from many threads; empty: BVHs.
+  /// Makes the detector of each computing thread, for the operations of starts and sessions; scenes
+  /// of the recipe are made by BVHs. Safe to call from many threads; empty: BVHs.
   std::function<std::unique_ptr<Detector>()> make_detector;
   ImportLimits import;                // of models that are read
   std::string address = "127.0.0.1";  // of TCP
+  std::vector<std::string> hosts;     // names of the server beside those of the loopback
   unsigned short port = 0;            // 0: any that is free
   std::string socket;                 // path of a Unix socket, instead of TCP; empty: none
   int num_threads = 1;                // that compute
   int max_sessions = 64, max_waiting = 64, max_connections = 256;
+  int max_states = 10'000;        // of objects that a session keeps for undo
+  int max_objects = 10'000;       // of a session, that clients may make
   double idle_seconds = 600;      // see SessionLimits
   double request_seconds = 30;    // see HttpLimits
   double operation_seconds = 60;  // that an operation may take; 0: unlimited

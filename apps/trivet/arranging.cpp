@@ -18,9 +18,9 @@ std::string numbered(std::string path, int number) {
   const size_t at = path.find("{}");
   if (at == std::string::npos)
     throw Error(Error::Kind::BadInput,
-                path +
-                    ": is one file for several solutions; accepted: a name with {}, which "
-                    "becomes the number of the solution");
+                "%1: is one file for several solutions; accepted: a name with {}, which becomes "
+                "the number of the solution",
+                path);
   return path.replace(at, 2, std::to_string(number));
 }
 

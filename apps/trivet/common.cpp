@@ -24,8 +24,22 @@ bool shows_progress(const CommonOptions& common) { return !common.quiet && isatt
 
 }  // namespace
 
+namespace {
+
+// 0: as files state.
+double metres_of_unit(const std::string& unit) {
+  static constexpr std::pair<const char*, double> kUnits[] = {
+      {"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}};
+  for (const auto& [name, metres] : kUnits)
+    if (unit == name) return metres;
+  return 0;
+}
+
+}  // namespace
+
 ImportLimits CommonOptions::limits() const {
   ImportLimits limits;
+  limits.metres_per_unit = metres_of_unit(unit);
   limits.max_file_bytes = static_cast<std::uintmax_t>(max_file_mb * 1e6);
   limits.max_seconds = import_seconds;
   limits.max_memory_bytes = static_cast<std::uintmax_t>(import_memory_mb * 1e6);
@@ -61,6 +75,10 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
       ->group(group);
   app.add_option("--threads", common.num_threads, "0: all cores; results do not depend on it")
       ->check(integer_from(0, 4096))
+      ->group(group);
+  app.add_option("--unit", common.unit,
+                 "Unit of model files, whatever they state; default: what they state, else metres")
+      ->check(one_of({"m", "cm", "mm", "um", "in", "ft"}))
       ->group(group);
   app.add_option("--max-file-mb", common.max_file_mb, "Refuse larger input files")
       ->check(number_from(0, 1e9))
@@ -101,8 +119,10 @@ void add_rule(CLI::App& app, const std::string& flags, std::optional<bool>& rule
 void add_settle_options(CLI::App& app, SettleArguments& arguments) {
   SettleOptions& settle = arguments.settle;
   const char* const group = kSettling;
-  app.add_option("--clearance", settle.clearance,
-                 "Gap in metres at which motions stop; 0: 2^-20 of the scene's size")
+  app.add_option(
+         "--clearance", settle.clearance,
+         "Gap in metres at which motions stop; 0: 2^-20 of the size of what is within 10 m, at "
+         "most 0.0095 mm, or more for large objects")
       ->check(number_from(0, 1e6))
       ->group(group);
   app.add_option("--max-motions", settle.max_motions, "Refuse operations that need more motions")
@@ -142,16 +162,16 @@ void add_tessellation_options(CLI::App& app, Tessellation& tessellation) {
 void check_tessellation(const Tessellation& tessellation, const std::string& model) {
   if (tessellation == Tessellation{} || !cad_format(model).empty()) return;
   throw Error(Error::Kind::BadInput,
-              "--chord, --facet-angle-deg: \"" + model +
-                  "\" has no curved surfaces; accepted: models in STEP, IGES or BREP (.step "
-                  ".stp .iges .igs .brep .brp)");
+              "--chord, --facet-angle-deg: \"%1\" has no curved surfaces; accepted: models in "
+              "STEP, IGES or BREP (.step .stp .iges .igs .brep .brp)",
+              model);
 }
 
 std::shared_ptr<Machine> make_machine(const CommonOptions& common) {
   MachineOptions options;
   options.version = TRIVET_VERSION;
   options.hardware = graphics_hardware_here();
-  options.note = [&common](const std::string& note) { print_note(common, note); };
+  options.note = [&common](const Sentence& note) { print_note(common, note); };
   options.gpu = gpu_sources(common.num_threads);
   options.num_threads = common.num_threads;
   options.file = calibration_path();
@@ -192,7 +212,7 @@ BackendOptions backend_options(const CommonOptions& common) {
   options.num_threads = common.num_threads;
   options.confirmation = confirmation_from_name(common.confirm);
   if (options.backend == Backend::Auto) options.machine = make_machine(common);
-  options.note = [&common](const std::string& note) { print_note(common, note); };
+  options.note = [&common](const Sentence& note) { print_note(common, note); };
   options.make_gpu_stage = [&common](const GpuNotes& notes) {
     return make_gpu_stage(common, notes);
   };
@@ -255,7 +275,7 @@ CLI::Validator one_of(std::vector<std::string> accepted) {
       [=](const std::string& text) -> std::string {
         for (const std::string& name : accepted)
           if (text == name) return "";
-        return quoted(text) + "; accepted: " + list + did_you_mean(text, accepted);
+        return quoted(text) + "; accepted: " + list + in_english(did_you_mean(text, accepted));
       },
       CLI::detail::join(accepted, "|"));
 }
@@ -276,8 +296,8 @@ std::string json_string(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-void print_note(const CommonOptions& common, const std::string& note) {
-  if (!common.quiet) std::cerr << "trivet: note: " << note << "\n";
+void print_note(const CommonOptions& common, const Sentence& note) {
+  if (!common.quiet) std::cerr << "trivet: note: " << in_english(note) << "\n";
 }
 
 }  // namespace trivet::apps

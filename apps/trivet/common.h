@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
 #include "ops/detect/backend.h"
@@ -26,6 +27,7 @@ struct CommonOptions {
   bool json = false;
   bool quiet = false;
   bool verbose = false;
+  std::string unit;  // of model files; empty: as they state
   double max_file_mb = 4096;
   bool import_in_process = false;
   double import_seconds = 0;    // 0: 60, plus one for each MB
@@ -98,6 +100,6 @@ void clear_progress_line(const CommonOptions& common);
 std::string json_string(const std::string& text);
 
 /// Prints a note to standard error; silent with --quiet.
-void print_note(const CommonOptions& common, const std::string& note);
+void print_note(const CommonOptions& common, const Sentence& note);
 
 }  // namespace trivet::apps

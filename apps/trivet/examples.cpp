@@ -15,6 +15,7 @@ const std::map<std::string, std::string> kExamples = {
      "trivet run layout.json -o out/scene.xml --picture out/scene.png\n"},
     {"put",
      "trivet put scene.glb mug.obj --position 0.3 0 1 -o more.glb\n"
+     "trivet put scene.glb mug.obj --on slab --at 0.2 0.1 --keep 0.01 -o more.glb\n"
      "trivet put scene.glb mug.obj --name cup --position -0.3 0 1 --rotation 0.7 0.7 0 0 "
      "--material ceramic -o more.glb\n"},
     {"push",

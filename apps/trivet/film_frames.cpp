@@ -22,8 +22,8 @@ constexpr double kMostFrames = 100'000;
 void check_file(const std::string& file, const std::vector<std::string>& inputs) {
   check_extension(file, {".webp", ".png"});
   if (lower_extension(file) == ".png" && file.find(kPlaceOfName) == std::string::npos)
-    bad_input("--animation: " + file +
-              " is one picture; accepted: a .png with {} for the number, or .webp");
+    bad_input("--animation: %1 is one picture; accepted: a .png with {} for the number, or .webp",
+              file);
   check_files({file}, inputs);
 }
 
@@ -76,8 +76,8 @@ std::string numbered_file(const std::string& file, size_t number, size_t count) 
 size_t num_frames(const MotionFilm& film, double fps) {
   const double count = std::floor(film.seconds() * fps) + 1;
   if (count > kMostFrames)
-    bad_input("--fps: the film of " + short_number(film.seconds()) + " s has more than " +
-              short_number(kMostFrames) + " pictures; accepted: fewer per second");
+    bad_input("--fps: the film of %1 s has more than %2 pictures; accepted: fewer per second",
+              figure(film.seconds()), figure(kMostFrames));
   return static_cast<size_t>(count);
 }
 
@@ -110,7 +110,7 @@ RunWatch film_watch(std::optional<MotionFilm>& film) {
 int render_film(const std::string& file, const FilmFrames& film, const PictureRequest& request,
                 const CommonOptions& common) {
   if (lower_extension(file) != ".json")
-    bad_input("--animation: " + file + " has no operations; accepted: a layout (.json)");
+    bad_input("--animation: %1 has no operations; accepted: a layout (.json)", file);
   const Layout layout = read_layout(file, common.limits().max_file_bytes);
   check_can_be_filmed(layout);
   std::vector<std::string> inputs = model_files(layout, folder_of(file));

@@ -90,7 +90,7 @@ class HelpFormatter : public CLI::Formatter {
 
   std::string make_subcommand(const CLI::App* verb) const override {
     const std::string& text = verb->get_description();
-    return entry(verb->get_name(), text.substr(0, text.find(':')));
+    return entry(verb->get_name(), text.substr(0, text.find_first_of(":;")));
   }
 
   std::string make_footer(const CLI::App* app) const override {

@@ -7,10 +7,12 @@
 #include "core/base/arena.h"
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
-#include "core/io/atomic_file.h"
+#include "core/io/overwrites.h"
+#include "core/io/staged_files.h"
 #include "core/picture/image_files.h"
 #include "ops/files/json/text.h"
 #include "ops/files/labels/data_sets.h"
+#include "ops/files/layout/paths.h"
 #include "raster/path/picture.h"
 
 namespace trivet::apps {
@@ -29,8 +31,9 @@ void check_one_view(const LabelArguments& arguments, std::size_t num_views) {
   if (num_views < 2) return;
   for (const std::string& file : patterns(arguments))
     if (file.find(kPlaceOfName) == std::string::npos)
-      bad_input(file + ": one file for " + std::to_string(num_views) +
-                " views; accepted: a name with {}, which stands for that of the view");
+      bad_input(
+          "%1: one file for %2 views; accepted: a name with {}, which stands for that of the view",
+          file, num_views);
 }
 
 // Writes the files of one view after another.
@@ -48,6 +51,7 @@ class LabelWriter {
   void write(const LabelView& view);
   void finish() {
     for (const auto& set : m_sets) set->finish();
+    m_files.commit();
     if (m_num_beyond > 0)
       print_note(m_common, std::to_string(m_num_beyond) + " pixels are farther than " +
                                short_number(65535 * m_arguments.depth_unit) +
@@ -58,7 +62,7 @@ class LabelWriter {
   std::string depth_bytes(const Labels& labels);
   std::string normal_bytes(const Labels& labels) const;
   void write_file(const std::string& pattern, const LabelView& view, const std::string& bytes) {
-    write_file_atomically(with_name(pattern, view.name), bytes);
+    m_files.add(with_name(pattern, view.name), bytes);
   }
 
   const LabelledScene& m_scene;
@@ -66,6 +70,7 @@ class LabelWriter {
   const PictureRequest& m_request;
   const CommonOptions& m_common;
   std::vector<std::unique_ptr<DataSetWriter>> m_sets;
+  StagedFiles m_files;
   std::int64_t m_num_beyond = 0;
 };
 
@@ -158,6 +163,11 @@ void check_label_outputs(const LabelArguments& arguments, const std::vector<std:
 void write_labels(const std::string& scene_file, const LabelArguments& arguments,
                   const PictureRequest& request, const CommonOptions& common) {
   const SceneFile file = read_scene_with_layout(scene_file, common);
+  std::vector<std::string> outputs = patterns(arguments);
+  outputs.insert(outputs.end(), {arguments.coco, arguments.bop});
+  for (const std::string& output : outputs)
+    if (!output.empty())
+      check_not_an_input(output, model_files(file.layout, folder_of(scene_file)));
   const LabelledScene scene = labelled_scene(file.scene, file.layout);
   const std::vector<LabelView> views = label_views(arguments.views, request, scene.picture, common);
   check_one_view(arguments, views.size());

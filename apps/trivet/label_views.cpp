@@ -70,8 +70,8 @@ std::vector<LabelView> label_views(const ViewArguments& arguments, const Picture
                                    const PictureScene& scene, const CommonOptions& common) {
   if (!arguments.cameras.empty()) return views_of_file(arguments.cameras, request, common);
   if (const auto& deg = arguments.dome_elevation_deg; !deg.empty() && deg[0] > deg[1])
-    throw Error(Error::Kind::BadInput, "--dome-elevation: " + short_number(deg[0]) + " to " +
-                                           short_number(deg[1]) + "; accepted: the lowest first");
+    throw Error(Error::Kind::BadInput, "--dome-elevation: %1 to %2; accepted: the lowest first",
+                figure(deg[0]), figure(deg[1]));
   if (arguments.dome > 0) return dome_views(arguments, request, scene);
   const double aspect = double(request.width) / request.height;
   const Camera camera = request.explicit_camera().value_or(automatic_camera(scene, aspect));

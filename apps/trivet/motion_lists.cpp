@@ -10,7 +10,7 @@
 namespace trivet::apps {
 namespace {
 
-Error bad(const std::string& text) { return {Error::Kind::BadInput, text}; }
+Error bad(const Sentence& sentence) { return {Error::Kind::BadInput, sentence}; }
 
 std::string in_words(const Vec3& v) {
   return short_number(v.x()) + " " + short_number(v.y()) + " " + short_number(v.z());
@@ -20,8 +20,7 @@ Vec3 vector(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
 Vec3 unit(const Vec3& v, const char* option) {
   if (v.norm() > 0) return v.normalized();
-  throw bad(std::string(option) + ": " + in_words(v) +
-            " is not accepted; accepted: any length but 0");
+  throw bad(say("%1: %2 is not accepted; accepted: any length but 0", option, in_words(v)));
 }
 
 // As far as the bottom of the scene, and the whole scene again: the motion ends at a contact.
@@ -58,7 +57,7 @@ ObjectId placed_object(const Scene& scene, const MotionRequest& request) {
   if (id && scene.at(*id).placed) return *id;
   const Refusal why = id ? Refusal{Refusal::Cause::NotPlaced, {named(scene, *id)}}
                          : unknown_object(scene, request.object());
-  throw bad(std::string(option) + ": " + message(why));
+  throw bad(say("%1: %2", option, message(why)));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct MotionRequest {
   bool is_set() const { return !object().empty(); }
 };
 
-/// What moves, what is in the way, and what z-lists make of it. Bodies refer to the scene.
+/// Bodies that move, bodies in the way, and their z-lists. Bodies refer to the scene.
 struct MotionLists {
   std::vector<std::string> moving_names, fixed_names;
   std::vector<Body> moving, fixed;

@@ -19,6 +19,7 @@
 #include "core/io/overwrites.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/io/staged_files.h"
+#include "core/mesh/part_masses.h"
 #include "ops/files/report/verdict.h"
 #include "ops/simulation/scene_formats.h"
 
@@ -28,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_write(const std::string& path) {
-  throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(errno));
+  throw Error(Error::Kind::Environment, "%1: cannot be written: %2", path, std::strerror(errno));
 }
 
 void check_distinct(const std::vector<std::string>& outputs,
@@ -36,9 +37,9 @@ void check_distinct(const std::vector<std::string>& outputs,
   for (size_t i = 0; i < outputs.size(); ++i) {
     for (size_t j = 0; j < i; ++j)
       if (same_file(outputs[i], outputs[j]))
-        throw Error(Error::Kind::BadInput,
-                    outputs[i] + ": used for two outputs; accepted: different files");
-    check_not_an_input(outputs[i], inputs);
+        throw Error(Error::Kind::BadInput, "%1: used for two outputs; accepted: different files",
+                    outputs[i]);
+    check_not_the_same(outputs[i], inputs);
   }
 }
 
@@ -75,7 +76,9 @@ void check_writable(const std::string& path) {
 void append_findings(std::ostringstream& out, const std::vector<SceneCheck::PairFinding>& findings,
                      const char* what) {
   for (const SceneCheck::PairFinding& f : findings)
-    out << "  \"" << f.a << "\" and \"" << f.b << "\": " << f.count << " " << what << "\n";
+    out << "  \"" << f.a << "\" and \"" << f.b << "\": " << f.count << " " << what << ", "
+        << f.depth << " m deep near (" << f.point.x() << ", " << f.point.y() << ", " << f.point.z()
+        << ")\n";
 }
 
 std::string quoted_list(const std::vector<std::string>& names) {
@@ -89,14 +92,29 @@ std::string end_of(const OperationRecord& record) {
   const OperationResult& r = record.result;
   using End = OperationResult::End;
   std::string out;
+  if (record.op == "stand" && r.moved > 0) out += ": moved apart from what it touches";
   if (r.end == End::Blocked) out += ": blocked by \"" + r.blocked_by.name + "\"";
   if (r.end == End::Step) out += ": stopped by a step, \"" + r.blocked_by.name + "\"";
   if (r.end == End::Edge) out += ": stopped at an edge";
   if (r.tried && r.tried->number > 1) out += ": " + start_text(*r.tried);
   if (!r.interpenetrates.empty()) out += "; passes through " + quoted_list(r.interpenetrates);
   if (!r.gave_way.empty()) out += "; gave way: " + gave_way_text(r.gave_way);
+  if (!r.unsound.empty())
+    out += "; below it " + quoted_list(r.unsound) + (r.unsound.size() > 1 ? " are" : " is") +
+           " held, unsupported or invalid";
   if (!r.unsupported.empty()) out += "; leaves unsupported: " + quoted_list(r.unsupported);
   return out.empty() ? "" : record.op + " \"" + record.object + "\"" + out + "\n";
+}
+
+std::string hovering_text(const SceneCheck& check, const std::string& name) {
+  for (const SceneCheck::Hovering& h : check.hovering) {
+    if (h.name != name) continue;
+    if (h.above.empty()) return ": it hovers above nothing";
+    std::ostringstream out;
+    out << ": it hovers " << h.height << " m above \"" << h.above << "\"";
+    return out.str();
+  }
+  return "";
 }
 
 std::string check_summary(const SceneCheck& check) {
@@ -108,7 +126,10 @@ std::string check_summary(const SceneCheck& check) {
   append_findings(out, check.crossings, "pairs of faces interpenetrate");
   append_findings(out, check.float32_crossings, "pairs of faces interpenetrate in float32");
   append_findings(out, check.contained, "parts of the first are inside the second");
-  for (const std::string& name : check.not_at_rest) out << "  \"" << name << "\" is not at rest\n";
+  for (const SceneCheck::PairFinding& f : check.touching)
+    out << "  note: \"" << f.a << "\" and \"" << f.b << "\" only touch, by " << f.depth << " m\n";
+  for (const std::string& name : check.not_at_rest)
+    out << "  \"" << name << "\" is not at rest" << hovering_text(check, name) << "\n";
   return out.str();
 }
 
@@ -173,8 +194,8 @@ void check_extension(const std::string& path, const std::vector<std::string>& ac
   if (std::find(accepted.begin(), accepted.end(), extension) != accepted.end()) return;
   std::string list;
   for (const std::string& e : accepted) list += (list.empty() ? "" : ", ") + e;
-  throw Error(Error::Kind::BadInput,
-              path + ": the extension \"" + extension + "\" is not accepted; accepted: " + list);
+  throw Error(Error::Kind::BadInput, "%1: the extension \"%2\" is not accepted; accepted: %3", path,
+              extension, list);
 }
 
 void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
@@ -215,9 +236,13 @@ void print_model_notes(const Scene& scene, const CommonOptions& common) {
   std::set<std::string> told;
   for (const ObjectId id : scene.ids()) {
     const std::shared_ptr<const Model> model = scene.at(id).model;
-    for (const std::string& note : model ? model->notes : std::vector<std::string>())
-      if (told.insert(model->path + ": " + note).second)
-        print_note(common, model->path + ": " + note);
+    if (!model) continue;
+    std::vector<Sentence> notes = model->notes;
+    for (auto& note : mass_notes(scene.at(id).shape->mass)) notes.push_back(std::move(note));
+    for (const Sentence& note : notes)
+      if (const Sentence said = say("%1: %2", model->path, note);
+          told.insert(in_english(said)).second)
+        print_note(common, said);
   }
 }
 

@@ -41,15 +41,15 @@ bool asks_for_json(int argc, char** argv) {
 
 std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
   std::vector<Verb> verbs;
+  for (const auto add : {add_info, add_run, add_put}) verbs.push_back(add(app, common));
+  for (Verb& verb : add_operations(app, common)) verbs.push_back(std::move(verb));
   for (const auto add :
-       {add_info,      add_run,    add_put,      add_push,    add_turn,     add_pick_up,
-        add_translate, add_rotate, add_fix,      add_unfix,   add_material, add_check,
-        add_export,    add_render, add_zlist,    add_arrange, add_demo,     add_session,
-        add_serve,     add_replay, add_backends, add_batch,   add_doctor,   add_schema}) {
+       {add_check, add_export, add_render, add_zlist, add_arrange, add_demo, add_session, add_serve,
+        add_replay, add_backends, add_batch, add_doctor, add_schema})
     verbs.push_back(add(app, common));
-    CLI::App& verb = *verbs.back().app;
-    add_common_options(verb, common);
-    verb.footer(examples_of(verb.get_name()));
+  for (const Verb& verb : verbs) {
+    add_common_options(*verb.app, common);
+    verb.app->footer(examples_of(verb.app->get_name()));
   }
   return verbs;
 }
@@ -63,7 +63,7 @@ std::string accepted_verbs(const CLI::App& app, const std::string& given = "") {
     names.push_back(verb->get_name());
     list += (list.empty() ? "; accepted verbs: " : ", ") + names.back();
   }
-  return list + did_you_mean(given, names);
+  return list + in_english(did_you_mean(given, names));
 }
 
 // The verb that was given, else the program.
@@ -82,7 +82,8 @@ std::string unknown_option(const CLI::App& app, int argc, char** argv) {
     const std::string given = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if (given.size() < 3 || given.compare(0, 2, "--") != 0) continue;
     if (std::find(names.begin(), names.end(), given) == names.end())
-      return part.get_name() + ": there is no option " + given + did_you_mean(given, names);
+      return part.get_name() + ": there is no option " + given +
+             in_english(did_you_mean(given, names));
   }
   return "";
 }
@@ -91,10 +92,7 @@ std::string message_of(const CLI::ParseError& error, const CLI::App& app, int ar
   if (dynamic_cast<const CLI::ExtrasError*>(&error))
     if (const std::string unknown = unknown_option(app, argc, argv); !unknown.empty())
       return unknown + accepted_verbs(app);
-  std::string out = error.what() + accepted_verbs(app, argc > 1 ? argv[1] : "");
-  if (parsed_part(app).get_name() == "put" && out.rfind("--position is required", 0) == 0)
-    out += "; accepted: X Y Z, from where it falls; in a layout also \"on\" with \"at\"";
-  return out;
+  return error.what() + accepted_verbs(app, argc > 1 ? argv[1] : "");
 }
 
 // Where the system cannot confine what reads models, once.
@@ -149,6 +147,9 @@ int run_program(int argc, char** argv) {
                 bad_input ? kBadInput : kEnvironment);
   } catch (const std::bad_alloc&) {
     return fail(json, "environment", "not enough memory", kEnvironment);
+  } catch (const nlohmann::json::exception&) {  // in its own words it says nothing to users
+    return fail(json, "bad input",
+                "a file is damaged: a value in it is missing, or of another kind", kBadInput);
   } catch (const std::exception& e) {
     return fail(json, "environment", std::string("unexpected: ") + e.what(), kEnvironment);
   }

@@ -32,12 +32,8 @@ SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& c
     return file;
   }
   SceneFile file = read_scene_file(path, common.limits());
-  for (const std::string& note : file.notes) print_note(common, note);
+  for (const Sentence& note : file.notes) print_note(common, note);
   return file;
-}
-
-Scene read_scene_or_model(const std::string& path, const CommonOptions& common) {
-  return std::move(read_scene_with_layout(path, common).scene);
 }
 
 }  // namespace trivet::apps

@@ -8,10 +8,8 @@
 
 namespace trivet::apps {
 
-/// Reads a scene written by trivet; or any model, alone, as it is and without a floor.
-Scene read_scene_or_model(const std::string& path, const CommonOptions& common);
-
-/// The same with the layout that made the scene; empty of a model.
+/// Reads a scene written by trivet, with the layout that made it; or any model, alone, as it is and
+/// without a floor, with an empty layout.
 SceneFile read_scene_with_layout(const std::string& path, const CommonOptions& common);
 
 }  // namespace trivet::apps

@@ -45,8 +45,7 @@ void check_arguments(const BatchArguments& a) {
     bad_input("--out is missing; accepted: a folder, or --only, --dry-run or --template");
   for (const std::uint64_t k : a.only)
     if (k >= a.run.count)
-      bad_input("--only: " + std::to_string(k) + " is not accepted; accepted: 0 to " +
-                std::to_string(a.run.count - 1));
+      bad_input("--only: %1 is not accepted; accepted: 0 to %2", k, a.run.count - 1);
 }
 
 BatchRun run_of(const BatchArguments& arguments) {
@@ -251,8 +250,8 @@ void add_worker_options(CLI::App& verb, int& jobs, WorkLimits& limits) {
 // Workers have a small memory limit each, and scenes that small: none makes an OpenGL context.
 void check_backend(const CommonOptions& common) {
   if (common.backend == "auto" || common.backend == "bvh") return;
-  bad_input("batch: --backend " + common.backend +
-            " is not accepted, its workers ask BVHs; accepted: auto, bvh");
+  bad_input("batch: --backend %1 is not accepted, its workers ask BVHs; accepted: auto, bvh",
+            common.backend);
 }
 
 Verb add_batch(CLI::App& app, const CommonOptions& common) {

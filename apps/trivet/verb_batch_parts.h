@@ -12,7 +12,7 @@ void add_worker_options(CLI::App& verb, int& jobs, farm::WorkLimits& limits);
 /// The number asked for, else --threads, else the cores that this process may use.
 int num_jobs(int asked, const CommonOptions& common);
 
-/// What a shard has done, for people or as JSON. @return the exit status.
+/// Prints the totals of a shard, for people or as JSON. @return the exit status.
 int print_totals(const farm::BatchTotals& totals, const farm::BatchOptions& options,
                  const CommonOptions& common);
 

@@ -10,6 +10,7 @@
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
 #include "core/io/process/local_sockets.h"
+#include "core/io/sentence_json.h"
 #include "core/picture/png.h"
 #include "ops/files/json/input_text.h"
 
@@ -76,7 +77,7 @@ std::string tried_opengl() {
     try {
       text = "+" + make_gl_pictures()->device();
     } catch (const Error& error) {
-      text = std::string("-") + error.what();
+      text = "-" + to_json(error.sentence());
     }
     send_message(ends.b.number(), text);
     _exit(0);
@@ -85,7 +86,8 @@ std::string tried_opengl() {
   const auto answer = receive_message(ends.a.number());
   waitpid(child, nullptr, 0);
   if (!answer) throw Error(Error::Kind::Environment, "OpenGL's driver ended its process");
-  if (answer->bytes[0] != '+') throw Error(Error::Kind::Environment, answer->bytes.substr(1));
+  if (answer->bytes[0] != '+')
+    throw Error(Error::Kind::Environment, sentence_from_json(answer->bytes.substr(1)));
   return answer->bytes.substr(1);
 }
 

@@ -29,7 +29,7 @@ RunOptions options_of(const CheckArguments& arguments, const CommonOptions& comm
 LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions& common,
                            Detector& detector) {
   SceneFile file = read_scene_file(arguments.file, common.limits());
-  for (const std::string& note : file.notes) print_note(common, note);
+  for (const Sentence& note : file.notes) print_note(common, note);
   check_not_inputs({"", arguments.report, ""}, model_files(file.layout, folder_of(arguments.file)));
   RunOptions options = options_of(arguments, common, detector);
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
@@ -62,8 +62,8 @@ int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
                    const LayoutRun& run) {
   const auto id = run.scene.find(arguments.object);
   if (!id)
-    throw Error(Error::Kind::BadInput,
-                "--object: " + message(unknown_object(run.scene, arguments.object)));
+    throw Error(Error::Kind::BadInput, "--object: %1",
+                message(unknown_object(run.scene, arguments.object)));
   StabilityOptions options = arguments.stability;
   options.clearance = arguments.settle.settle.clearance;
   if (common.json)

@@ -8,11 +8,15 @@
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/export.h"
+#include "core/io/staged_files.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMaxDemoBytes = 1 << 30;
 
 struct DemoArguments {
   std::string name, folder;
@@ -21,24 +25,16 @@ struct DemoArguments {
   ArrangingOptions arranging;
 };
 
-/// Folder for the demo's files: the requested one, else a temporary one.
+/// A temporary folder for the demo's files.
 class DemoFolder {
  public:
-  explicit DemoFolder(const std::string& wanted) : m_keep(!wanted.empty()), m_path(wanted) {
-    std::error_code error;
-    if (m_keep) {
-      fs::create_directories(m_path, error);
-      if (error)
-        throw Error(Error::Kind::Environment, wanted + ": cannot be created: " + error.message());
-      return;
-    }
-    m_path = (fs::temp_directory_path() / "trivet_demo_XXXXXX").string();
+  DemoFolder() : m_path((fs::temp_directory_path() / "trivet_demo_XXXXXX").string()) {
     if (!mkdtemp(m_path.data()))
-      throw Error(Error::Kind::Environment, m_path + ": cannot create a temporary folder");
+      throw Error(Error::Kind::Environment, "%1: cannot create a temporary folder", m_path);
   }
   ~DemoFolder() {
     std::error_code ignored;
-    if (!m_keep) fs::remove_all(m_path, ignored);
+    fs::remove_all(m_path, ignored);
   }
   DemoFolder(const DemoFolder&) = delete;
   DemoFolder& operator=(const DemoFolder&) = delete;
@@ -47,9 +43,33 @@ class DemoFolder {
   const std::string& path() const { return m_path; }
 
  private:
-  bool m_keep;
   std::string m_path;
 };
+
+void add_copy(const fs::path& from, const fs::path& to, StagedFiles& staged) {
+  const std::string bytes = read_text_file(from.string(), kMaxDemoBytes);
+  std::error_code ignored;
+  if (fs::exists(to, ignored) && read_text_file(to.string(), kMaxDemoBytes) != bytes)
+    throw Error(Error::Kind::BadInput,
+                "%1: is there already, and is not what this demo has; accepted: another folder for "
+                "--export",
+                to.string());
+  staged.add(to.string(), bytes);
+}
+
+// Whoever has other files of these names there keeps them, as scenes may name them.
+void export_files(const DemoFolder& made, const std::string& folder) {
+  if (folder.empty()) return;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw Error(Error::Kind::Environment, "%1: cannot be created: %2", folder,
+                error.message().c_str());
+  StagedFiles staged;
+  for (const fs::directory_entry& entry : fs::directory_iterator(made.path()))
+    add_copy(entry.path(), fs::path(folder) / entry.path().filename(), staged);
+  staged.commit();
+}
 
 void write_models(const std::vector<DemoModel>& models, const DemoFolder& folder) {
   for (const DemoModel& made : models) {
@@ -84,9 +104,10 @@ int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const DemoLayout demo = make_demo(arguments.name);
   Outputs outputs(arguments.outputs, exported_files({"layout.json"}, demo.models, arguments.folder),
                   common, picture_from(demo.view));
-  const DemoFolder folder(arguments.folder);
+  const DemoFolder folder;
   write_models(demo.models, folder);
   write_file_atomically(folder.file("layout.json"), layout_json(demo));
+  export_files(folder, arguments.folder);
   const Layout layout = read_layout(folder.file("layout.json"));
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
@@ -94,7 +115,7 @@ int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const LayoutRun result =
       run_layout(layout, models_in_folder(folder.path(), common.limits()), options);
   const std::string& scene = arguments.outputs.scene;
-  const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, folder.path());
+  const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, arguments.folder);
   return outputs.write(result, layout, options, {in_scene, ""});
 }
 
@@ -103,12 +124,13 @@ int run_arranged_demo(const DemoArguments& arguments, const CommonOptions& commo
   const auto exported =
       exported_files({"problem.json", "recipe.json"}, demo.models, arguments.folder);
   check_outputs(outputs_of_solution(arguments.outputs, arguments.arranging, 1), exported);
-  const DemoFolder folder(arguments.folder);
+  const DemoFolder folder;
   write_models(demo.models, folder);
   write_file_atomically(folder.file("problem.json"), demo.problem);
   write_file_atomically(folder.file("recipe.json"), demo.recipe);
+  export_files(folder, arguments.folder);
   const std::string& scene = arguments.outputs.scene;
-  const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, folder.path());
+  const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, arguments.folder);
   return arrange_file({folder.file("problem.json"),
                        exported,
                        arguments.outputs,
@@ -139,8 +161,9 @@ int run_any_demo(const DemoArguments& arguments, const CommonOptions& common) {
   if (arguments.arranging.seed || arguments.arranging.seconds > 0 ||
       arguments.arranging.solutions > 1)
     throw Error(Error::Kind::BadInput,
-                "--seed, --seconds and --solutions: the demo " + arguments.name +
-                    " is laid out by operations; accepted: with " + listed(arranged_demo_names()));
+                "--seed, --seconds and --solutions: the demo %1 is laid out by operations; "
+                "accepted: with %2",
+                arguments.name, listed(arranged_demo_names()));
   return run_demo(arguments, common);
 }
 

@@ -24,7 +24,7 @@ struct ExportArguments {
 
 Scene scene_of(const ExportArguments& arguments, const CommonOptions& common) {
   SceneFile file = read_scene_file(arguments.scene, common.limits());
-  for (const std::string& note : file.notes) print_note(common, note);
+  for (const Sentence& note : file.notes) print_note(common, note);
   check_not_inputs({arguments.output, arguments.report, ""},
                    model_files(file.layout, folder_of(arguments.scene)));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
@@ -41,10 +41,10 @@ int export_table(const ExportArguments& arguments, const CommonOptions& common) 
 void check_can_simulate(const ExportArguments& arguments) {
   if (!(arguments.simulate > 0)) return;
   const std::string extension = lower_extension(arguments.output);
-  if (!can_simulate()) throw Error(Error::Kind::BadInput, "--simulate: " + no_simulator());
+  if (!can_simulate()) throw Error(Error::Kind::BadInput, "--simulate: %1", no_simulator());
   if (extension != ".xml" && extension != ".mjcf")
-    throw Error(Error::Kind::BadInput, "--simulate: MuJoCo does not read " + arguments.output +
-                                           "; accepted: .xml and .mjcf");
+    throw Error(Error::Kind::BadInput,
+                "--simulate: MuJoCo does not read %1; accepted: .xml and .mjcf", arguments.output);
 }
 
 int export_for_simulator(const ExportArguments& arguments, const CommonOptions& common) {
@@ -55,7 +55,7 @@ int export_for_simulator(const ExportArguments& arguments, const CommonOptions& 
   const SimulationExport done =
       export_simulation(scene_of(arguments, common), arguments.output, options);
   std::optional<SimulatedScene> simulated;
-  if (arguments.simulate > 0) simulated = simulate(done, arguments.simulate);
+  if (arguments.simulate > 0) simulated = simulate(done, arguments.simulate, options.files);
   const std::string report = simulation_json(done, options, simulated ? &*simulated : nullptr);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
   if (common.json)
@@ -72,8 +72,8 @@ int export_scene(const ExportArguments& arguments, const CommonOptions& common,
   const bool is_table = is_table_extension(lower_extension(arguments.output));
   for (const CLI::Option* option : verb.get_options())
     if (option->count() > 0 && option->get_group() == (is_table ? kSimulators : kTables))
-      throw Error(Error::Kind::BadInput,
-                  option->get_name() + " has no meaning for " + arguments.output);
+      throw Error(Error::Kind::BadInput, "%1 has no meaning for %2", option->get_name(),
+                  arguments.output);
   check_files({arguments.output, arguments.report}, {arguments.scene});
   return is_table ? export_table(arguments, common) : export_for_simulator(arguments, common);
 }
@@ -107,6 +107,10 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
                   "Run MuJoCo on what was written for so many seconds, and tell what moved; exit "
                   "status 1 if by more than a centimetre. For .xml and .mjcf")
       ->check(number_from(0, 1e4))
+      ->group(kSimulators);
+  verb.add_option("--mujoco", options.files.mujoco,
+                  "Version of MuJoCo that reads the .xml or .mjcf: 3 (default) or 2")
+      ->check(integer_from(kOldestMujoco, kNewestMujoco))
       ->group(kSimulators);
   verb.add_option("--hull-clearance", options.hull_clearance,
                   "Move the faces of hulls inwards by these metres; default: 0")

@@ -7,6 +7,8 @@
 #include "apps/trivet/verbs.h"
 #include "core/base/bad_input.h"
 #include "core/io/atomic_file.h"
+#include "core/io/overwrites.h"
+#include "ops/files/layout/paths.h"
 
 namespace trivet::apps {
 namespace {
@@ -22,15 +24,16 @@ void render_picture(const RenderArguments& arguments, const CommonOptions& commo
   PictureRequest request = arguments.request;
   request.num_threads = common.num_threads;
   PictureMaker maker(request);
-  const Scene scene = read_scene_or_model(arguments.scene, common);
+  const SceneFile file = read_scene_with_layout(arguments.scene, common);
+  check_not_an_input(arguments.picture, model_files(file.layout, folder_of(arguments.scene)));
   clear_progress_line(common);
-  write_file_atomically(arguments.picture, maker.png(scene));
+  write_file_atomically(arguments.picture, maker.png(file.scene));
   if (common.json)
     std::cout << "{\"picture\": " << json_string(arguments.picture)
               << ", \"device\": " << json_string(maker.device()) << "}\n";
 }
 
-// Beside nothing else: the scene is a layout then.
+// A film stands alone: the scene is a layout then.
 int render_film(const RenderArguments& arguments, const CommonOptions& common) {
   if (!arguments.picture.empty() || arguments.labels.any())
     bad_input("--animation is asked for with other pictures; accepted: alone");

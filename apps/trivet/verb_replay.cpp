@@ -18,7 +18,7 @@ int replay(const ReplayArguments& arguments, const CommonOptions& common) {
   RestoredSession restored = restore_session(arguments.journal, options, common.limits(), false);
   OpenedSession& opened = restored.opened;
   clear_progress_line(common);
-  for (const std::string& note : opened.notes) print_note(common, note);
+  for (const Sentence& note : opened.notes) print_note(common, note);
   check_not_inputs(arguments.outputs, model_files(opened.session.layout(), opened.model_folder));
   LayoutRun run;
   run.scene = opened.session.scene();

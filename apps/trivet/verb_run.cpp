@@ -23,9 +23,9 @@ struct RunArguments {
 void check_kind(const std::string& output, const std::string& scene) {
   const std::string wanted = lower_extension(output), is = lower_extension(scene);
   if ((wanted == ".glb" || wanted == ".gltf") && wanted != is)
-    throw Error(Error::Kind::BadInput, output + ": the scene " + scene +
-                                           " keeps its format; accepted: " + is +
-                                           ", .obj, .ply, .stl");
+    throw Error(Error::Kind::BadInput,
+                "%1: the scene %2 keeps its format; accepted: %3, .obj, .ply, .stl", output, scene,
+                is);
 }
 
 void check_animation(const RunArguments& arguments, const Layout& layout,
@@ -39,8 +39,8 @@ void check_animation(const RunArguments& arguments, const Layout& layout,
 
 void check_is_layout(const std::string& file) {
   if (lower_extension(file) == ".glb" && std::filesystem::exists(file))
-    throw Error(Error::Kind::BadInput,
-                file + ": is a scene or a model; run takes a layout (.json)");
+    throw Error(Error::Kind::BadInput, "%1: is a scene or a model; run takes a layout (.json)",
+                file);
 }
 
 int run(const RunArguments& arguments, const CommonOptions& common) {

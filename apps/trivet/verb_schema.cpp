@@ -2,6 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/trivet/verbs.h"
+#include "ops/files/json/operation_schema.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::apps {
 namespace {
@@ -11,7 +13,7 @@ using Json = nlohmann::ordered_json;
 /// A recipe has the keys of a layout, too: they and what they refer to are taken from its schema.
 std::string recipe_schema() {
   Json recipe = Json::parse(kRecipeSchema);
-  const Json layout = Json::parse(kLayoutSchema);
+  const Json layout = layout_schema(kLayoutSchema);
   for (const char* const key :
        {"floor", "material", "floor_material", "settle", "objects", "operations"})
     recipe["properties"][key] = layout.at("properties").at(key);
@@ -32,7 +34,7 @@ Verb add_schema(CLI::App& app, const CommonOptions&) {
   return {verb, [what] {
             std::cout << (*what == "recipe"    ? recipe_schema()
                           : *what == "arrange" ? kArrangeSchema
-                                               : kLayoutSchema);
+                                               : readable_json(layout_schema(kLayoutSchema)));
             return 0;
           }};
 }

@@ -46,6 +46,16 @@ void add_limits(CLI::App& verb, serve::ServeOptions& options) {
   verb.add_option("--max-sessions", options.max_sessions, "Sessions at a time")
       ->check(integer_from(1, 1'000'000))
       ->capture_default_str();
+  verb.add_option("--max-objects", options.max_objects,
+                  "Objects that clients may make of a session")
+      ->check(integer_from(1, 1'000'000'000))
+      ->capture_default_str();
+  verb.add_option(
+          "--max-states", options.max_states,
+          "States of objects that a session keeps for undo; a step has one and one for each "
+          "object that it changed. The oldest steps are forgotten")
+      ->check(integer_from(1, 1'000'000'000))
+      ->capture_default_str();
   verb.add_option("--idle-seconds", options.idle_seconds,
                   "Close a session unused for so long when room for another is needed")
       ->check(number_from(0, 1e9))
@@ -103,6 +113,11 @@ Verb add_serve(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--port", arguments->serve.port, "TCP port; 0: any that is free")
       ->check(integer_from(0, 65535))
       ->capture_default_str()
+      ->excludes(socket);
+  verb->add_option("--host", arguments->serve.hosts,
+                   "Answer requests for this name, too, without port; default: localhost, "
+                   "127.0.0.1, [::1] and --address")
+      ->type_name("NAME")
       ->excludes(socket);
   add_limits(*verb, arguments->serve);
   add_settle_options(*verb, arguments->settle);

@@ -11,7 +11,8 @@ namespace trivet::apps {
 namespace {
 
 struct SessionArguments {
-  std::string start, journal;
+  std::string start;
+  NewJournal journal;
   SettleArguments settle;
 };
 
@@ -20,11 +21,14 @@ OpenedSession open(const SessionArguments& arguments, const CommonOptions& commo
   RunOptions options = run_options(common, arguments.settle, &detector);
   if (!arguments.start.empty())
     return open_session(arguments.start, options, common.limits(), arguments.journal);
-  if (arguments.journal.empty())
+  if (arguments.journal.path.empty())
     throw Error(Error::Kind::BadInput,
                 "missing START; accepted: a layout, a scene, or --journal to restore");
-  RestoredSession restored = restore_session(arguments.journal, options, common.limits(), true);
-  if (!restored.exact) throw Error(Error::Kind::BadInput, restored.opened.notes.back());
+  RestoredSession restored =
+      restore_session(arguments.journal.path, options, common.limits(), true);
+  if (!restored.exact)
+    throw Error(Error::Kind::BadInput, "%1; `trivet replay` writes the scene as it was recorded",
+                restored.opened.notes.back());
   return std::move(restored.opened);
 }
 
@@ -54,7 +58,7 @@ int session(const SessionArguments& arguments, const CommonOptions& common) {
   const std::unique_ptr<Detector> detector = make_detector(common);
   OpenedSession opened = open(arguments, common, *detector);
   clear_progress_line(common);
-  for (const std::string& note : opened.notes) print_note(common, note);
+  for (const Sentence& note : opened.notes) print_note(common, note);
   Dialogue dialogue(opened, dialogue_options(arguments, *detector));
   tell(dialogue.greeting());
   CancellableLines lines(std::cin, is_cancel_line);
@@ -81,8 +85,12 @@ Verb add_session(CLI::App& app, const CommonOptions& common) {
   verb->add_option("start", arguments->start,
                    "Initial layout or scene; default: restore the journal")
       ->type_name("SCENE.glb|LAYOUT.json");
-  verb->add_option("--journal", arguments->journal,
+  verb->add_option("--journal", arguments->journal.path,
                    "Record every step on disk, so that a crashed session can be restored");
+  verb->add_flag("--keep-models", arguments->journal.keep_models,
+                 "Keep the models beside the journal, too, for a session that is restored after "
+                 "their files have changed")
+      ->needs("--journal");
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return session(*arguments, common); }};
 }

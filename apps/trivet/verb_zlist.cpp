@@ -31,8 +31,12 @@ struct ZListArguments {
 
 // A layout is run first, like by `run`.
 Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int& status) {
-  if (lower_extension(arguments.input) != ".json")
-    return read_scene_or_model(arguments.input, common);
+  if (lower_extension(arguments.input) != ".json") {
+    SceneFile file = read_scene_with_layout(arguments.input, common);
+    check_not_inputs({"", arguments.dump, arguments.picture},
+                     model_files(file.layout, folder_of(arguments.input)));
+    return std::move(file.scene);
+  }
   const Layout layout = read_layout(arguments.input, common.limits().max_file_bytes);
   check_not_inputs({"", arguments.dump, arguments.picture},
                    model_files(layout, folder_of(arguments.input)));
@@ -66,9 +70,8 @@ std::optional<ImagePixel> pixel_of(const ZListArguments& arguments, const Projec
   const int column = arguments.pixel[0], row = arguments.pixel[1];
   if (column < view.width && row < view.height) return ImagePixel{column, row};
   throw Error(Error::Kind::BadInput,
-              "--pixel: " + std::to_string(column) + " " + std::to_string(row) +
-                  " is not accepted; accepted: less than " + std::to_string(view.width) + " " +
-                  std::to_string(view.height) + ", the size of the image");
+              "--pixel: %1 %2 is not accepted; accepted: less than %3 %4, the size of the image",
+              column, row, view.width, view.height);
 }
 
 ZListShow show_of(const std::string& name) {
@@ -87,8 +90,8 @@ int resolution_of_motion(const ZListArguments& arguments) {
   const int asked = arguments.resolution ? arguments.resolution : kMotionResolution;
   if (asked <= kLargestMotionResolution) return asked;
   throw Error(Error::Kind::BadInput,
-              "--resolution: " + std::to_string(asked) + " is not accepted; accepted: 1 to " +
-                  std::to_string(kLargestMotionResolution) + " for a motion");
+              "--resolution: %1 is not accepted; accepted: 1 to %2 for a motion", asked,
+              kLargestMotionResolution);
 }
 
 // @param scene  gets its contacts, which say what is carried along.

@@ -18,14 +18,8 @@ Verb add_info(CLI::App& app, const CommonOptions& common);
 Verb add_arrange(CLI::App& app, const CommonOptions& common);
 Verb add_run(CLI::App& app, const CommonOptions& common);
 Verb add_put(CLI::App& app, const CommonOptions& common);
-Verb add_push(CLI::App& app, const CommonOptions& common);
-Verb add_turn(CLI::App& app, const CommonOptions& common);
-Verb add_pick_up(CLI::App& app, const CommonOptions& common);
-Verb add_translate(CLI::App& app, const CommonOptions& common);
-Verb add_rotate(CLI::App& app, const CommonOptions& common);
-Verb add_fix(CLI::App& app, const CommonOptions& common);
-Verb add_unfix(CLI::App& app, const CommonOptions& common);
-Verb add_material(CLI::App& app, const CommonOptions& common);
+/// push, turn, fix, ...
+std::vector<Verb> add_operations(CLI::App& app, const CommonOptions& common);
 Verb add_check(CLI::App& app, const CommonOptions& common);
 Verb add_export(CLI::App& app, const CommonOptions& common);
 Verb add_render(CLI::App& app, const CommonOptions& common);
@@ -39,7 +33,7 @@ Verb add_doctor(CLI::App& app, const CommonOptions& common);
 Verb add_batch(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 
-extern const char* const kLayoutSchema;   // text of ops/files/layout/layout.schema.json
+extern const char* const kLayoutSchema;   // layout.schema.in.json of ops/files/layout
 extern const char* const kRecipeSchema;   // text of apps/farm/recipe/recipe.schema.json
 extern const char* const kArrangeSchema;  // text of ops/files/arrange/arrange.schema.json
 

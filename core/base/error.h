@@ -2,12 +2,16 @@
 // Thrown where found, caught once in main. Hard geometry is never an Error but a status.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
-#include <string>
+#include <utility>
+
+#include "core/base/sentence.h"
 
 namespace trivet {
 
-/// Message with the cause, the value and the accepted values. The kind decides the exit status.
+/// Sentence with the cause, the value and the accepted values; what() is its English. The kind
+/// decides the exit status.
 class Error : public std::runtime_error {
  public:
   enum class Kind {
@@ -15,11 +19,20 @@ class Error : public std::runtime_error {
     Environment,  // unwritable file, no EGL, no memory: exit status 3
   };
 
-  Error(Kind kind, const std::string& message) : std::runtime_error(message), m_kind(kind) {}
+  Error(Kind kind, Sentence sentence)
+      : std::runtime_error(in_english(sentence)),
+        m_kind(kind),
+        m_sentence(std::make_shared<const Sentence>(std::move(sentence))) {}
+  template <class First, class... Parts>
+  Error(Kind kind, const char* pattern, First&& first, Parts&&... parts)
+      : Error(kind, say(pattern, std::forward<First>(first), std::forward<Parts>(parts)...)) {}
+
   Kind kind() const { return m_kind; }
+  const Sentence& sentence() const { return *m_sentence; }
 
  private:
   Kind m_kind;
+  std::shared_ptr<const Sentence> m_sentence;  // shared: copies of an exception throw nothing
 };
 
 }  // namespace trivet

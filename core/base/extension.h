@@ -1,4 +1,4 @@
-// What kind of file a name stands for.
+// Kinds of files by their names.
 #pragma once
 
 #include <cctype>

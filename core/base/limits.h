@@ -13,7 +13,8 @@ inline constexpr double kMinQuaternionComponent = 1e-6, kMaxQuaternionComponent 
 /// A direction needs one component of at least this magnitude, and none beyond the largest.
 inline constexpr double kMinDirectionComponent = 1e-6, kMaxDirectionComponent = 1e6;
 inline constexpr double kMaxAngleDeg = 3600;
-/// Of materials: Coulomb's coefficient, kg/m^3, and the ratio of speeds after and before a bounce.
+/// Bounds of materials: Coulomb's coefficient, kg/m^3, and the ratio of speeds after and before a
+/// bounce.
 inline constexpr double kMinFriction = 1e-3, kMaxFriction = 10;
 inline constexpr double kMinDensity = 1e-3, kMaxDensity = 1e5;
 inline constexpr double kMaxRestitution = 1;

@@ -48,10 +48,9 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
   return nearest ? *nearest : "";
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
+Sentence did_you_mean(const std::string& word, const std::vector<std::string>& names) {
   const std::string nearest = nearest_name(word, names);
-  if (nearest.empty()) return "";
-  return std::string("; did you mean \"").append(nearest).append("\"?");
+  return nearest.empty() ? Sentence() : say("; did you mean \"%1\"?", nearest);
 }
 
 }  // namespace trivet

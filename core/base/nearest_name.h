@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
+
 namespace trivet {
 
 /// The first of the names that is equal but for the case of ASCII letters; else the first of those
@@ -12,6 +14,6 @@ namespace trivet {
 std::string nearest_name(const std::string& word, const std::vector<std::string>& names);
 
 /// "; did you mean "mug"?", or nothing.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
+Sentence did_you_mean(const std::string& word, const std::vector<std::string>& names);
 
 }  // namespace trivet

@@ -11,6 +11,13 @@ namespace trivet {
 /// Default clearance, relative to the scene's size or its largest coordinate. 16 times float32's
 /// half-ulp: with less, float32 export makes contacts touch; with more, gaps become visible.
 inline constexpr double kRelativeClearance = 1.0 / (1 << 20);
+/// Metres: the default clearance follows what lies within this distance of an object, and up to
+/// this size, as far as the sizes of objects allow (see coarse_size()): 0.0095 mm. With less,
+/// scenes of a room would depend on where in it something is put; with more, gaps become visible,
+/// and float32 copies could touch.
+inline constexpr double kClearanceReach = 10.0;
+/// Diagonals of an object that may move up to which the default clearance follows sizes, too.
+inline constexpr double kCoarseDiagonals = 4.0;
 /// A pair of faces that starts closer than this many clearances is in contact: it stops a motion
 /// only if its gap shrinks to kRestingShrink of its start. With 1, pivots block themselves.
 inline constexpr double kHysteresis = 2.0;
@@ -76,8 +83,6 @@ inline constexpr int kLiftsOfRocking = 8;
 /// Contacts within this many clearances may carry once nothing can sink any further: a final
 /// closing motion shorter than kEnergyDrop is not executed.
 inline constexpr double kBalanceTolerance = 20;
-/// An object farther than this many clearances from all others hovers.
-inline constexpr double kHoverTolerance = 8;
 /// Accepted clearances, relative to the scene's size: smaller ones drown in rounding, larger ones
 /// are visible gaps.
 inline constexpr double kSmallestClearance = 1e-10;

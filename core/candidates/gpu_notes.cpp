@@ -26,10 +26,10 @@ struct Told {
 GpuNotes once_each(GpuNotes notes) {
   const auto told = std::make_shared<Told>();
   GpuNotes out;
-  out.recovered = [told, notes](const std::string& text) {
+  out.recovered = [told, notes](const Sentence& text) {
     if (told->is_first_recovery()) notes.tell_recovered(text);
   };
-  out.lost = [told, notes](const std::string& text) {
+  out.lost = [told, notes](const Sentence& text) {
     if (told->is_first_loss()) notes.tell_lost(text);
   };
   return out;

@@ -11,8 +11,8 @@ namespace trivet {
 /// Heights seen from above or below, pixel by pixel, row by row. Metres over a common level.
 struct HeightMap {
   int width = 0, height = 0;
-  /// Of an object's underside: not higher than any point over the pixel; +infinity: nothing there.
-  /// Of a scene's top: not lower than any point over the pixel; -infinity: nothing there.
+  /// Bounds of an object's underside: not higher than any point over the pixel; +infinity: nothing
+  /// there. Of a scene's top: not lower than any point over the pixel; -infinity: nothing there.
   std::vector<float> bound;
   /// On the line through the pixel's centre; the same infinities where it certainly meets nothing
   /// or may miss.

@@ -24,7 +24,7 @@ class ContactEnds {
   void add_support_vertex(const ContactFace& a, const Index3& edges, Index face_a, const Vec3& q,
                           Index vertex, Index face_b);
 
-  /// Those where neither surface comes nearer beside, each once.
+  /// Points where neither surface comes nearer beside, each once.
   std::vector<ContactPoint> points();
 
  private:

@@ -30,7 +30,7 @@ class FlushFaces {
     Index face_object, face_support;
     size_t first, end;  // of m_corners
   };
-  // Of the overlaps of two neighbourhoods, which are named by a face of each.
+  // A face in the overlaps of two neighbourhoods, which are named by a face of each.
   struct Member {
     Index object, support;
     size_t overlap;

@@ -20,7 +20,7 @@ class MotionBoxes {
   /// Space nearer to the face than the largest distance at which a pair stops. Of a turn, the same
   /// box may be met one period earlier or later.
   Aabb fixed(const Triangle& world) const;
-  /// Of the third coordinate; 0 for a translation.
+  /// Period of the third coordinate; 0 for a translation.
   double period() const { return m_turning ? kPeriod : 0; }
 
   static constexpr double kPeriod = 4;

@@ -1,15 +1,15 @@
-// How far two nodes are apart at time 0, by their boxes and slabs. Private.
+// Gap between two nodes at time 0, by their boxes and slabs. Private.
 #pragma once
 
 #include "core/contact/placed_node.h"
 
 namespace trivet {
 
-// Of everything that counts both ways, by the moving body and by the fixed one as seen from it,
-// each has a lane. Lane kFixed: the moving body moves in the frame of the fixed one, which stands
+// One lane per frame for everything that counts both ways, by the moving body and by the fixed one
+// as seen from it. Lane kFixed: the moving body moves in the frame of the fixed one, which stands
 // still; lane kMoving: the other way about.
 
-/// Of each body what the other one's frame sees, by the lane of that frame.
+/// One lane per frame: quantities of the body that moves in it.
 inline Double2 others(Double2 of_moving, Double2 of_fixed) {
   return Double2{of_moving[kFixed], of_fixed[kMoving]};
 }
@@ -17,7 +17,7 @@ inline Vec3Lanes others(const Vec3Lanes& of_moving, const Vec3Lanes& of_fixed) {
   return {others(of_moving[0], of_fixed[0]), others(of_moving[1], of_fixed[1]),
           others(of_moving[2], of_fixed[2])};
 }
-/// Of each body what its own frame sees.
+/// One lane per frame: quantities of the body whose frame it is.
 inline Double2 own(Double2 of_moving, Double2 of_fixed) {
   return Double2{of_fixed[kFixed], of_moving[kMoving]};
 }

@@ -19,7 +19,7 @@ struct PlacedNode {
   Vec3Lanes normal;     // of the slab, not longer than 1
   double lower, upper;  // of the slab, about the centre
   double radius;        // of the box's sphere
-  /// Of a turn, in the other body's frame: from the axis to the centre, and where the centre goes.
+  /// For a turn, in the other body's frame: from the axis to the centre, and where the centre goes.
   Vec3 radial, tangent;
   double height, ring;  // of the centre along the axis, and from it
 

@@ -21,7 +21,7 @@ struct SeparatingPlanes::Table {
                        static_cast<std::uint32_t>(face_fixed) * 2246822519u;
     return slots[(mixed >> 16) % slots.size()];
   }
-  /// Those of this thread that nobody uses: making one takes as long as a small query.
+  /// Unused tables of this thread: making one takes as long as a small query.
   static std::vector<std::unique_ptr<Table>>& unused() {
     thread_local std::vector<std::unique_ptr<Table>> tables;
     return tables;

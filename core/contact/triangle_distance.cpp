@@ -193,7 +193,7 @@ class EdgePairs {
   }
 
  private:
-  // Of edges k / 3 of a and k % 3 of b. Of equals the first in this order is taken.
+  // Pairs of edges k / 3 of a and k % 3 of b. The first in this order wins among equals.
   static constexpr struct {
     int pair, lane;
   } kWhere[] = {{0, 0}, {2, 0}, {1, 0}, {2, 1}, {0, 1}, {1, 1}, {3, 0}, {3, 1}, {4, 0}};

@@ -49,7 +49,7 @@ HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
   m_num_leaves = m_nodes.size();
 }
 
-// Of its hull; 0 for what is not closed.
+// Part of its hull that the mesh fills; 0 for an open mesh.
 double HullTree::filled_part(Index root) const {
   const std::vector<Index>& faces = m_nodes[root].faces;
   if (!m_adjacency.components[m_adjacency.face_component[faces[0]]].balanced) return 0;
@@ -126,7 +126,7 @@ std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces, double 
   return points;
 }
 
-// Of planes across the axes the one with the least volume in both hulls.
+// Takes, among planes across the axes, the one with the least volume in both hulls.
 std::array<std::vector<Index>, 2> HullTree::halves(const std::vector<Index>& faces) const {
   std::array<std::vector<Index>, 2> best;
   double least = kInfinity;

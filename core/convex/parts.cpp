@@ -99,8 +99,8 @@ class PartMaker {
 
   ConvexParts take() {
     if (m_num_thickened > 0)
-      m_out.notes.push_back(std::to_string(m_num_thickened) + " flat parts get a thickness of " +
-                            std::to_string(kFlatPartThickness) + " of their size");
+      m_out.notes.push_back(say("%1 flat parts get a thickness of %2 of their size",
+                                m_num_thickened, std::to_string(kFlatPartThickness)));
     return std::move(m_out);
   }
 
@@ -151,8 +151,8 @@ ConvexParts convex_parts(const Mesh& mesh, const Adjacency& adjacency, PartRule 
     if (!mesh.vertices.empty()) maker.add_hull(mesh.vertices);
     ConvexParts out = maker.take();
     if (rule != PartRule::Hull && num_components > kMaxParts)
-      out.notes.push_back("one hull for all of its " + std::to_string(num_components) +
-                          " components, more than " + std::to_string(kMaxParts));
+      out.notes.push_back(
+          say("one hull for all of its %1 components, more than %2", num_components, kMaxParts));
     return out;
   }
   const std::vector<std::vector<Index>> faces = faces_of_components(adjacency);

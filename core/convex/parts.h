@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/mesh/adjacency.h"
 #include "core/mesh/mesh.h"
 
@@ -24,7 +25,7 @@ enum class PartRule {
 
 struct ConvexParts {
   std::vector<ConvexPart> parts;  // empty only if the mesh has no vertex
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
 };
 
 /// Hulls that contain the whole surface. Flat parts get the thickness kFlatPartThickness; meshes of

@@ -26,7 +26,7 @@ class SeparatingAxes {
   /// Normals of the faces of both boxes; a rank-deficient linear part may have fewer.
   SeparatingAxes(const BoxFrame& a, const BoxFrame& b);
 
-  /// Of a segment instead of boxes of a: `a` maps (-1, 0, 0) and (1, 0, 0) to its ends.
+  /// Axes for a segment instead of boxes of a: `a` maps (-1, 0, 0) and (1, 0, 0) to its ends.
   static SeparatingAxes of_segment(const BoxFrame& a, const BoxFrame& b);
 
   /// True only if the contents of the two boxes are disjoint.

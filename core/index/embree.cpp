@@ -11,9 +11,9 @@ RTCDevice embree_device() {
   static const RTCDevice device = [] {
     const RTCDevice made = rtcNewDevice(nullptr);
     if (!made)
-      throw Error(Error::Kind::Environment, "Embree cannot start (error " +
-                                                std::to_string(rtcGetDeviceError(nullptr)) +
-                                                "); it needs a processor with SSE2 and memory");
+      throw Error(Error::Kind::Environment,
+                  "Embree cannot start (error %1); it needs a processor with SSE2 and memory",
+                  static_cast<int>(rtcGetDeviceError(nullptr)));
     return made;
   }();
   return device;
@@ -22,8 +22,8 @@ RTCDevice embree_device() {
 void throw_embree_error(const char* what) {
   const RTCError error = rtcGetDeviceError(embree_device());
   if (error == RTC_ERROR_NONE) return;
-  throw Error(Error::Kind::Environment, std::string("Embree cannot ") + what + " (error " +
-                                            std::to_string(error) + "); it may lack memory");
+  throw Error(Error::Kind::Environment, "Embree cannot %1 (error %2); it may lack memory", what,
+              static_cast<int>(error));
 }
 
 }  // namespace trivet

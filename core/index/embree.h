@@ -16,7 +16,7 @@ namespace trivet {
 #error "Trivet supports Embree 3 and 4; check embree.h before adding another version"
 #endif
 
-/// Of the whole program; made when first needed.
+/// Device of the whole program; made when first needed.
 /// @throws Error (Environment) when Embree cannot start.
 RTCDevice embree_device();
 

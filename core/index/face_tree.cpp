@@ -158,14 +158,14 @@ class FaceTree {
     return static_cast<size_t>(best.bin);
   }
 
-  // Of the boxes; opening a node costs as much as a face.
+  // Cost of testing the boxes of a leaf; opening a node costs as much as a face.
   float leaf_cost(Faces faces) const {
     Bounds all;
     for (const Index f : faces) all.extend(m_boxes[f].lower, m_boxes[f].upper);
     return static_cast<float>(faces.size() - 1) * all.half_area();
   }
 
-  // Of faces in this order; the bin is how many the first child gets.
+  // Best split of faces in this order; the bin is how many the first child gets.
   Split best_split_of_few(Faces faces, int axis) const {
     const size_t count = faces.size();
     std::array<float, kFewOfTree> cost_after;  // of this face and those after it

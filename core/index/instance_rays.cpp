@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kDark = 0.002f;  // what passes less counts as opaque
 
-// What Embree keeps pointers to.
+// Data that Embree keeps pointers to.
 struct RayMesh {
   std::vector<float> vertices;  // and 16 bytes that Embree may read
   std::vector<Index3> opaque, see_through;

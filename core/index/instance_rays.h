@@ -69,7 +69,8 @@ class InstanceRays {
 
   /// Directions must be finite.
   HitPacket first_hits(const RayPacket& rays) const;
-  /// What each ray passes on, by colour: 0 where a face that lets nothing through is in the way.
+  /// Light that each ray passes on, by colour: 0 where a face that lets nothing through is in the
+  /// way.
   std::array<Vec3f, kRayLanes> passed(const RayPacket& rays) const;
 
  private:

@@ -59,7 +59,7 @@ struct RayPiece {
   double start, end;  // times
 };
 
-// Of the ray within kRayReach of the origin, along each axis.
+// Piece of the ray within kRayReach of the origin, along each axis.
 RayPiece ray_piece(const Vec3& origin, const Vec3& direction, double until) {
   RayPiece out{0, until};
   for (int k = 0; k < 3; ++k) {

@@ -12,7 +12,7 @@ namespace {
 constexpr Index kFewFaces = 16;
 /// Shorter by more than its rounding to float.
 constexpr double kNearlyOne = 1 - 1e-6;
-/// Of rounding, relative to the box and its distance from the origin.
+/// Rounding error, relative to the box and its distance from the origin.
 constexpr double kSlabRounding = 4e-15;
 
 Vec3 normal_of(const BvhSlab& slab) { return {slab.normal[0], slab.normal[1], slab.normal[2]}; }

@@ -1,6 +1,8 @@
 #include "core/io/atomic_file.h"
 
 #include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +13,8 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/io/opened_files.h"
+#include "core/io/overwrites.h"
 #include "core/io/staged_files.h"
 
 namespace trivet {
@@ -19,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_to_write(const std::string& path, int error) {
-  throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(error));
+  throw Error(Error::Kind::Environment, "%1: cannot be written: %2", path, std::strerror(error));
 }
 
 }  // namespace
@@ -80,6 +84,45 @@ void write_all(int descriptor, const std::string& bytes, const std::string& path
   }
 }
 
+/// A file that is open for reading.
+class SourceFile {
+ public:
+  explicit SourceFile(const std::string& path)
+      : m_path(path), m_descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (m_descriptor < 0) fail_to_read(errno);
+  }
+  ~SourceFile() { close(m_descriptor); }
+  SourceFile(const SourceFile&) = delete;
+  SourceFile& operator=(const SourceFile&) = delete;
+
+  /// True if the other, empty file has the same bytes now, without a copy: a write to either parts
+  /// them. False where the file system has no such copies.
+  bool share_with(int descriptor) const { return ioctl(descriptor, FICLONE, m_descriptor) == 0; }
+
+  void pass_on(const ByteSink& write) const {
+    std::string block;
+    for (block.resize(1 << 16); const size_t count = read_into(block); block.resize(1 << 16)) {
+      block.resize(count);
+      write(block);
+    }
+  }
+
+ private:
+  size_t read_into(std::string& block) const {
+    while (true) {
+      const ssize_t count = ::read(m_descriptor, block.data(), block.size());
+      if (count >= 0) return static_cast<size_t>(count);
+      if (errno != EINTR) fail_to_read(errno);
+    }
+  }
+  [[noreturn]] void fail_to_read(int error) const {
+    throw Error(Error::Kind::Environment, "%1: cannot be read: %2", m_path, std::strerror(error));
+  }
+
+  std::string m_path;
+  int m_descriptor;
+};
+
 // Makes the rename durable; file systems that cannot do so break no guarantee.
 void sync_folder(const fs::path& folder) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -116,7 +159,9 @@ struct StagedFiles::File {
   bool replaces = false, is_committed = false;
   std::string old;  // second name of what was there; empty: none
 
-  File(const std::string& file, const FileContent& content) : path(file) {
+  /// @param source  may be null; a file whose bytes `content` passes on, too.
+  File(const std::string& file, const FileContent& content, const SourceFile* source = nullptr)
+      : path(file) {
     struct stat there {};
     const bool exists = replaces = stat(path.c_str(), &there) == 0;
     if (exists && S_ISDIR(there.st_mode)) fail_to_write(path, EISDIR);
@@ -131,7 +176,8 @@ struct StagedFiles::File {
     target = exists ? fs::canonical(path, error) : fs::absolute(path, error);
     if (error) fail_to_write(path, error.value());
     temporary = std::make_unique<HiddenFile>(target);
-    content([&](const std::string& bytes) { write_all(temporary->descriptor(), bytes, path); });
+    if (!source || !source->share_with(temporary->descriptor()))
+      content([&](const std::string& bytes) { write_all(temporary->descriptor(), bytes, path); });
     if (exists) fchmod(temporary->descriptor(), there.st_mode & 07777);
     temporary->sync_and_close(path);
   }
@@ -163,7 +209,7 @@ struct StagedFiles::File {
   }
 };
 
-StagedFiles::StagedFiles() = default;
+StagedFiles::StagedFiles(std::string owner) : m_owner(std::move(owner)) {}
 
 StagedFiles::~StagedFiles() {
   m_files.clear();
@@ -180,7 +226,8 @@ void StagedFiles::add_folder(const std::string& path) {
     made.insert(made.begin(), folder.string());
   m_folders.insert(m_folders.end(), made.begin(), made.end());
   fs::create_directories(path, error);
-  if (error) throw Error(Error::Kind::Environment, path + ": cannot be made: " + error.message());
+  if (error)
+    throw Error(Error::Kind::Environment, "%1: cannot be made: %2", path, error.message().c_str());
 }
 
 void StagedFiles::add(const std::string& path, const std::string& bytes) {
@@ -188,10 +235,28 @@ void StagedFiles::add(const std::string& path, const std::string& bytes) {
 }
 
 void StagedFiles::add(const std::string& path, const FileContent& content) {
+  check_owner(path);
+  add_folder_above(path);
+  m_files.push_back(std::make_unique<File>(path, content));
+}
+
+void StagedFiles::add_copy(const std::string& path, const std::string& from) {
+  check_owner(path);
+  const SourceFile source(from);
+  add_folder_above(path);
+  m_files.push_back(std::make_unique<File>(
+      path, [&](const ByteSink& write) { source.pass_on(write); }, &source));
+}
+
+void StagedFiles::check_owner(const std::string& path) const {
+  if (const std::string model = model_that_opened(path, m_owner); !model.empty())
+    fail_as_input(path, model);
+}
+
+void StagedFiles::add_folder_above(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
   std::error_code ignored;
   if (!folder.empty() && !fs::exists(folder, ignored)) add_folder(folder);
-  m_files.push_back(std::make_unique<File>(path, content));
 }
 
 void StagedFiles::commit() {
@@ -212,6 +277,12 @@ void write_file_atomically(const std::string& path, const FileContent& content) 
     return write_through(path, content);  // piece by piece
   StagedFiles staged;
   staged.add(path, content);
+  staged.commit();
+}
+
+void copy_file_atomically(const std::string& from, const std::string& to) {
+  StagedFiles staged;
+  staged.add_copy(to, from);
   staged.commit();
 }
 

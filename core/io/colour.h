@@ -6,6 +6,11 @@
 
 namespace trivet {
 
+/// Replaces numbers out of range and non-finite ones of broken files.
+inline float unit_interval(float value, float otherwise) {
+  return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;
+}
+
 inline float linear_from_srgb(float c) {
   c = std::clamp(c, 0.0f, 1.0f);
   return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);

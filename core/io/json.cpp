@@ -24,7 +24,7 @@ std::string without_prefix(const std::string& message) {
 }
 
 // The library does not say where a number overflows, only which: 'number overflow parsing '1e999''.
-std::string overflow_message(const std::string& text, const std::string& what) {
+Sentence overflow_message(const std::string& text, const std::string& what) {
   const size_t first = what.find('\''), last = what.rfind('\'');
   if (first == std::string::npos || last <= first) return without_prefix(what);
   const std::string token = what.substr(first + 1, last - first - 1);
@@ -32,9 +32,10 @@ std::string overflow_message(const std::string& text, const std::string& what) {
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
   const size_t line_start = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
   const size_t column = line_start == std::string::npos ? at + 1 : at - line_start;
-  return "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " +
-         token.substr(0, 40) +
-         " is not accepted; accepted: numbers between -1.797e308 and 1.797e308";
+  return say(
+      "line %1, column %2: %3 is not accepted; accepted: numbers between -1.797e308 and "
+      "1.797e308",
+      line, column, token.substr(0, 40));
 }
 
 template <class Json>
@@ -50,7 +51,7 @@ class JsonBuilder {
  public:
   using string_t = typename Json::string_t;
 
-  JsonBuilder(const std::string& text, const std::string& name, const JsonLimits& limits)
+  JsonBuilder(const std::string& text, const Sentence& name, const JsonLimits& limits)
       : m_text(text), m_name(name), m_limits(limits) {}
 
   Json take() { return std::move(m_root); }
@@ -93,7 +94,8 @@ class JsonBuilder {
 
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& e) {
     constexpr int kNumberOverflow = 406;
-    fail(e.id == kNumberOverflow ? overflow_message(m_text, e.what()) : complaint_of(e));
+    if (e.id == kNumberOverflow) fail(overflow_message(m_text, e.what()));
+    fail(complaint_of(e));
     return false;
   }
 
@@ -115,7 +117,7 @@ class JsonBuilder {
       members.emplace(std::move(member.key), std::move(member.value));
   }
 
-  [[noreturn]] void fail(const std::string& what) const { bad_input(m_name + ": " + what); }
+  [[noreturn]] void fail(const Sentence& what) const { bad_input("%1: %2", m_name, what); }
 
   template <class T>
   bool add(T&& value) {
@@ -130,8 +132,8 @@ class JsonBuilder {
 
   bool enter(bool array, size_t first) {
     if (m_levels.size() >= m_limits.max_depth)
-      fail(pointer(m_levels.size()) + ": nested too deep; accepted: up to " +
-           std::to_string(m_limits.max_depth) + " levels");
+      fail(say("%1: nested too deep; accepted: up to %2 levels", pointer(m_levels.size()),
+               m_limits.max_depth));
     m_levels.push_back({array, first, {}});
     return true;
   }
@@ -145,8 +147,8 @@ class JsonBuilder {
     std::sort(m_keys.begin(), m_keys.end(), before);
     const auto twice = std::adjacent_find(m_keys.begin(), m_keys.end(), same);
     if (twice != m_keys.end())
-      fail(pointer(m_levels.size() - 1) + '/' + printable(pointer_token(**twice), 100) +
-           ": this key comes twice; accepted: each key once");
+      fail(say("%1: this key comes twice; accepted: each key once",
+               pointer(m_levels.size() - 1) + '/' + printable(pointer_token(**twice), 100)));
   }
 
   // The place of what the outermost levels hold last. Their values wait between those of the level
@@ -169,7 +171,7 @@ class JsonBuilder {
   }
 
   const std::string& m_text;
-  const std::string& m_name;
+  const Sentence& m_name;
   const JsonLimits& m_limits;
   Json m_root;
   std::vector<Level> m_levels;
@@ -181,10 +183,9 @@ class JsonBuilder {
 }  // namespace
 
 template <class Json>
-Json json_from_text(const std::string& text, const std::string& name, const JsonLimits& limits) {
+Json json_from_text(const std::string& text, const Sentence& name, const JsonLimits& limits) {
   if (text.size() > limits.max_bytes)
-    bad_input(name + ": " + std::to_string(text.size()) + " bytes, more than the limit of " +
-              std::to_string(limits.max_bytes));
+    bad_input("%1: %2 bytes, more than the limit of %3", name, text.size(), limits.max_bytes);
   JsonBuilder<Json> builder(text, name, limits);
   Json::sax_parse(text, &builder);
   return builder.take();
@@ -199,8 +200,8 @@ std::optional<Json> json_if_valid(const std::string& text, const JsonLimits& lim
   }
 }
 
-template nlohmann::json json_from_text(const std::string&, const std::string&, const JsonLimits&);
-template nlohmann::ordered_json json_from_text(const std::string&, const std::string&,
+template nlohmann::json json_from_text(const std::string&, const Sentence&, const JsonLimits&);
+template nlohmann::ordered_json json_from_text(const std::string&, const Sentence&,
                                                const JsonLimits&);
 template std::optional<nlohmann::json> json_if_valid(const std::string&, const JsonLimits&);
 template std::optional<nlohmann::ordered_json> json_if_valid(const std::string&, const JsonLimits&);

@@ -8,22 +8,22 @@
 namespace trivet {
 std::shared_ptr<const Appearance> appearance_of_gltf(const GltfDocument& source,
                                                      const std::vector<int>& roots,
-                                                     std::vector<std::string>& notes) {
-  const auto give_up = [&](const std::string& reason) {
-    notes.push_back("hierarchy and textures left out: " + reason);
+                                                     std::vector<Sentence>& notes) {
+  const auto give_up = [&](const Sentence& reason) {
+    notes.push_back(say("hierarchy and textures left out: %1", reason));
     return nullptr;
   };
   try {
     GltfPart part = copied_part(source, roots);
     check_plain(part.document.json);
-    for (const std::string& what : part.left_out) notes.push_back("left out: " + what);
+    for (const auto& [english, what] : part.left_out) notes.push_back(say("left out: %1", what));
     if (!member(source.json, "animations").empty()) notes.push_back("left out: animations");
     Appearance look;
     look.roots = std::move(part.roots);
     look.document = std::make_shared<const GltfDocument>(std::move(part.document));
     return std::make_shared<const Appearance>(std::move(look));
   } catch (const Error& e) {
-    return give_up(e.what());
+    return give_up(e.sentence());
   } catch (const GltfJson::exception& e) {
     return give_up(complaint_of(e));
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/model/model.h"
 
 namespace trivet {
@@ -23,7 +24,7 @@ struct Appearance {
 /// note, if the geometry is stored in a way that the importer might interpret differently.
 std::shared_ptr<const Appearance> appearance_of_gltf(const GltfDocument& source,
                                                      const std::vector<int>& roots,
-                                                     std::vector<std::string>& notes);
+                                                     std::vector<Sentence>& notes);
 
 /// Counts for display.
 struct AppearanceCounts {

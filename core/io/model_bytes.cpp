@@ -6,6 +6,7 @@
 
 #include "core/io/gltf/document.h"
 #include "core/io/look.h"
+#include "core/io/sentence_json.h"
 #include "core/io/writers.h"
 
 namespace trivet {
@@ -147,7 +148,7 @@ std::shared_ptr<const Appearance> get_look(ByteReader& in) {
     const std::string_view bytes = in.text();
     document.images.push_back(present ? std::make_shared<const std::string>(bytes) : nullptr);
   }
-  std::vector<std::string> ignored;
+  std::vector<Sentence> ignored;
   return appearance_of_gltf(document, in.list<int>(), ignored);
 }
 
@@ -162,9 +163,11 @@ Model get_model(ByteReader& in, const ImportLimits& limits) {
   if (metres > 0 && std::isfinite(metres)) model.metres_per_unit = metres;
   model.num_nodes = in.get<std::int32_t>();
   const std::uint64_t num_notes = in.count();
-  for (std::uint64_t i = 0; i < num_notes; ++i) model.notes.emplace_back(in.text());
+  for (std::uint64_t i = 0; i < num_notes; ++i)
+    model.notes.push_back(sentence_from_json(std::string(in.text())));
   get_polygonisation(in, model);
   if (in.get<std::uint8_t>()) model.appearance = get_look(in);
+  model.rounded_appearance = in.get<std::uint8_t>() != 0;
   in.expect(in.at_end());
   return model;
 }
@@ -191,19 +194,20 @@ std::string bytes_of_model(const Model& model) {
   append_bytes(out, model.metres_per_unit.value_or(0.0));
   append_bytes(out, std::int32_t{model.num_nodes});
   append_bytes(out, std::uint64_t{model.notes.size()});
-  for (const std::string& note : model.notes) put(out, note);
+  for (const Sentence& note : model.notes) put(out, to_json(note));
   append_bytes(out, std::uint8_t{model.polygonised.has_value()});
   if (model.polygonised) put_polygonisation(out, *model.polygonised);
   append_bytes(out, std::uint8_t{model.appearance != nullptr});
   if (model.appearance) put_look(out, *model.appearance);
+  append_bytes(out, std::uint8_t{model.rounded_appearance});
   return out;
 }
 
-std::string bytes_of_error(Error::Kind kind, const std::string& message) {
+std::string bytes_of_error(Error::Kind kind, const Sentence& sentence) {
   std::string out(kModelMagic);
   append_bytes(out, Content::Error);
   append_bytes(out, std::uint8_t{kind == Error::Kind::Environment});
-  put(out, message);
+  put(out, to_json(sentence));
   return out;
 }
 
@@ -214,7 +218,7 @@ Model model_from_bytes(std::string_view bytes, const std::string& path,
   if (in.get<Content>() == Content::Error) {
     const bool environment = in.get<std::uint8_t>() != 0;
     throw Error(environment ? Error::Kind::Environment : Error::Kind::BadInput,
-                std::string(in.text()));
+                sentence_from_json(std::string(in.text())));
   }
   Model model = get_model(in, limits);
   model.path = path;

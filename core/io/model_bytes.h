@@ -5,13 +5,14 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/sentence.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
 
 namespace trivet {
 
 std::string bytes_of_model(const Model& model);
-std::string bytes_of_error(Error::Kind kind, const std::string& message);
+std::string bytes_of_error(Error::Kind kind, const Sentence& sentence);
 
 /// Inverse of the functions above. The bytes may come from a compromised process: everything is
 /// validated like a file. The model's path is `path`.

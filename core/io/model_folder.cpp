@@ -44,9 +44,11 @@ bool ModelFolder::has(const fs::path& file) const {
   return holds(file) && fs::is_regular_file(file, error);
 }
 
-std::string outside_folder(const std::string& name) {
-  return "names \"" + printable(name, 100) +
-         "\", which is outside its folder; accepted: files in the folder of the model or below it";
+Sentence outside_folder(const std::string& name) {
+  return say(
+      "names \"%1\", which is outside its folder; accepted: files in the folder of the model "
+      "or below it",
+      printable(name, 100));
 }
 
 }  // namespace trivet

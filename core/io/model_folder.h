@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
+
 namespace trivet {
 
 /// The folder of a model. One that is a symbolic link has two: that of the link, and that of the
@@ -28,6 +30,6 @@ class ModelFolder {
 
 /// "names "../x.bin", which is outside its folder; accepted: ...". Quotes the model file;
 /// does not look whether there is such a file.
-std::string outside_folder(const std::string& name);
+Sentence outside_folder(const std::string& name);
 
 }  // namespace trivet

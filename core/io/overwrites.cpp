@@ -3,14 +3,14 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/extension.h"
 #include "core/io/gltf/builder.h"
+#include "core/io/model_folder.h"
+#include "core/io/opened_files.h"
+#include "core/io/process/sandboxed_import.h"
 
 namespace trivet {
 namespace {
@@ -37,57 +37,13 @@ std::vector<std::string> with_files_beside(const std::string& output) {
   return out;
 }
 
-std::vector<std::string> named_by_gltf(const std::string& path) {
-  const GltfJson json = parse_gltf_json(path, read_gltf_text(path));
-  std::vector<std::string> out;
-  for (const char* const list : {"buffers", "images"})
-    for (const GltfJson& item : member(json, list))
-      if (const GltfJson& uri = member(item, "uri"); uri.is_string())
-        if (const auto text = uri.get<std::string>(); text.rfind("data:", 0) != 0)
-          out.push_back(decoded_uri(text));
-  return out;
+// Layouts, reports and journals name no files that are opened like a model's.
+bool is_model(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return !extension.empty() && extension != ".json" && extension != ".jsonl";
 }
 
-// The rest of a line of text after a keyword that begins like this, and its last word: options may
-// stand before a name, and spaces in it.
-std::vector<std::string> named_by_lines(const std::string& path, const std::string& keyword) {
-  std::vector<std::string> out;
-  std::ifstream in(path, std::ios::binary);
-  for (std::string line; std::getline(in, line);) {
-    const size_t first = line.find_first_not_of(" \t");
-    if (first == line.npos || line.compare(first, keyword.size(), keyword) != 0) continue;
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    const size_t end = line.find_first_of(" \t", first);
-    const size_t name = end == line.npos ? line.npos : line.find_first_not_of(" \t", end);
-    if (name == line.npos) continue;
-    out.push_back(line.substr(name));
-    if (const size_t last = line.find_last_of(" \t"); last > name)
-      out.push_back(line.substr(last + 1));
-  }
-  return out;
-}
-
-std::vector<std::string> in_folder_of(const std::string& file, std::vector<std::string> names) {
-  for (std::string& name : names) {
-    std::replace(name.begin(), name.end(), '\\', '/');
-    name = (fs::path(file).parent_path() / name).string();
-  }
-  return names;
-}
-
-std::vector<std::string> named_by(const std::string& model) {
-  const std::string extension = lower_extension(model);
-  if (extension == ".gltf" || extension == ".glb") return in_folder_of(model, named_by_gltf(model));
-  if (extension != ".obj") return {};
-  std::vector<std::string> out = in_folder_of(model, named_by_lines(model, "mtllib"));
-  for (const std::string& materials : std::vector<std::string>(out))
-    for (const char* const keyword : {"map_", "bump", "disp", "norm", "refl"})
-      for (std::string& map : in_folder_of(materials, named_by_lines(materials, keyword)))
-        out.push_back(std::move(map));
-  return out;
-}
-
-// No model names such a file; looking into all models takes a while.
+// No model names such a file; reading all models takes a while.
 bool is_never_beside(const std::string& path) {
   const std::string extension = lower_extension(path);
   for (const char* const own : {".glb", ".gltf", ".obj", ".ply", ".stl", ".json"})
@@ -95,22 +51,27 @@ bool is_never_beside(const std::string& path) {
   return false;
 }
 
-void check_not_named(const std::string& output, const std::string& model) {
+// Reads it once in a process. One that cannot be read names nothing: whoever needs it will say so.
+void open_model(const std::string& model) {
   std::error_code ignored;
-  if (!fs::is_regular_file(model, ignored)) return;
-  std::vector<std::string> names;
+  if (files_opened_for(model) || !fs::is_regular_file(model, ignored)) return;
+  ImportLimits limits;
+  limits.importer = find_importer();
+  if (limits.importer.empty()) return;
   try {
-    names = named_by(model);
+    import_model(model, limits);
   } catch (const Error&) {
-    return;  // reading it will say so
+    note_opened(model, {});
   }
-  for (const std::string& name : names)
-    if (exists(name) && same_file(output, name))
-      throw Error(Error::Kind::BadInput, output + ": is an input, named by " + model +
-                                             ", and would be overwritten; accepted: another name");
 }
 
 }  // namespace
+
+void fail_as_input(const std::string& output, const std::string& model) {
+  throw Error(Error::Kind::BadInput,
+              "%1: is an input, named by %2, and would be overwritten; accepted: another name",
+              output, model);
+}
 
 bool same_file(const std::string& a, const std::string& b) {
   struct stat of_a {
@@ -120,16 +81,22 @@ bool same_file(const std::string& a, const std::string& b) {
   return canonical(a) == canonical(b);
 }
 
-void check_not_an_input(const std::string& output, const std::vector<std::string>& inputs) {
-  for (const std::string& written : with_files_beside(output)) {
-    const auto it = std::find_if(inputs.begin(), inputs.end(), [&](const std::string& input) {
-      return same_file(written, input);
-    });
-    if (it != inputs.end())
+void check_not_the_same(const std::string& output, const std::vector<std::string>& inputs) {
+  for (const std::string& written : with_files_beside(output))
+    if (std::any_of(inputs.begin(), inputs.end(),
+                    [&](const std::string& input) { return same_file(written, input); }))
       throw Error(Error::Kind::BadInput,
-                  written + ": is an input and would be overwritten; accepted: another name");
+                  "%1: is an input and would be overwritten; accepted: another name", written);
+}
+
+void check_not_an_input(const std::string& output, const std::vector<std::string>& inputs) {
+  check_not_the_same(output, inputs);
+  for (const std::string& written : with_files_beside(output)) {
     if (!exists(written) || is_never_beside(written)) continue;
-    for (const std::string& input : inputs) check_not_named(written, input);
+    for (const std::string& input : inputs)
+      if (is_model(input) && ModelFolder(input).holds(written)) open_model(input);
+    if (const std::string model = model_that_opened(written, output); !model.empty())
+      fail_as_input(written, model);
   }
 }
 

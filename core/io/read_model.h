@@ -8,10 +8,12 @@
 
 namespace trivet {
 
-/// Limits for untrusted files. The last three apply to import_model() (sandboxed_import.h).
+/// Limits for untrusted files. The last four apply to import_model() (sandboxed_import.h).
 struct ImportLimits {
   std::uintmax_t max_file_bytes = std::uintmax_t{4} << 30;
   std::int64_t max_triangles = 50'000'000;
+  // Metres per unit of all files, whatever they state; 0: as they state. Of import_model().
+  double metres_per_unit = 0;
   // Program trivet-import; empty: import in this process. Builds with Open CASCADE have
   // trivet-import-cad beside it, for STEP, IGES and BREP.
   std::string importer;
@@ -19,8 +21,9 @@ struct ImportLimits {
   std::uintmax_t max_memory_bytes = 0;  // 0: 1 GiB plus 64 times the file's size
 };
 
-/// Reads a model with assimp. Polygons are triangulated; points and lines are left out and noted.
-/// STEP, IGES and BREP need import_model().
+/// Reads a model; README.md has the reader of each format. Content decides which it is. Polygons
+/// are triangulated without overlap; points, lines and whatever else is left out is noted. STEP,
+/// IGES and BREP need import_model().
 /// @throws Error (BadInput) naming the file: missing, unreadable, empty, no triangle, coordinates
 ///   that are not finite (or beyond 1e30), index out of range, larger than the limits.
 Model read_model(const std::string& path, const ImportLimits& limits = {});

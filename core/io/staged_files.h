@@ -13,7 +13,8 @@ namespace trivet {
 /// leaves all as it was. Folders that are made for them vanish again, too.
 class StagedFiles {
  public:
-  StagedFiles();
+  /// @param owner  a model or scene that is replaced, too: its own files may be.
+  explicit StagedFiles(std::string owner = {});
   ~StagedFiles();  // deletes files that were not committed
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
@@ -22,9 +23,13 @@ class StagedFiles {
   /// @throws Error (Environment).
   void add_folder(const std::string& path);
   /// As write_file_atomically(), up to the rename; makes missing folders above the file.
-  /// @throws Error (Environment).
+  /// @throws Error: BadInput where a model that was read consists of this file (note_opened());
+  ///   Environment.
   void add(const std::string& path, const std::string& bytes);
   void add(const std::string& path, const FileContent& content);
+  /// A copy of the file `from`, of its own: it shares blocks where the file system has such copies
+  /// (FICLONE), but no later change.
+  void add_copy(const std::string& path, const std::string& from);
   /// Renames in the order of add(): what names others comes last.
   /// @throws Error (Environment) when the system refuses a rename; those before it are taken back
   ///   (but for files that were replaced where there are no hard links).
@@ -32,6 +37,10 @@ class StagedFiles {
 
  private:
   struct File;
+  void check_owner(const std::string& path) const;
+  void add_folder_above(const std::string& path);
+
+  std::string m_owner;
   std::vector<std::unique_ptr<File>> m_files;
   std::vector<std::string> m_folders;  // that were made, the outer ones first
 };

@@ -39,7 +39,7 @@ void write_gltf(const ExportScene& scene, const fs::path& target) {
   const fs::path folder = target.parent_path();
   for (const auto& [name, bytes] : files.images) check_file_beside(target.string(), name);
   if (!files.binary.empty()) check_file_beside(target.string(), files.binary_name);
-  StagedFiles staged;
+  StagedFiles staged(target.string());
   for (const auto& [name, bytes] : files.images) staged.add((folder / name).string(), *bytes);
   if (!files.binary.empty()) staged.add((folder / files.binary_name).string(), files.binary);
   staged.add(target.string(), files.json);
@@ -51,7 +51,7 @@ void write_obj(const ExportScene& scene, const fs::path& target) {
   const std::string mtl = mtl_name(target);
   check_file_beside(target.string(), mtl);
   const ObjText text = obj_text(scene, mtl);
-  StagedFiles staged;
+  StagedFiles staged(target.string());
   staged.add((target.parent_path() / mtl).string(), text.mtl);
   staged.add(target.string(), text.obj);
   staged.commit();
@@ -64,9 +64,9 @@ void check_file_beside(const std::string& path, const std::string& beside) {
   std::error_code ignored;
   if (!fs::exists(file, ignored) || names(target, beside)) return;
   throw Error(Error::Kind::BadInput,
-              file.string() + ": exists and does not belong to " + path +
-                  ", so it would be overwritten; accepted: another name or folder, or a "
-                  "single-file format, such as .glb");
+              "%1: exists and does not belong to %2, so it would be overwritten; accepted: another "
+              "name or folder, or a single-file format, such as .glb",
+              file.string(), path);
 }
 
 void check_files_beside(const std::string& path) {
@@ -81,7 +81,7 @@ std::string scene_bytes(const ExportScene& scene, const std::string& extension) 
   if (extension == ".ply") return ply_bytes(scene);
   if (extension == ".stl") return stl_bytes(scene);
   throw Error(Error::Kind::BadInput,
-              "\"" + extension + "\" is no format of one file; accepted are .glb, .ply and .stl");
+              "\"%1\" is no format of one file; accepted are .glb, .ply and .stl", extension);
 }
 
 void write_scene(const ExportScene& scene, const std::string& path) {
@@ -94,9 +94,8 @@ void write_scene(const ExportScene& scene, const std::string& path) {
   } else if (extension == ".glb" || extension == ".ply" || extension == ".stl") {
     write_file_atomically(path, scene_bytes(scene, extension));
   } else {
-    throw Error(Error::Kind::BadInput,
-                path + ": " + (extension.empty() ? "no extension" : "cannot write " + extension) +
-                    "; accepted: .glb, .gltf, .obj, .ply and .stl");
+    throw Error(Error::Kind::BadInput, "%1: %2; accepted: .glb, .gltf, .obj, .ply and .stl", path,
+                extension.empty() ? "no extension" : say("cannot write %1", extension));
   }
 }
 

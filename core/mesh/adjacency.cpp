@@ -6,6 +6,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "core/mesh/solid_faces.h"
+
 namespace trivet {
 namespace {
 
@@ -163,6 +165,7 @@ Adjacency make_adjacency(const Mesh& mesh) {
   collect_vertex_rows(mesh, out);
   find_components(mesh, out);
   classify_components(out);
+  nest_components(mesh, solid_faces(mesh, out), out);
   return out;
 }
 

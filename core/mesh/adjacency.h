@@ -34,6 +34,10 @@ struct Component {
   bool even = true;      // every edge is used an even number of times: it has an inside by parity
   bool balanced = true;  // every edge is used as often in either direction: it has a signed volume
   bool manifold = true;  // every edge is used just once in either direction
+  // For mass: -1 if triangles are wound the other way than the part's inside demands, which nesting
+  // tells: of parts inside out, and of cavities wound as solids (core/mesh/solid_faces.h).
+  int winding = 1;
+  int depth = 0;  // closed components around this one; odd: a cavity
 };
 
 /// Incidence of vertices, edges and faces, both ways. Edges are numbered in the order in which

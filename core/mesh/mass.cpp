@@ -6,77 +6,57 @@
 #include <numeric>
 
 #include "core/mesh/hull.h"
+#include "core/mesh/moments.h"
+#include "core/mesh/solid_faces.h"
 
 namespace trivet {
 namespace {
 
-/// A volume below this fraction of area x box diagonal is rounding error.
-constexpr double kLeastVolume = 1e-9;
-
-/// Integrals of 1, x, |x|^2 and x x^T over a body, where x is relative to an origin.
-struct Moments {
-  double measure = 0;
-  Vec3 first = Vec3::Zero();
-  double second = 0;
-  Mat3 products = Mat3::Zero();
-
-  /// Adds the simplex with these corners; if it is a tetrahedron, the origin is its apex.
-  void add(double size, const Triangle& corners, int num_corners) {
-    const Vec3 sum = corners[0] + corners[1] + corners[2];
-    const double squares =
-        corners[0].squaredNorm() + corners[1].squaredNorm() + corners[2].squaredNorm();
-    measure += size;
-    first += size / num_corners * sum;
-    const double weight = size / (num_corners * (num_corners + 1));
-    second += weight * (squares + sum.squaredNorm());
-    products += weight * sum * sum.transpose();
-    for (const Vec3& c : corners) products += weight * c * c.transpose();
-  }
-
-  Vec3 centre() const { return first / measure; }
-  /// Mean squared distance from the centre.
-  double spread() const { return second / measure - centre().squaredNorm(); }
-  Mat3 covariance() const { return products / measure - centre() * centre().transpose(); }
-};
-
 struct MeshMoments {
-  Moments solid;                          // signed tetrahedra
-  Moments surface;                        // triangles
-  std::vector<double> component_volumes;  // signed
+  Moments solid;           // signed tetrahedra of closed parts, each with its inside
+  Moments surface;         // triangles
+  double closed_area = 0;  // of the parts that are solids
 };
 
-Triangle relative_to(const Vec3& origin, const Triangle& t) {
-  return {t[0] - origin, t[1] - origin, t[2] - origin};
+double solid_sign(const SolidFaces& solid, const Adjacency& adjacency, Index face) {
+  return solid.weight(face) * adjacency.components[adjacency.face_component[face]].winding;
 }
 
-double signed_volume(const Triangle& t) { return t[0].cross(t[1]).dot(t[2]) / 6; }
-
-MeshMoments integrate(const Mesh& mesh, const Adjacency& adjacency, const Vec3& origin) {
+MeshMoments integrate(const Mesh& mesh, const Adjacency& adjacency, const SolidFaces& solid,
+                      const Vec3& origin) {
   MeshMoments out;
-  out.component_volumes.resize(adjacency.components.size());
   for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f) {
     const Triangle t = relative_to(origin, mesh.triangle(f));
-    const double volume = signed_volume(t);
-    out.solid.add(volume, t, 4);
-    out.surface.add((t[1] - t[0]).cross(t[2] - t[0]).norm() / 2, t, 3);
-    out.component_volumes[adjacency.face_component[f]] += volume;
+    const double area = area_of(t);
+    out.surface.add(area, t, 3);
+    if (!solid.closed[adjacency.face_component[f]]) continue;
+    out.closed_area += area;
+    out.solid.add(solid_sign(solid, adjacency, f) * signed_volume(t), t, 4);
   }
   return out;
 }
 
-/// True if the signed tetrahedra form a body: cavities may be negative in a positive total.
-bool is_solid(const MeshMoments& moments, const Adjacency& adjacency, const Aabb& box) {
-  const double volume = moments.solid.measure;
-  const double least = kLeastVolume * moments.surface.measure * box.diagonal();
-  if (!(std::abs(volume) > least)) return false;
-  if (!std::all_of(adjacency.components.begin(), adjacency.components.end(),
-                   [](const Component& c) { return c.balanced; }))
-    return false;
-  const bool some_positive =
-      std::any_of(moments.component_volumes.begin(), moments.component_volumes.end(),
-                  [&](double v) { return v > least; });
-  if (volume < 0 && some_positive) return false;
+/// True if the signed tetrahedra form a body.
+bool is_solid(const MeshMoments& moments, const Aabb& box) {
+  constexpr double kLeast = 1e-9;  // of area x box diagonal; below, a volume is rounding error
+  if (!(moments.solid.measure > kLeast * moments.surface.measure * box.diagonal())) return false;
   return (moments.solid.centre().cwiseAbs().array() <= box.half_extent().array()).all();
+}
+
+// Closed parts outweigh open ones from half of the area on: a label does not make a box a shell.
+bool is_mostly_closed(const MeshMoments& moments) {
+  return 2 * moments.closed_area >= moments.surface.measure;
+}
+
+InsideFindings findings_of(const Adjacency& adjacency, const SolidFaces& solid) {
+  InsideFindings out;
+  out.num_double_faces = solid.num_double;
+  out.num_flipped_faces = solid.num_flipped;
+  for (size_t c = 0; c < solid.closed.size(); ++c) {
+    out.num_open_parts += !solid.closed[c];
+    out.num_turned_parts += solid.closed[c] && adjacency.components[c].winding < 0;
+  }
+  return out;
 }
 
 /// Tetrahedra from a point inside the hull to its triangles: all positive, whatever their winding.
@@ -152,10 +132,15 @@ MassProperties mass_properties(const Mesh& mesh, const Adjacency& adjacency) {
   }
   const Aabb box = mesh.box();
   const Vec3 origin = box.centre();
-  const MeshMoments moments = integrate(mesh, adjacency, origin);
+  const SolidFaces solid = solid_faces(mesh, adjacency);
+  const MeshMoments moments = integrate(mesh, adjacency, solid, origin);
   out.area = moments.surface.measure;
-  if (is_solid(moments, adjacency, box)) {
-    out.volume = std::abs(moments.solid.measure);
+  out.findings = findings_of(adjacency, solid);
+  const bool has_solid = is_solid(moments, box);
+  if (has_solid && out.findings.num_open_parts > 0)
+    out.findings.other_centre_distance = (moments.solid.centre() - moments.surface.centre()).norm();
+  if (has_solid && is_mostly_closed(moments)) {
+    out.volume = moments.solid.measure;
     set_centre(out, MassRule::Volume, moments.solid, origin);
   } else if (out.area > 0) {
     set_centre(out, MassRule::Surface, moments.surface, origin);

@@ -13,6 +13,17 @@ enum class MassRule {
 
 const char* to_string(MassRule rule);  // "volume", "surface", "hull"
 
+/// Findings about the inside of a mesh; all zero for a well-made solid.
+struct InsideFindings {
+  Index num_turned_parts = 0;   // closed parts inside out, or cavities wound as solids
+  Index num_flipped_faces = 0;  // in closed parts whose other faces are wound the other way
+  Index num_double_faces = 0;   // there more than once, in either winding
+  Index num_open_parts = 0;     // beside closed ones, or all of them
+  // From `centre` to where it would be by the other rule, volume of the closed parts or surface of
+  // all; 0 where there is one rule only.
+  double other_centre_distance = 0;
+};
+
 /// Object frame, file units.
 struct MassProperties {
   MassRule rule = MassRule::Volume;
@@ -23,16 +34,17 @@ struct MassProperties {
                                    // that is 0, of a solid box of the mesh's size
   Mat3 covariance = Mat3::Zero();  // mean of (x - centre)(x - centre)^T over the mass; symmetric,
                                    // its trace is radius_squared to rounding
+  InsideFindings findings;
 };
 
 /// Inertia tensor about the centre, of a mass of 1: trace(covariance) I - covariance.
 Mat3 inertia_per_mass(const Mat3& covariance);
 
 /// Sums signed tetrahedra about the box's centre, so that an offset costs no digits.
-/// By volume if every edge is balanced, the total is more than rounding, the centre is in the box,
-/// and the components' volumes are of one sign (all negative: the mesh is inside out, and the
-/// centroid is the same) or their total is positive (the negative ones are cavities); else by
-/// surface if there is area; else by convex hull.
+/// By volume of the closed parts, each with its own inside (core/mesh/solid_faces.h): outermost
+/// ones are solids, those within them cavities, and so on, however they are wound; faces that are
+/// there twice count once. Open parts weigh nothing then. By surface if open parts have more than
+/// half of the area, or nothing is closed; by convex hull if there is no area.
 /// @return all finite; `radius_squared` is positive unless all vertices coincide.
 MassProperties mass_properties(const Mesh& mesh, const Adjacency& adjacency);
 

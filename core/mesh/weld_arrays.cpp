@@ -9,28 +9,24 @@
 namespace trivet {
 namespace {
 
-[[noreturn]] void fail(const std::string& what, const std::string& accepted) {
-  throw Error(Error::Kind::BadInput, what + "; accepted: " + accepted);
-}
-
-std::string row(const char* what, size_t number) {
-  return std::string(what) + " " + std::to_string(number);
+[[noreturn]] void fail(const Sentence& what, const Sentence& accepted) {
+  throw Error(Error::Kind::BadInput, "%1; accepted: %2", what, accepted);
 }
 
 void check(std::span<const Vec3> vertices, std::span<const Index3> triangles) {
   constexpr size_t kMost = std::numeric_limits<Index>::max();
   if (triangles.empty()) fail("a mesh without triangles", "one at least");
   if (vertices.size() > kMost || triangles.size() > kMost)
-    fail("a mesh of " + std::to_string(vertices.size()) + " vertices and " +
-             std::to_string(triangles.size()) + " triangles",
-         "up to " + std::to_string(kMost) + " of each");
+    fail(say("a mesh of %1 vertices and %2 triangles", vertices.size(), triangles.size()),
+         say("up to %1 of each", kMost));
   for (size_t v = 0; v < vertices.size(); ++v)
-    if (!vertices[v].allFinite()) fail(row("vertex", v) + " is not finite", "finite coordinates");
+    if (!vertices[v].allFinite())
+      fail(say("%1 is not finite", say("vertex %1", v)), "finite coordinates");
   for (size_t f = 0; f < triangles.size(); ++f)
     for (const Index v : triangles[f])
       if (v < 0 || static_cast<size_t>(v) >= vertices.size())
-        fail(row("triangle", f) + " has vertex " + std::to_string(v),
-             "0 to " + std::to_string(static_cast<long>(vertices.size()) - 1));
+        fail(say("%1 has vertex %2", say("triangle %1", f), v),
+             say("0 to %1", static_cast<long>(vertices.size()) - 1));
 }
 
 }  // namespace

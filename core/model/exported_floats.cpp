@@ -15,11 +15,14 @@ constexpr double kFarInDiagonals = 2.0;
 // Nearer, clearances that follow coordinates are below 16 micrometres or invisible beside it.
 constexpr double kFarScene = 16.0;
 constexpr double kFarSceneInDiagonals = 8.0;
+// In a wide scene, what is farther, in metres and in its own diagonals, has a place of its own.
+constexpr double kFarObjectInDiagonals = 4.0;
 
 [[noreturn]] void fail_range(const ExportObject& object) {
-  throw Error(Error::Kind::BadInput, "object '" + object.name +
-                                         "' lies beyond the range of float32, or its pose is not "
-                                         "finite; it cannot be exported");
+  throw Error(Error::Kind::BadInput,
+              "object '%1' lies beyond the range of float32, or its pose is not finite; it cannot "
+              "be exported",
+              object.name);
 }
 
 // World row -> glTF row: (x, z, -y). Sums run in the fixed order of Affine::apply.
@@ -59,6 +62,20 @@ Vec3 export_origin(const Aabb& scene_box) {
   return origin;
 }
 
+Vec3 export_place(const Affine& from_object, const Aabb& mesh_box) {
+  Vec3 place = Vec3::Zero();
+  if (mesh_box.empty()) return place;
+  const Vec3 centre = from_object.apply(mesh_box.centre());
+  const double size = mesh_box.diagonal() * from_object.linear.col(0).norm();
+  const double near = std::max(kFarScene, kFarObjectInDiagonals * size);
+  if (!centre.allFinite() || !(centre.cwiseAbs().maxCoeff() > near)) return place;
+  const double grid = std::ldexp(1.0, std::ilogb(near));
+  constexpr double kExactInFloat32 = 1 << 24;
+  if (centre.cwiseAbs().maxCoeff() > kExactInFloat32 * grid) return place;
+  for (int i = 0; i < 3; ++i) place[i] = grid * std::round(centre[i] / grid) + 0.0;
+  return place;
+}
+
 Vec3 export_centre(const Model* model, const Aabb& mesh_box) {
   const Vec3 centre = local_centre(mesh_box);
   return model && model->appearance ? as_float32(centre) : centre;
@@ -88,9 +105,10 @@ NodeMatrix node_matrix(const ExportObject& object, const Vec3& centre) {
 }
 
 ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mesh_box)
-    : m_centre(export_centre(object.model.get(), mesh_box)),
-      m_has_look(object.model && object.model->appearance) {
-  const NodeMatrix rows = node_matrix(object, m_centre);
+    : m_place(export_place(object.world_from_object, mesh_box)),
+      m_centre(export_centre(object.model.get(), mesh_box)),
+      m_has_look(object.model && object.model->appearance && !object.model->rounded_appearance) {
+  const NodeMatrix rows = node_matrix(relative_to(m_place, object), m_centre);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) m_y_up_from_local.linear(r, c) = rows[r][c];
     m_y_up_from_local.translation[r] = rows[r][3];
@@ -102,7 +120,7 @@ Vec3 ExportedPlacement::operator()(const Vec3& vertex) const {
   // An appearance's float32 vertices pass through its own nodes, in double, as on import.
   if (!m_has_look) local = as_float32(local);
   const Vec3 y_up = as_float32(m_y_up_from_local.apply(local));
-  return {y_up.x(), -y_up.z(), y_up.y()};
+  return m_place + Vec3(y_up.x(), -y_up.z(), y_up.y());
 }
 
 std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object) {

@@ -23,6 +23,12 @@ struct ExportObject {
 /// then describe the scene, not its distance. Depends on the box alone.
 Vec3 export_origin(const Aabb& scene_box);
 
+/// Origin of one object in a scene that is wide, too: relative to that of the scene, metres. Zero
+/// near it; for an object farther than 16 m and 4 of its own sizes a point of a grid of powers of
+/// two, which float32 has. Depends on the object alone.
+/// @param from_object  to coordinates relative to the scene's origin.
+Vec3 export_place(const Affine& from_object, const Aabb& mesh_box);
+
 /// The same transform with world coordinates relative to `origin`.
 inline Affine relative_to(const Vec3& origin, Affine world_from_object) {
   world_from_object.translation -= origin;
@@ -31,22 +37,24 @@ inline Affine relative_to(const Vec3& origin, Affine world_from_object) {
 
 /// Position of a vertex as a reader of the glTF computes it, in doubles (world, z up): the float32
 /// vertex, in double through the nodes below the object's own as in read_model(), then through the
-/// object's float32 matrix, rounded to float32. The exact check of a float32 export tests these
-/// positions; the code that writes the file computes them.
+/// object's float32 matrix, rounded to float32; then, in double, from its export_place(). The exact
+/// check of a float32 export tests these positions; the code that writes the file computes them.
 class ExportedPlacement {
  public:
   /// @param object  its model may be null: of no appearance. @param mesh_box  of its mesh.
   /// @throws Error (BadInput) naming the object when its pose is beyond the range of float32.
   ExportedPlacement(const ExportObject& object, const Aabb& mesh_box);
   Vec3 operator()(const Vec3& vertex) const;
+  const Vec3& place() const { return m_place; }
 
  private:
-  Vec3 m_centre;
+  Vec3 m_place, m_centre;
   bool m_has_look;
   Affine m_y_up_from_local;  // float32 entries
 };
 
-/// All vertices of the mesh through ExportedPlacement.
+/// All vertices of the mesh through ExportedPlacement, rounded once more where that has a place:
+/// those of formats without nodes.
 std::vector<Eigen::Vector3f> exported_positions(const ExportObject& object);
 
 /// Origin of the object's node: zero unless the mesh lies far from its own origin, where a float32

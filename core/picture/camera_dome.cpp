@@ -34,10 +34,10 @@ double sine(double deg) {  // -90 to 90, without the mathematical library
   return deg < 0 ? -s : s;
 }
 
-void check_range(const char* what, double value, double lowest, double highest) {
+void check_range(const Sentence& what, double value, double lowest, double highest) {
   if (!(value >= lowest && value <= highest))
-    bad_input("a dome's " + std::string(what) + " of " + std::to_string(value) +
-              "; accepted: " + std::to_string(lowest) + " to " + std::to_string(highest));
+    bad_input("a dome's %1 of %2; accepted: %3 to %4", what, std::to_string(value),
+              std::to_string(lowest), std::to_string(highest));
 }
 
 void check_dome(const DomeOptions& options) {

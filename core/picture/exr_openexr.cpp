@@ -54,8 +54,8 @@ std::string encode_exr(int width, int height, int num_channels, std::span<const 
     }
     return std::move(stream.bytes);
   } catch (const std::exception& error) {
-    throw Error(Error::Kind::Environment,
-                std::string("an image cannot be encoded as OpenEXR: ") + error.what());
+    throw Error(Error::Kind::Environment, "an image cannot be encoded as OpenEXR: %1",
+                error.what());
   }
 }
 

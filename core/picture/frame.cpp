@@ -116,14 +116,14 @@ double tan_of_half_deg(double deg) {
 }
 
 CameraAxes camera_axes(const Camera& camera) {
-  const auto bad = [](const std::string& what) {
-    return Error(Error::Kind::BadInput, "the camera " + what);
+  const auto bad = [](const Sentence& what) {
+    return Error(Error::Kind::BadInput, "the camera %1", what);
   };
   if (!camera.eye.allFinite() || !camera.target.allFinite() || !camera.up.allFinite())
     throw bad("is not finite");
   if (!(camera.fov_deg >= 1 && camera.fov_deg <= 170))
-    throw bad("has a field of view of " + std::to_string(camera.fov_deg) +
-              " degrees; accepted: 1 to 170");
+    throw bad(say("has a field of view of %1 degrees; accepted: 1 to 170",
+                  std::to_string(camera.fov_deg)));
   const Vec3 backward = camera.eye - camera.target;
   if (!(backward.norm() > 0))
     throw bad("has its eye at its target; accepted: two different points");

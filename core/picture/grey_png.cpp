@@ -13,8 +13,7 @@ constexpr int kCompression = 3;  // of 9; the rest gains a few percent in thrice
 [[noreturn]] void fail(png_structp png, png_const_charp reason) {
   // libpng asks its user not to return: the file so far is dropped by what owns it.
   (void)png;
-  throw Error(Error::Kind::Environment,
-              std::string("an image cannot be encoded as PNG: ") + reason);
+  throw Error(Error::Kind::Environment, "an image cannot be encoded as PNG: %1", reason);
 }
 
 void ignore(png_structp, png_const_charp) {}

@@ -24,15 +24,14 @@ PinholeCamera pinhole_camera(const Camera& camera, int width, int height) {
 void check_camera(const PinholeCamera& camera) {
   const auto side_is_good = [](int side) { return side >= 1 && side <= kMaxPictureSide; };
   if (!side_is_good(camera.width) || !side_is_good(camera.height))
-    bad_input("a picture of " + std::to_string(camera.width) + " x " +
-              std::to_string(camera.height) + " pixels; accepted: 1 to " +
-              std::to_string(kMaxPictureSide) + " in each dimension");
+    bad_input("a picture of %1 x %2 pixels; accepted: 1 to %3 in each dimension", camera.width,
+              camera.height, kMaxPictureSide);
   if (!(camera.fx > 0 && camera.fx < 1e9 && camera.fy > 0 && camera.fy < 1e9))
-    bad_input("the camera has focal lengths of " + std::to_string(camera.fx) + " and " +
-              std::to_string(camera.fy) + " pixels; accepted: above 0, below 1e9");
+    bad_input("the camera has focal lengths of %1 and %2 pixels; accepted: above 0, below 1e9",
+              std::to_string(camera.fx), std::to_string(camera.fy));
   if (!(std::abs(camera.cx) < 1e9 && std::abs(camera.cy) < 1e9))
-    bad_input("the camera's principal point is " + std::to_string(camera.cx) + ", " +
-              std::to_string(camera.cy) + "; accepted: -1e9 to 1e9 pixels");
+    bad_input("the camera's principal point is %1, %2; accepted: -1e9 to 1e9 pixels",
+              std::to_string(camera.cx), std::to_string(camera.cy));
   if (!camera.eye.allFinite()) bad_input("the camera is not finite");
   const Mat3& r = camera.camera_from_world;
   const bool is_rotation = r.allFinite() &&

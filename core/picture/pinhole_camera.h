@@ -15,9 +15,9 @@ struct PinholeCamera {
   Mat3 camera_from_world = Mat3::Identity();  // rotation
   Vec3 eye = Vec3::Zero();                    // world, metres
 
-  /// Of a point of the world, in the camera frame.
+  /// Camera coordinates of a point of the world.
   Vec3 apply(const Vec3& world) const { return rotate(world - eye); }
-  /// Of a direction.
+  /// Camera coordinates of a direction.
   Vec3 rotate(const Vec3& world) const {
     Vec3 out;
     for (int r = 0; r < 3; ++r)

@@ -37,9 +37,8 @@ std::string encode_png(const Image& image) {
   if (!png_image_write_to_memory(&header, png.data(), &bytes, 0,
                                  opaque ? rgb.data() : image.rgba.data(), 0, nullptr))
     throw Error(Error::Kind::Environment,
-                "the picture of " + std::to_string(image.width) + " x " +
-                    std::to_string(image.height) +
-                    " pixels cannot be encoded as PNG: " + header.message);
+                "the picture of %1 x %2 pixels cannot be encoded as PNG: %3", image.width,
+                image.height, header.message);
   png.resize(bytes);
   return png;
 }

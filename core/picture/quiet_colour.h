@@ -8,7 +8,8 @@
 
 namespace trivet {
 
-/// Of a name, linear RGB: one of 72, of even lightness and little chroma. The same on every run.
+/// Colour for a name, linear RGB: one of 72, of even lightness and little chroma. The same on every
+/// run.
 /// @see [Ottosson 2020] for the space that it is even in.
 std::array<float, 3> quiet_colour(std::string_view name);
 

@@ -14,15 +14,13 @@ constexpr int kMaxSamples = 4096;
 void check_options(const PictureOptions& options) {
   const auto side_is_good = [](int side) { return side >= 1 && side <= kMaxPictureSide; };
   if (!side_is_good(options.width) || !side_is_good(options.height))
-    bad_input("a picture of " + std::to_string(options.width) + " x " +
-              std::to_string(options.height) + " pixels; accepted: 1 to " +
-              std::to_string(kMaxPictureSide) + " in each dimension");
+    bad_input("a picture of %1 x %2 pixels; accepted: 1 to %3 in each dimension", options.width,
+              options.height, kMaxPictureSide);
   if (options.samples < 1 || options.samples > kMaxSamples)
-    bad_input("a picture of " + std::to_string(options.samples) + " samples; accepted: 1 to " +
-              std::to_string(kMaxSamples));
+    bad_input("a picture of %1 samples; accepted: 1 to %2", options.samples, kMaxSamples);
   for (const float c : options.background)
     if (!(c >= 0 && c <= 1))
-      bad_input("a background component of " + std::to_string(c) + "; accepted: 0 to 1");
+      bad_input("a background component of %1; accepted: 0 to 1", std::to_string(c));
 }
 
 /// The look of a model, made once. Thread-safe.
@@ -49,7 +47,7 @@ void check_poses(const PictureScene& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Affine& pose = scene.objects[i].world_from_object;
     if (!pose.linear.allFinite() || !pose.translation.allFinite())
-      bad_input("the pose of object " + std::to_string(i) + " of the picture is not finite");
+      bad_input("the pose of object %1 of the picture is not finite", i);
   }
 }
 

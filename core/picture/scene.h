@@ -1,4 +1,4 @@
-// What a picture shows, and from where: what all renderers share.
+// Content of a picture and its camera, shared by all renderers.
 #pragma once
 
 #include <array>
@@ -30,8 +30,9 @@ struct PictureMesh {
   std::weak_ptr<const void> source;
 };
 
-/// Of the whole model, which must outlive it. A model without any colour gets a quiet one of its
-/// own (quiet_colour.h). Textures are decoded when first drawn, once for all copies of the mesh.
+/// Mesh of the whole model, which must outlive it. A model without any colour gets a quiet one of
+/// its own (quiet_colour.h). Textures are decoded when first drawn, once for all copies of the
+/// mesh.
 PictureMesh picture_mesh(const Model& model);
 /// The same, with the model as its source.
 PictureMesh picture_mesh(const std::shared_ptr<const Model>& model);

@@ -13,7 +13,7 @@ namespace {
 constexpr float kQuality = 85;
 
 [[noreturn]] void fail(const char* reason) {
-  throw Error(Error::Kind::Environment, std::string("an animated WebP: ") + reason);
+  throw Error(Error::Kind::Environment, "an animated WebP: %1", reason);
 }
 
 class Picture {
@@ -44,8 +44,8 @@ struct WebpAnimation::Encoder {
 
 WebpAnimation::WebpAnimation(int width, int height) : m_encoder(std::make_unique<Encoder>()) {
   if (width < 1 || height < 1 || width > WEBP_MAX_DIMENSION || height > WEBP_MAX_DIMENSION)
-    bad_input("an animated WebP of " + std::to_string(width) + " x " + std::to_string(height) +
-              " pixels is not accepted; accepted: 1 to " + std::to_string(WEBP_MAX_DIMENSION));
+    bad_input("an animated WebP of %1 x %2 pixels is not accepted; accepted: 1 to %3", width,
+              height, WEBP_MAX_DIMENSION);
   m_encoder->width = width, m_encoder->height = height;
   WebPAnimEncoderOptions options;
   if (!WebPAnimEncoderOptionsInit(&options)) fail("another version of libwebp");

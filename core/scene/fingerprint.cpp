@@ -1,5 +1,7 @@
 #include "core/scene/fingerprint.h"
 
+#include <algorithm>
+
 namespace trivet {
 namespace {
 
@@ -52,8 +54,12 @@ void add_to(Hash& hash, const Object& object) {
   hash.add(r.w).add(r.x).add(r.y).add(r.z);
   add_to(hash, object.pose.translation);
   hash.add(object.stability_margin).add(object.least_friction);
-  hash.add(std::uint64_t{object.contacts.size()});
-  for (const ObjectContact& entry : object.contacts) add_to(hash, entry);
+  // Links across gaps follow from the rest, and journals of earlier versions know none.
+  const auto is_counted = [](const ObjectContact& entry) { return !entry.across_gap; };
+  hash.add(static_cast<std::uint64_t>(
+      std::count_if(object.contacts.begin(), object.contacts.end(), is_counted)));
+  for (const ObjectContact& entry : object.contacts)
+    if (is_counted(entry)) add_to(hash, entry);
 }
 
 std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids) {

@@ -13,9 +13,9 @@ namespace trivet {
 /// with all their contact points.
 void add_to(Hash& hash, const Object& object);
 
-/// Of these objects, those that are gone included. Cost: the objects, not the scene.
+/// Hash of these objects, including those that are gone. Cost: the objects, not the scene.
 std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids);
-/// Of the whole scene, in the order of ids().
+/// Hash of the whole scene, in the order of ids().
 std::uint64_t fingerprint(const Scene& scene);
 
 /// One number of a scene that changes, kept up to date at the cost of what changes: the sum of the

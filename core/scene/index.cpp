@@ -1,14 +1,32 @@
 #include "core/scene/index.h"
 
 #include "core/base/hash.h"
+#include "core/base/tunables.h"
 #include "core/contact/body.h"
 
 namespace trivet {
 
+namespace {
+
+// Each axis of the object is one of the world.
+bool is_along_axes(const Affine& world_from_object) {
+  constexpr double kNone = 1e-12;  // of what is left of a quarter turn in doubles
+  const auto size = world_from_object.linear.cwiseAbs();
+  return ((size.array() > kNone * size.maxCoeff()).rowwise().count() == 1).all();
+}
+
+}  // namespace
+
+double coarse_size(const Object& object) {
+  const double size = object.scale * object.shape->box.diagonal();
+  if (!object.fixed) return kCoarseDiagonals * size;
+  return is_along_axes(object.world_from_object()) ? 0 : size;
+}
+
 ObjectTree::Extent extent_of(const Object& object) {
   const double size = object.scale * object.shape->box.diagonal();
-  return {Body(*object.shape, object.world_from_object()).world_box, size,
-          leans(object) ? size : 0};
+  return {Body(*object.shape, object.world_from_object()).world_box, size, leans(object) ? size : 0,
+          coarse_size(object)};
 }
 
 std::uint64_t SceneIndex::hash_of(std::string_view text) noexcept {

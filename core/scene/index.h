@@ -9,8 +9,13 @@
 
 namespace trivet {
 
-/// Of the world box of an object where it stands, and of its size; see ObjectTree.
+/// World box of an object where it stands, and its size; see ObjectTree.
 ObjectTree::Extent extent_of(const Object& object);
+
+/// Size of a place that float32 copies of an object still describe well enough to rest in, metres:
+/// four diagonals where it may be moved, as others lie beside it; one where it is fixed and turned,
+/// as its vertices are rounded; none where it is fixed along the axes, as its faces stay in place.
+double coarse_size(const Object& object);
 
 /// Follows the objects: call set() after changing one. Only reserve() allocates.
 /// Keeps what it stored about a slot, so that entries are removed without the object.

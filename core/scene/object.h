@@ -29,6 +29,12 @@ const char* to_string(ObjectState state);  // "unplaced", "fixed", "stable", ...
 struct ObjectContact {
   Support with;
   Contact contact;
+  /// Not within the tolerance of contacts, but within that of balance: a link only because one of
+  /// the two is carried by it.
+  bool across_gap = false;
+  /// Role of an object that leans: the forces that hold it carry it by this. And of what leans on
+  /// it.
+  bool carries = false, is_carried = false;
 };
 
 struct Object {

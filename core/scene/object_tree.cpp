@@ -32,7 +32,8 @@ Aabb normalised(const Aabb& box) {
 
 bool same(const ObjectTree::Extent& a, const ObjectTree::Extent& b) {
   return a.box.lower == b.box.lower && a.box.upper == b.box.upper &&
-         a.smallest_diagonal == b.smallest_diagonal && a.leaning_reach == b.leaning_reach;
+         a.smallest_diagonal == b.smallest_diagonal && a.leaning_reach == b.leaning_reach &&
+         a.coarse_size == b.coarse_size;
 }
 
 }  // namespace
@@ -41,6 +42,7 @@ void ObjectTree::Extent::unite(const Extent& other) {
   box.extend(other.box);
   smallest_diagonal = std::min(smallest_diagonal, other.smallest_diagonal);
   leaning_reach = std::max(leaning_reach, other.leaning_reach);
+  coarse_size = std::max(coarse_size, other.coarse_size);
 }
 
 void ObjectTree::reserve(size_t num_slots) {
@@ -54,7 +56,7 @@ void ObjectTree::reserve(size_t num_slots) {
 void ObjectTree::set(Index slot, const Extent& extent) noexcept {
   const Extent now{normalised(extent.box),
                    extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity,
-                   extent.leaning_reach};
+                   extent.leaning_reach, extent.coarse_size};
   Node& leaf = m_nodes[leaf_of(slot)];
   if (leaf.height == 0 && same(leaf.extent, now)) return;
   erase(slot);
@@ -184,7 +186,8 @@ void ObjectTree::shrink_children(Index inner) noexcept {
   update(other);
 }
 
-// Of surface, when a child comes below the other in exchange for that one's child k; 0: it may not.
+// Surface gained when a child comes below the other in exchange for that one's child k; 0: it may
+// not.
 double ObjectTree::gain_of_exchange(Index inner, int side, int k) const noexcept {
   const Node& alone = m_nodes[m_nodes[inner].child[side]];
   const Node& other = m_nodes[m_nodes[inner].child[1 - side]];

@@ -17,11 +17,12 @@ namespace trivet {
 /// visit. Only reserve() allocates, so that a rollback cannot fail. Const functions are pure.
 class ObjectTree {
  public:
-  /// Of one box or of all below a node.
+  /// Extent of one box or of all below a node.
   struct Extent {
     Aabb box;                              // empty: overlaps nothing
     double smallest_diagonal = kInfinity;  // metres, > 0; infinity: there is none
     double leaning_reach = 0;  // metres, largest size of an object that leans; 0: there is none
+    double coarse_size = 0;    // metres, largest coarse_size() of an object; 0: there is none
 
     void unite(const Extent& other);
   };
@@ -35,9 +36,10 @@ class ObjectTree {
 
   bool contains(Index slot) const { return m_nodes[leaf_of(slot)].height >= 0; }
   const Extent& at(Index slot) const { return m_nodes[leaf_of(slot)].extent; }
-  /// Of all leaves.
+  /// Extent of all leaves.
   Extent extent() const;
-  /// Of all leaves but these; slots without a leaf are ignored. Cost O(k log n log(k log n)).
+  /// Extent of all leaves but these; slots without a leaf are ignored. Cost O(k log n log(k log
+  /// n)).
   Extent extent_without(std::span<const Index> slots) const;
 
   /// Calls visitor(slot) for every leaf whose extent is accepted, in an order that means nothing.

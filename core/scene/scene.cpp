@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -42,8 +43,8 @@ ObjectId Scene::add(Object object) {
   if (object.name.empty())
     throw Error(Error::Kind::BadInput, "an object has an empty name; every object needs one");
   if (find(object.name))
-    throw Error(Error::Kind::BadInput,
-                "two objects are named \"" + object.name + "\"; names must be unique");
+    throw Error(Error::Kind::BadInput, "two objects are named \"%1\"; names must be unique",
+                object.name);
   const Index free = m_index.first_free();
   const size_t index = free >= 0 ? free : m_slots.size();
   if (free < 0) {
@@ -153,6 +154,30 @@ SceneExtent Scene::extent_without(std::span<const ObjectId> left_out) const {
   return m_index.tree().extent_without(slots);
 }
 
+namespace {
+
+bool is_within(const Aabb& inner, const Aabb& outer) {
+  return (inner.lower.array() >= outer.lower.array()).all() &&
+         (inner.upper.array() <= outer.upper.array()).all();
+}
+
+}  // namespace
+
+SceneExtent Scene::extent_near(const Aabb& box, double margin) const {
+  const ObjectTree& tree = m_index.tree();
+  const SceneExtent all = tree.extent();
+  if (is_within(all.box, {box.lower.array() - margin, box.upper.array() + margin})) return all;
+  SceneExtent out;
+  const auto adds = [&](const SceneExtent& there) {
+    return !is_within(there.box, out.box) || there.coarse_size > out.coarse_size ||
+           there.smallest_diagonal < out.smallest_diagonal;
+  };
+  tree.visit(
+      [&](const SceneExtent& there) { return overlaps(there.box, box, margin) && adds(there); },
+      [&](Index slot) { out.unite(tree.at(slot)); });
+  return out;
+}
+
 void Scene::set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts) {
   // All that allocates comes first: nothing is half done when memory runs out.
   std::map<std::uint32_t, std::vector<ObjectContact>> new_of_others;
@@ -163,7 +188,8 @@ void Scene::set_contacts(ObjectId id, std::vector<ObjectContact> object_contacts
   };
   for (const ObjectContact& l : at(id).contacts) note(l);
   for (const ObjectContact& l : object_contacts)
-    if (std::vector<ObjectContact>* others = note(l)) others->push_back({id, reversed(l.contact)});
+    if (std::vector<ObjectContact>* others = note(l))
+      others->push_back({id, reversed(l.contact), l.across_gap, l.is_carried, l.carries});
   keep(id.index);
   for (const auto& [index, news] : new_of_others) {
     keep(index);
@@ -232,7 +258,8 @@ bool Scene::is_consistent() const {
     const ObjectTree::Extent extent = extent_of(object);
     const Aabb box = extent.box.empty() ? Aabb{} : extent.box, there = world_box(id);
     if (box.lower != there.lower || box.upper != there.upper) return false;
-    all.unite({box, extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity});
+    all.unite({box, extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity, 0,
+               extent.coarse_size});
   }
   const auto free_slot =
       std::find_if(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return !slot.object; });
@@ -240,7 +267,8 @@ bool Scene::is_consistent() const {
   const ObjectTree::Extent known = m_index.tree().extent();
   return m_index.tree().is_valid() && ids.size() == m_num_objects &&
          m_index.first_free() == first && all.box.lower == known.box.lower &&
-         all.box.upper == known.box.upper && all.smallest_diagonal == known.smallest_diagonal;
+         all.box.upper == known.box.upper && all.smallest_diagonal == known.smallest_diagonal &&
+         all.coarse_size == known.coarse_size;
 }
 
 std::vector<ObjectId> SceneChange::ids() const {
@@ -264,6 +292,30 @@ bool weighs_on(const Contact& contact) {
                      [](const ContactPoint& p) { return p.normal.z() < -kSupportNormalZ; });
 }
 
+bool holds_up(const ObjectContact& entry) { return entry.carries || holds_up(entry.contact); }
+bool weighs_on(const ObjectContact& entry) { return entry.is_carried || weighs_on(entry.contact); }
+
+std::vector<ObjectId> unsound_supports(const Scene& scene, ObjectId id) {
+  const auto is_unsound = [](ObjectState state) {
+    return state == ObjectState::Held || state == ObjectState::Invalid ||
+           state == ObjectState::Unsupported;
+  };
+  std::vector<ObjectId> waiting{id}, out;
+  std::set<std::uint32_t> seen{id.index};
+  for (size_t i = 0; i < waiting.size(); ++i) {
+    if (scene.at(waiting[i]).fixed) continue;
+    for (const ObjectContact& entry : scene.at(waiting[i]).contacts) {
+      if (entry.with.is_floor() || !holds_up(entry)) continue;
+      const ObjectId below = entry.with.object();
+      if (!seen.insert(below.index).second) continue;
+      waiting.push_back(below);
+      if (is_unsound(scene.at(below).state)) out.push_back(below);
+    }
+  }
+  scene.sort(out);
+  return out;
+}
+
 namespace {
 
 void sort_by_slot(std::vector<ObjectId>& ids) {
@@ -279,13 +331,13 @@ LoadSupport load_support(const Scene& scene) {
     if (!object.placed) continue;
     LoadSupport::Entry entry{id, false, {}, {}};
     for (const ObjectContact& l : object.contacts) {
-      if (holds_up(l.contact)) {
+      if (holds_up(l)) {
         if (l.with.is_object())
           entry.supports.push_back(l.with.object());
         else
           entry.on_floor = true;
       }
-      if (l.with.is_object() && weighs_on(l.contact)) entry.loads.push_back(l.with.object());
+      if (l.with.is_object() && weighs_on(l)) entry.loads.push_back(l.with.object());
     }
     sort_by_slot(entry.supports);
     sort_by_slot(entry.loads);

@@ -43,6 +43,9 @@ class Scene {
   /// Box of the placed objects but these, and the smallest diagonal (scale times that of the
   /// shape's box) above zero: metres, infinity if there is none. Cost O(k log n).
   SceneExtent extent_without(std::span<const ObjectId> left_out) const;
+  /// The same of the objects whose world box overlaps `box` by the margin in metres, wholly. Cost
+  /// O(log n) where that is all or little, else up to O(n).
+  SceneExtent extent_near(const Aabb& box, double margin) const;
   /// Placed objects whose world box overlaps `box`, closed, by the margin in metres; in the scene's
   /// order. Cost O(log n) and what is found.
   std::vector<ObjectId> near(const Aabb& box, double margin = 0) const;
@@ -56,7 +59,7 @@ class Scene {
   /// Objects that lean (see leans()) and whose world box overlaps `box` by the margin of their own
   /// size; in the scene's order. Cost O(log n) and what is found.
   std::vector<ObjectId> leaning_near(const Aabb& box) const;
-  /// Of ObjectState::Invalid, placed or not; in the scene's order. Cost O(found log found).
+  /// Objects in ObjectState::Invalid, placed or not; in the scene's order. Cost O(found log found).
   std::vector<ObjectId> invalid_objects() const;
   /// Objects of this group, placed or not; in the scene's order. Of no name: none.
   std::vector<ObjectId> group_members(const std::string& group) const;
@@ -135,9 +138,18 @@ struct LoadSupport {
 /// Of an uneven contact both may be true.
 bool holds_up(const Contact& contact);
 bool weighs_on(const Contact& contact);
+/// The same of a link: by its normals, or by the forces that hold one of the two.
+bool holds_up(const ObjectContact& entry);
+bool weighs_on(const ObjectContact& entry);
+
+/// Supports of an object, and theirs in turn, that would move or do not count as they are: held by
+/// a hand, unsupported or invalid. In the scene's order. What is fixed needs none. Cost of what is
+/// below.
+std::vector<ObjectId> unsound_supports(const Scene& scene, ObjectId id);
 
 /// A supports B when B touches A and the contact's normal points up from A to B (normal.z of the
-/// contact, or of one of its points, above kSupportNormalZ).
+/// contact, or of one of its points, above kSupportNormalZ), or B leans and the forces that hold it
+/// come from A.
 LoadSupport load_support(const Scene& scene);
 inline constexpr double kSupportNormalZ = 1e-3;
 

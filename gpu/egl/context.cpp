@@ -34,7 +34,7 @@ EGLConfig choose_config(const EglDisplayUse& display) {
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(display.get(), wanted, &config, 1, &count) || count == 0)
-    throw environment_error("no config for OpenGL, " + last_egl_error());
+    throw environment_error(say("no config for OpenGL, %1", last_egl_error()));
   return config;
 }
 
@@ -76,7 +76,7 @@ struct EglContext::State {
 void EglContext::State::create(int most_version) {
   if (!display.has_extension("EGL_KHR_surfaceless_context"))
     throw environment_error("cannot draw without a surface (no EGL_KHR_surfaceless_context)");
-  if (!eglBindAPI(EGL_OPENGL_API)) throw environment_error("no OpenGL, " + last_egl_error());
+  if (!eglBindAPI(EGL_OPENGL_API)) throw environment_error(say("no OpenGL, %1", last_egl_error()));
   const EGLConfig config = choose_config(display);
   const bool may_notify = display.has_extension("EGL_EXT_create_context_robustness");
   for (const int wanted : kVersions) {
@@ -86,7 +86,7 @@ void EglContext::State::create(int most_version) {
     if (context != EGL_NO_CONTEXT) break;
   }
   if (context == EGL_NO_CONTEXT)
-    throw environment_error("no context of OpenGL 3.3 core or later, " + last_egl_error());
+    throw environment_error(say("no context of OpenGL 3.3 core or later, %1", last_egl_error()));
 }
 
 int egl_device_from_environment() {
@@ -96,8 +96,8 @@ int egl_device_from_environment() {
   const char* const end = text + std::strlen(text);
   const auto [rest, error] = std::from_chars(text, end, out);
   if (error == std::errc() && rest == end && out > 0) return out;
-  throw environment_error("TRIVET_EGL_DEVICE is \"" + std::string(text) +
-                          "\"; accepted: the number of an EGL device, from 1");
+  throw environment_error(
+      say("TRIVET_EGL_DEVICE is \"%1\"; accepted: the number of an EGL device, from 1", text));
 }
 
 EglContext::EglContext(const EglOptions& options) {
@@ -117,8 +117,8 @@ EglContext::EglContext(const EglOptions& options) {
       m_state->gl_version = epoxy_gl_version();
       m_state->software = candidate.software || names_software(m_state->renderer);
       if (m_state->software && !options.allow_software)
-        throw environment_error(m_state->renderer +
-                                " is a software renderer, and those are disabled");
+        throw environment_error(
+            say("%1 is a software renderer, and those are disabled", m_state->renderer));
       m_state->failures = std::move(failures);
       return;
     } catch (const Error& error) {
@@ -176,7 +176,8 @@ EglContext::Current::Current(const EglContext& context) : m_before(query()) {
   if (!eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.m_state->context)) {
     const std::string reason = last_egl_error();
     eglBindAPI(m_before.api);
-    throw environment_error("cannot make the OpenGL context current on this thread, " + reason);
+    throw environment_error(
+        say("cannot make the OpenGL context current on this thread, %1", reason));
   }
 }
 

@@ -28,9 +28,9 @@ void require_libraries() {
   const auto loads = [](const char* name) { return dlopen(name, RTLD_LAZY | RTLD_LOCAL); };
   if (loads("libEGL.so.1") == nullptr) {
     const char* reason = dlerror();
-    throw Error(Error::Kind::Environment, std::string("no EGL: libEGL.so.1 cannot be loaded (") +
-                                              (reason != nullptr ? reason : "no reason given") +
-                                              "); install libegl1");
+    throw Error(Error::Kind::Environment,
+                "no EGL: libEGL.so.1 cannot be loaded (%1); install libegl1",
+                (reason != nullptr ? reason : "no reason given"));
   }
   if (loads("libOpenGL.so.0") == nullptr && loads("libGL.so.1") == nullptr)
     throw Error(Error::Kind::Environment,
@@ -120,7 +120,7 @@ EglDisplayUse::EglDisplayUse(EGLDisplay display) {
   int& count = uses.count[display];
   EGLint major = 0, minor = 0;
   if (!eglInitialize(display, &major, &minor))  // repeated in case other code has terminated it
-    throw Error(Error::Kind::Environment, "eglInitialize failed, " + last_egl_error());
+    throw Error(Error::Kind::Environment, "eglInitialize failed, %1", last_egl_error());
   ++count;
   m_display = display;
 }

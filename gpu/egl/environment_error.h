@@ -1,14 +1,13 @@
 // Private to gpu.
 #pragma once
 
-#include <string>
-
 #include "core/base/error.h"
+#include "core/base/sentence.h"
 
 namespace trivet {
 
-inline Error environment_error(const std::string& message) {
-  return {Error::Kind::Environment, message};
+inline Error environment_error(const Sentence& sentence) {
+  return {Error::Kind::Environment, sentence};
 }
 
 }  // namespace trivet

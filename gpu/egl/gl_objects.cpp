@@ -37,8 +37,8 @@ GlShader compile(const char* name, GLenum stage, const std::string& source) {
   glGetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
   std::vector<char> log(length + 1, '\0');
   glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
-  throw environment_error(std::string("the ") + stage_name(stage) + " shader of " + name +
-                          " does not compile on this driver: " + log.data());
+  throw environment_error(say("the %1 shader of %2 does not compile on this driver: %3",
+                              stage_name(stage), name, log.data()));
 }
 
 void check_framebuffer() {
@@ -47,8 +47,7 @@ void check_framebuffer() {
   check_gl("making a framebuffer");
   char number[16];
   std::snprintf(number, sizeof number, "0x%04x", status);
-  throw environment_error(std::string("the driver does not support a framebuffer, status ") +
-                          number);
+  throw environment_error(say("the driver does not support a framebuffer, status %1", number));
 }
 
 void set_nearest(GLenum target) {
@@ -143,8 +142,8 @@ GlProgram::GlProgram(const char* name, std::initializer_list<GlShaderSource> sha
   glGetProgramiv(id(), GL_INFO_LOG_LENGTH, &length);
   std::vector<char> log(length + 1, '\0');
   glGetProgramInfoLog(id(), length, nullptr, log.data());
-  throw environment_error(std::string("the shaders of ") + name +
-                          " do not link on this driver: " + log.data());
+  throw environment_error(
+      say("the shaders of %1 do not link on this driver: %2", name, log.data()));
 }
 
 void set_uniform(const GlProgram& program, const char* name, float value) {
@@ -290,7 +289,7 @@ void check_gl(const char* stage) {
                                                                 : "an OpenGL error";
   char number[16];
   std::snprintf(number, sizeof number, " (0x%04x)", code);
-  throw environment_error(std::string("OpenGL failed while ") + stage + ": " + name + number);
+  throw environment_error(say("OpenGL failed while %1: %2%3", stage, name, number));
 }
 
 void check_no_reset() {
@@ -300,10 +299,11 @@ void check_no_reset() {
   else if (epoxy_has_gl_extension("GL_ARB_robustness"))
     status = glGetGraphicsResetStatusARB();
   if (status == GL_NO_ERROR) return;
-  throw environment_error(std::string("the graphics hardware was reset, ") +
-                          (status == GL_GUILTY_CONTEXT_RESET     ? "GL_GUILTY_CONTEXT_RESET"
-                           : status == GL_INNOCENT_CONTEXT_RESET ? "GL_INNOCENT_CONTEXT_RESET"
-                                                                 : "GL_UNKNOWN_CONTEXT_RESET"));
+  throw environment_error(
+      say("the graphics hardware was reset, %1",
+          (status == GL_GUILTY_CONTEXT_RESET     ? "GL_GUILTY_CONTEXT_RESET"
+           : status == GL_INNOCENT_CONTEXT_RESET ? "GL_INNOCENT_CONTEXT_RESET"
+                                                 : "GL_UNKNOWN_CONTEXT_RESET")));
 }
 
 }  // namespace trivet

@@ -15,7 +15,7 @@
 
 namespace trivet {
 
-/// Whether a context is current on this thread.
+/// True if a context is current on this thread.
 bool has_gl_context();
 
 /// Owns one OpenGL name; move-only. 0: owns no object.

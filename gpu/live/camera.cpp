@@ -13,8 +13,8 @@ ViewAxes make_view_axes(const LiveCamera& camera, double aspect) {
   ViewAxes view{frame.forward, frame.right, frame.up};
   if (!camera.height) return view;
   if (!(std::isfinite(*camera.height) && *camera.height > 0))
-    throw Error(Error::Kind::BadInput, "the camera shows " + std::to_string(*camera.height) +
-                                           " metres; accepted: more than 0");
+    throw Error(Error::Kind::BadInput, "the camera shows %1 metres; accepted: more than 0",
+                std::to_string(*camera.height));
   view.up *= 0.5 * *camera.height / view.up.norm();
   view.right *= 0.5 * *camera.height * aspect / view.right.norm();
   return view;

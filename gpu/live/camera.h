@@ -24,7 +24,7 @@ inline double depth_of(const Vec3& p, const LiveCamera& camera, const ViewAxes& 
   return (p - camera.eye).dot(view.forward);
 }
 
-/// Whether the convex hull of these corners is wholly beside, above or below the picture.
+/// True if the convex hull of these corners is wholly beside, above or below the picture.
 bool out_of_sight(const std::array<Vec3, 8>& corners, const Eigen::Matrix4d& clip_from_world);
 
 }  // namespace trivet

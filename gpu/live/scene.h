@@ -24,7 +24,7 @@ struct LiveObject {
   bool moving = false;    // redrawn in drafts, over a cached picture of the static objects
 };
 
-/// How objects hide overlays.
+/// Ways in which objects hide overlays.
 enum class Hidden {
   Cut,    // drawn only where visible
   Faint,  // drawn faintly where hidden

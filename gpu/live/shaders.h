@@ -10,7 +10,7 @@ namespace trivet::live_shaders {
 std::string object_vertex(picture_shaders::Surfaces surfaces);
 std::string object_fragment(picture_shaders::Surfaces surfaces);
 std::string empty_fragment();
-/// Of shadows of textured objects: nothing where they are cut out.
+/// Shadows of textured objects: nothing where they are cut out.
 std::string cut_fragment();
 std::string floor_vertex();
 std::string floor_fragment();

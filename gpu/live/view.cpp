@@ -13,10 +13,9 @@ constexpr int kMaxViewSide = 16384;  // pixels
 void check_size(const LiveOptions& options) {
   const auto is_good = [](int side) { return side >= 1 && side <= kMaxViewSide; };
   if (is_good(options.width) && is_good(options.height)) return;
-  throw Error(Error::Kind::BadInput, "a view of " + std::to_string(options.width) + " x " +
-                                         std::to_string(options.height) +
-                                         " pixels; accepted: 1 to " + std::to_string(kMaxViewSide) +
-                                         " in each dimension");
+  throw Error(Error::Kind::BadInput,
+              "a view of %1 x %2 pixels; accepted: 1 to %3 in each dimension", options.width,
+              options.height, kMaxViewSide);
 }
 
 }  // namespace

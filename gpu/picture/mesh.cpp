@@ -159,7 +159,7 @@ Vec3 mean_of(const TextureImage& image) {
   return {linear_from_srgb_byte(p[0]), linear_from_srgb_byte(p[1]), linear_from_srgb_byte(p[2])};
 }
 
-// Of a face, with its texture and its corners' colours.
+// Colour of a face, with its texture and its corners' colours.
 Vec3 face_colour(const DrawnMesh& mesh, std::size_t face) {
   static const Material plain;
   const std::uint32_t m = material_of(mesh, face);

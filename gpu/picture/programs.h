@@ -11,7 +11,7 @@ struct PicturePrograms {
   GlProgram surface, surface_see_through, shadow, shadow_see_through, floor_light, light, develop;
 };
 
-/// Those of textured meshes.
+/// Programs of textured meshes.
 struct TexturedPrograms {
   TexturedPrograms();
   GlProgram surface, surface_see_through, shadow_see_through;

@@ -31,9 +31,9 @@ std::unique_ptr<ZListRaster> make_raster(const GpuZListOptions& options, int gl_
     return gl_version >= kComputes ? make_framebuffer_raster(max_entries)
                                    : make_feedback_raster(max_entries);
   if (gl_version >= kComputes) return make_compute_raster(max_entries);
-  throw environment_error("z-lists by compute shaders need OpenGL 4.3, here is " +
-                          std::to_string(gl_version / 10) + "." + std::to_string(gl_version % 10) +
-                          "; accepted: the method framebuffer");
+  throw environment_error(say(
+      "z-lists by compute shaders need OpenGL 4.3, here is %1.%2; accepted: the method framebuffer",
+      gl_version / 10, gl_version % 10));
 }
 
 ZListAnswer answer_of(const ZListAsk& ask, const ZListView& view, ZLists& lists) {
@@ -113,9 +113,9 @@ ZListDevice::ZListDevice(const GpuZListOptions& options)
   const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
   if (needed > options.memory_bytes) {
     m_raster.reset();
-    throw environment_error("z-lists need " + std::to_string(needed >> 10) +
-                            " KiB of graphics memory, more than the " +
-                            std::to_string(options.memory_bytes >> 10) + " KiB allowed");
+    throw environment_error(
+        say("z-lists need %1 KiB of graphics memory, more than the %2 KiB allowed", needed >> 10,
+            options.memory_bytes >> 10));
   }
   GLint64 max_buffer_bytes = std::numeric_limits<GLint64>::max();
   if (gl_version() >= kComputes)

@@ -59,8 +59,8 @@ struct GpuDropBrackets::State {
   State(const EglOptions& options, const GpuFaults& injected)
       : faults(injected), context((injected.check_present(), options)) {
     if (context.gl_version() < 43)
-      throw Error(Error::Kind::Environment,
-                  "brackets of falls need OpenGL 4.3, but " + context.description() + " has less");
+      throw Error(Error::Kind::Environment, "brackets of falls need OpenGL 4.3, but %1 has less",
+                  context.description());
     const EglContext::Current current(context);
     program = std::make_unique<GlProgram>(
         "brackets of falls", std::initializer_list<GlShaderSource>{{GL_COMPUTE_SHADER, kShader}});
@@ -126,8 +126,8 @@ GpuDropBrackets::GpuDropBrackets(const EglOptions& options, const GpuFaults& fau
     scene.sample[i] = static_cast<float>(i) * 0.1F;
   }
   if (!is_exact(m_state->run(object, scene, 256, 1), object, scene))
-    throw Error(Error::Kind::Environment,
-                m_state->context.description() + " does not compute differences exactly");
+    throw Error(Error::Kind::Environment, "%1 does not compute differences exactly",
+                m_state->context.description());
 }
 
 GpuDropBrackets::~GpuDropBrackets() = default;

@@ -59,7 +59,7 @@ ListSample sample_of(ZListDevice& device, const Shape& shape, bool flat, Motion:
   return out;
 }
 
-/// Of what software, or the GPU, took for a small sphere, a large one and flat squares.
+/// Cost by the times of software, or the GPU, for a small sphere, a large one and flat squares.
 ListCost cost_of(const std::array<ListSample, 3>& samples, double ListSample::*ms) {
   const auto beyond = [&](const ListSample& s) { return std::max(0.0, s.*ms - s.bounds_ms); };
   const auto& [small, large, flat] = samples;

@@ -88,7 +88,7 @@ GpuMethod gpu_method_from_name(const std::string& name) {
   if (name == "framebuffer") return GpuMethod::Framebuffer;
   if (name == "compute") return GpuMethod::Compute;
   throw Error(Error::Kind::BadInput,
-              "GPU method \"" + name + "\" is not accepted; accepted: auto, framebuffer, compute");
+              "GPU method \"%1\" is not accepted; accepted: auto, framebuffer, compute", name);
 }
 
 GpuMethodTimes measure_gpu_methods(const GpuZListOptions& options) {

@@ -60,7 +60,7 @@ bool meet(vec2 fixed_sample, float moving_low, out float time) {
   return fixed_sample.x + shift >= passed;
 }
 
-// Whether the line through an edge separates the face from the rectangle about `centre`.
+// True if the line through an edge separates the face from the rectangle about `centre`.
 bool keeps_apart(vec2 p, vec2 q, vec2 third, vec2 centre, vec2 half_size) {
   vec2 e = q - p, d = centre - p, o = third - p;
   float at_centre = e.x * d.y - e.y * d.x, at_third = e.x * o.y - e.y * o.x;
@@ -109,7 +109,7 @@ Face make_face(vec3 a, vec3 b, vec3 c) {
   return f;
 }
 
-// Whether a point is inside an edge by `margin`.
+// True if a point is inside an edge by `margin`.
 bool surely_inside(vec2 p, vec2 q, vec2 third, vec2 at, float margin) {
   vec2 e = q - p, d = at - p, o = third - p;
   float side = (e.x * d.y - e.y * d.x) * (e.x * o.y - e.y * o.x < 0.0 ? -1.0 : 1.0);

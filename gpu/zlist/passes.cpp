@@ -54,7 +54,7 @@ bool may_make_lists(const ZListBatch& batch) {
   });
 }
 
-/// Of every view, from the layers as read back.
+/// Bounds of every view, from the layers as read back.
 std::vector<ZLists> bounds_of(const ZListBatch& batch, const char* layers) {
   std::vector<ZLists> out(batch.layers.size());
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -90,8 +90,7 @@ std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<cons
     try {
       if (!m_device) m_device = std::make_unique<ZListDevice>(m_options);
       auto out = m_device->find_candidates(asks, wanted);
-      if (std::exchange(m_num_errors, 0) > 0)
-        m_notes.tell_recovered(m_last_error + "; a new OpenGL context goes on");
+      if (std::exchange(m_num_errors, 0) > 0) m_notes.tell_recovered(say(kGoesOn, m_last_error));
       return out;
     } catch (const Error& error) {
       m_device.reset();
@@ -99,7 +98,7 @@ std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<cons
       ++m_num_errors;
     }
   }
-  if (m_options.recreates_context) m_notes.tell_lost(m_last_error + kInsteadOfGpu);
+  if (m_options.recreates_context) m_notes.tell_lost(say(kInsteadOfGpu, m_last_error));
   return std::nullopt;
 }
 
@@ -208,11 +207,10 @@ std::vector<CandidatePairs> GpuZListStage::find_candidates_for_all(
   return out;
 }
 
-void check_range(const char* what, int value, int least, int largest) {
+void check_range(const Sentence& what, int value, int least, int largest) {
   if (value < least || value > largest)
-    throw Error(Error::Kind::BadInput,
-                std::string("the ") + what + " of z-lists is " + std::to_string(value) +
-                    "; accepted: " + std::to_string(least) + " to " + std::to_string(largest));
+    throw Error(Error::Kind::BadInput, "the %1 of z-lists is %2; accepted: %3 to %4", what, value,
+                least, largest);
 }
 
 }  // namespace
@@ -222,7 +220,7 @@ GpuListing gpu_listing_from_name(const std::string& name) {
   if (name == "gpu") return GpuListing::Gpu;
   if (name == "software") return GpuListing::Software;
   throw Error(Error::Kind::BadInput,
-              "lists by \"" + name + "\" are not accepted; accepted: auto, gpu, software");
+              "lists by \"%1\" are not accepted; accepted: auto, gpu, software", name);
 }
 
 std::string to_string(GpuListing listing) {

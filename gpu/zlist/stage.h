@@ -12,7 +12,7 @@
 
 namespace trivet {
 
-/// How the hardware finds the depths of pixels. Both give the same answers.
+/// Ways in which the hardware finds the depths of pixels. Both give the same answers.
 enum class GpuMethod {
   Auto,         // the faster one, measured once per process and renderer; on renderers that run on
                 // the CPU Compute, unless measure_gpu_methods() was asked

@@ -167,7 +167,7 @@ vec2 common_arc(vec2 arc, vec2 own) {
   return vec2(max(arc.x, own.x - kAngleError), min(arc.y, own.y + kAngleError));
 }
 
-// Whether the line through an edge separates the face from a ball.
+// True if the line through an edge separates the face from a ball.
 bool edge_excludes(Face f, vec3 p, vec3 q, vec3 centre, float radius) {
   vec3 e = q - p;
   vec3 inward = cross(f.normal, e) / max(length(e), 1e-30);

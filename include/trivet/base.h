@@ -36,7 +36,7 @@ struct Vec3 {
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-/// Of any length but zero where it is given, of unit length where it comes back.
+/// A quaternion has any length but zero where it is given, of unit length where it comes back.
 struct Quaternion {
   double w = 1, x = 0, y = 0, z = 0;
   friend bool operator==(const Quaternion&, const Quaternion&) = default;

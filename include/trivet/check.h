@@ -49,7 +49,7 @@ struct Stability {
     return status == Status::Stable || status == Status::Marginal;
   }
 };
-/// Whether the scene stands as a whole. @param friction  of all contacts; nullopt: of the
+/// Judges whether the scene stands as a whole. @param friction  of all contacts; nullopt: of the
 /// materials.
 [[nodiscard]] TRIVET_API Stability stability(const Scene& scene,
                                              std::optional<double> friction = {});

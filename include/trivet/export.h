@@ -10,6 +10,7 @@ struct ExportOptions {
   std::optional<double> density;     // kg/m^3 of everything; nullopt: of the materials
   std::optional<double> friction;    // of everything; nullopt: of the materials
   double max_overlap = 0;            // metres that parts may overlap; 0: 1e-4 of the smaller object
+  int mujoco = 3;                    // version of MuJoCo that reads it: 3, or 2
 };
 
 struct Export {

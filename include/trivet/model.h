@@ -17,10 +17,10 @@ struct ModelLimits {
                      // the model's size
 };
 
-/// What is in a file, or in memory. Copies share it. Thread-safe.
+/// Content of a file, or of memory. Copies share it. Thread-safe.
 class TRIVET_API Model {
  public:
-  /// Of one grey material. @throws Error as Shape.
+  /// A model of one grey material. @throws Error as Shape.
   explicit Model(const Mesh& mesh);
 
   [[nodiscard]] const Shape& shape() const { return m_shape; }

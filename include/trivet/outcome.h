@@ -1,4 +1,4 @@
-// What came of an operation: its end and its consequences, or why it was refused.
+// Outcome of an operation: its end and its consequences, or why it was refused.
 #pragma once
 
 #include <optional>

@@ -45,7 +45,8 @@ struct Labels {
   std::vector<std::uint16_t> instances;  // 1 + index into `objects`; 0: none; 65535: the floor
   std::vector<ObjectLabel> objects;
 };
-/// What the ray through each pixel's centre meets first, exactly. The same bits on any machine.
+/// Labels each pixel by what the ray through its centre meets first, exactly. The same bits on any
+/// machine.
 [[nodiscard]] TRIVET_API Labels labels(const Scene& scene, const Camera& camera);
 
 TRIVET_END

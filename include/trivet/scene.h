@@ -70,9 +70,9 @@ struct ObjectInfo {
 };
 
 struct AddOptions {
-  double scale = 1;          // metres per unit of the model
-  std::optional<bool> y_up;  // nullopt: as its format says
-  std::optional<Pose> pose;  // stands there, untested by motion; nullopt: put it later
+  std::optional<double> scale;  // metres per unit of the model; nullopt: as its file says, else 1
+  std::optional<bool> y_up;     // nullopt: as its format says
+  std::optional<Pose> pose;     // stands there, untested by motion; nullopt: put it later
   bool fixed = false;
   std::optional<Material> material;
 };
@@ -112,7 +112,7 @@ class TRIVET_API Scene {
   /// A new object, out of the scene until it is put, unless it has a pose.
   /// @throws Error (BadInput) when the name is empty or taken, or the pose is refused.
   ObjectId add(const std::string& name, const Model& model, const AddOptions& options = {});
-  /// What leaned on it is named in the result.
+  /// Takes an object out; what leaned on it is named in the result.
   Result remove(ObjectId object);
   [[nodiscard]] std::optional<ObjectId> find(const std::string& name) const;
   [[nodiscard]] std::vector<ObjectId> objects() const;  // in the order of their addition

@@ -14,18 +14,18 @@ const char* to_string(ArrangeResult::Status status) {
   return kNames[static_cast<int>(status)];
 }
 
-std::string ArrangeResult::reason() const {
+Sentence ArrangeResult::sentence() const {
   switch (status) {
     case Status::Done:
-      return "";
+      return {};
     case Status::Conflict:
-      return conflict ? conflict->text : "";
+      return conflict ? conflict->text : Sentence();
     case Status::Cancelled:
-      return "the arrangement was cancelled";
+      return TRIVET_SENTENCE("the arrangement was cancelled");
     case Status::OutOfTime:
       break;
   }
-  return "the arrangement did not end in time";
+  return TRIVET_SENTENCE("the arrangement did not end in time");
 }
 
 namespace {
@@ -46,8 +46,8 @@ bool contradicts(const World& world, ArrangeResult& out) {
 bool is_hopeless(const Conflict& conflict, const std::optional<Conflict>& before,
                  const Solver& solver) {
   if (conflict.is_certain || !before) return conflict.is_certain;
-  const bool is_same =
-      before->thing == conflict.thing && before->constraints == conflict.constraints;
+  const bool is_same = before->thing == conflict.thing &&
+                       in_english(before->constraints) == in_english(conflict.constraints);
   if (is_same && !solver.has_stood(conflict.thing)) return true;
   const auto both = [](const Conflict& c) {
     return c.objects.size() == 1 ? std::minmax(c.thing, c.objects.front())

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/conflict.h"
 
 namespace trivet {
@@ -41,7 +42,8 @@ struct ArrangeResult {
   double milliseconds = 0, put_milliseconds = 0;  // of the whole; of all PUTs
 
   bool ok() const { return status == Status::Done; }
-  std::string reason() const;
+  Sentence sentence() const;  // empty: done
+  std::string reason() const { return in_english(sentence()); }
 };
 const char* to_string(ArrangeResult::Status status);  // "done", "conflict", ...
 

@@ -1,41 +1,36 @@
 #include "ops/arrange/arrangement.h"
 
-#include "core/base/count_of.h"
 #include "core/base/quoted.h"
 
 namespace trivet {
+namespace {
 
-const char* to_string(RelationKind kind) {
-  constexpr const char* kNames[] = {
-      "on",      "in",     "against", "near",      "left_of",  "right_of",      "in_front_of",
-      "behind",  "facing", "away",    "aligned",   "parallel", "perpendicular", "same",
-      "centred", "within", "at",      "symmetric", "at_edge",  "under",         "view",
-      "reach"};
-  return kNames[static_cast<int>(kind)];
+constexpr const char* kOfMany[] = {
+    TRIVET_SENTENCE("row of %1 things on %2"), TRIVET_SENTENCE("grid of %1 things on %2"),
+    TRIVET_SENTENCE("circle of %1 things on %2"), TRIVET_SENTENCE("facings of %1 things on %2"),
+    TRIVET_SENTENCE("line of %1 things on %2")};
+constexpr const char* kOfOne[] = {
+    TRIVET_SENTENCE("row of 1 thing on %1"), TRIVET_SENTENCE("grid of 1 thing on %1"),
+    TRIVET_SENTENCE("circle of 1 thing on %1"), TRIVET_SENTENCE("facings of 1 thing on %1"),
+    TRIVET_SENTENCE("line of 1 thing on %1")};
+
+}  // namespace
+
+Sentence Relation::text() const {
+  const Sentence to = b == "floor" ? Sentence("the floor") : Sentence(quoted(b));
+  return std::visit(
+      [&](const auto& k) {
+        return b.empty() ? say(k.kAlone, quoted(a)) : say(k.kText, quoted(a), to);
+      },
+      kind);
 }
 
-const char* to_string(Side side) {
-  constexpr const char* kNames[] = {"front", "back", "left", "right"};
-  return kNames[static_cast<int>(side)];
+Sentence Pattern::text() const {
+  const Sentence support = on == "floor" ? Sentence("the floor") : Sentence(quoted(on));
+  const int k = static_cast<int>(kind);
+  return things.size() == 1 ? say(kOfOne[k], support) : say(kOfMany[k], things.size(), support);
 }
 
-std::string Relation::text() const {
-  std::string out = quoted(a) + " " + to_string(kind);
-  if (!b.empty()) out += " " + (b == "floor" ? "the floor" : quoted(b));
-  if (kind == RelationKind::View || kind == RelationKind::Reach)
-    return quoted(a) + (kind == RelationKind::View ? " in view" : " in reach") + " of " +
-           (b.empty() ? "its point" : quoted(b));
-  if (b.empty() && kind == RelationKind::Within) out += " its region";
-  if (b.empty() && kind != RelationKind::Within) out += " its point";
-  return out;
-}
-
-std::string Pattern::text() const {
-  constexpr const char* kNames[] = {"row", "grid", "circle", "facings", "line"};
-  return std::string(kNames[static_cast<int>(kind)]) + " of " + count_of(things.size(), "thing") +
-         " on " + (on == "floor" ? "the floor" : quoted(on));
-}
-
-std::string Zone::text() const { return "zone " + quoted(name) + " of " + quoted(object); }
+Sentence Zone::text() const { return say("zone %1 of %2", quoted(name), quoted(object)); }
 
 }  // namespace trivet

@@ -4,7 +4,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/conflict_search.h"
-#include "ops/arrange/relation_parts.h"
+#include "ops/arrange/relations.h"
 
 namespace trivet {
 namespace {
@@ -33,6 +33,18 @@ void leave_out(std::vector<size_t>& set, size_t first, size_t last,
   leave_out(set, first, middle, leaves_nothing);
 }
 
+Sentence no_place(const Conflict& conflict) {
+  const bool several = conflict.constraints.size() > 1;
+  const char* const pattern =
+      conflict.as_they_stand
+          ? several
+                ? TRIVET_SENTENCE("%1 has no place: these leave none together, as things stand: %2")
+                : TRIVET_SENTENCE("%1 has no place: this leaves none, as things stand: %2")
+      : several ? TRIVET_SENTENCE("%1 has no place: these leave none together: %2")
+                : TRIVET_SENTENCE("%1 has no place: this leaves none: %2");
+  return say(pattern, quoted(conflict.thing), listed(conflict.constraints));
+}
+
 }  // namespace
 
 std::optional<std::vector<size_t>> smallest_empty(
@@ -53,39 +65,42 @@ std::optional<std::vector<size_t>> smallest_empty(
   return all;
 }
 
-Conflict ConflictSearch::run(const std::string& refused) {
+Conflict ConflictSearch::run(const Sentence& refused) {
   make_poses();
   if (m_poses.empty()) {
     m_out.constraints = {where()};
     note(support());
     m_out.is_certain = is_certain();
-    m_out.text = trivet::quoted(m_out.thing) + " has no place " + where() + ": " + m_why_none;
+    m_out.text = say("%1 has no place %2: %3", trivet::quoted(m_out.thing), where(), m_why_none);
     return std::move(m_out);
   }
   if (!find_in_outlines() && !find_in_masks()) {
-    m_out.text = trivet::quoted(m_out.thing) + " comes to rest nowhere as it is asked for" +
-                 (refused.empty() ? "" : "; first: " + refused);
+    const std::string thing = trivet::quoted(m_out.thing);
+    m_out.text = refused.empty() ? say("%1 comes to rest nowhere as it is asked for", thing)
+                                 : say("%1 comes to rest nowhere as it is asked for; first: %2",
+                                       thing, refused);
     return std::move(m_out);
   }
   write();
   return std::move(m_out);
 }
 
-std::string ConflictSearch::where() const {
+Sentence ConflictSearch::where() const {
   const Relation* support = m_world.support_of(m_thing);
   if (!support || support->b == "floor") return "on the floor";
-  std::string out = std::string(to_string(support->kind)) + " " + quoted(support->b);
-  if (support->level) out += ", level " + std::to_string(*support->level);
-  return out;
+  const Sentence out =
+      say(support->as<relations::In>() ? TRIVET_SENTENCE("in %1") : TRIVET_SENTENCE("on %1"),
+          quoted(support->b));
+  const auto* const on = support->as<relations::On>();
+  return on && on->level ? say("%1, level %2", out, *on->level) : out;
 }
 
 // Not of things that may be turned otherwise than they were tried.
 bool ConflictSearch::is_certain() const {
   const auto& relations = m_placer.m_relations;
   return !m_out.as_they_stand && !m_thing.thing->any_yaw &&
-         std::none_of(relations.begin(), relations.end(), [](const Relation* r) {
-           return r->kind == RelationKind::Facing || r->kind == RelationKind::Away;
-         });
+         std::none_of(relations.begin(), relations.end(),
+                      [](const Relation* r) { return r->faces(); });
 }
 
 std::string ConflictSearch::support() const {
@@ -165,7 +180,7 @@ bool ConflictSearch::find_set() {
     m_out.constraints.push_back(where());
     note(support());
   }
-  // Of two, what one misses the other by; their windows reach half a tolerance beyond them.
+  // Each of two misses the other; their windows reach half a tolerance beyond them.
   const double parts = set->size() > 1 ? 2 : 1;
   m_out.missing = parts * least_slack(*set, [](size_t) { return true; });
   for (size_t k = 0; k < set->size() && k < 2; ++k)
@@ -180,13 +195,13 @@ bool ConflictSearch::find_set() {
   return true;
 }
 
-// Of a thing that is to be beside one object and, on its other side, beside another: the lengths in
-// the pose in which it misses the least.
-std::string ConflictSearch::between(const Set& set) const {
+// For a thing that is to be beside one object and, on its other side, beside another: the lengths
+// in the pose in which it misses the least.
+Sentence ConflictSearch::between(const Set& set) const {
   const auto is_beside = [&](size_t i) {
     return separates(*m_relations[i]) && m_relations[i]->a == m_out.thing;
   };
-  if (set.size() != 2 || !is_beside(set[0]) || !is_beside(set[1])) return "";
+  if (set.size() != 2 || !is_beside(set[0]) || !is_beside(set[1])) return {};
   const Relation &r = *m_relations[set[0]], &s = *m_relations[set[1]];
   double least = kInfinity, left = 0, needed = 0;
   Vec2 along = Vec2::Zero();
@@ -194,18 +209,21 @@ std::string ConflictSearch::between(const Set& set) const {
     const Outline &first = *m_placer.partner(r), &second = *m_placer.partner(s);
     const Vec2 d = direction_of(r, c.outline, first), e = direction_of(s, c.outline, second);
     const double room = -extent(second.hull, e) - extent(first.hull, d);
-    const double need = c.outline.width(d) + r.lower + s.lower;
+    const double need = c.outline.width(d) + gap_of(r).lower + gap_of(s).lower;
     if (d.dot(e) > kOpposite || room < 0 || need - room >= least) continue;
     least = need - room, left = room, needed = need, along = d;
   }
-  if (!(least < kInfinity) || !(least > 0)) return "";
-  const char* const axis = std::abs(along.x()) > -kOpposite   ? " along x"
-                           : std::abs(along.y()) > -kOpposite ? " along y"
-                                                              : "";
-  char text[128];
-  std::snprintf(text, sizeof(text), ": they leave %.4g m%s, it needs %.4g m", left, axis, needed);
-  return " does not fit between " + trivet::quoted(r.b) + " and " + trivet::quoted(s.b) +
-         (m_out.as_they_stand ? ", as things stand" : "") + text;
+  if (!(least < kInfinity) || !(least > 0)) return {};
+  const char* const axis = std::abs(along.x()) > -kOpposite   ? TRIVET_SENTENCE("%1 m along x")
+                           : std::abs(along.y()) > -kOpposite ? TRIVET_SENTENCE("%1 m along y")
+                                                              : "%1 m";
+  return say(
+      m_out.as_they_stand
+          ? TRIVET_SENTENCE("%1 does not fit between %2 and %3, as things stand: they leave "
+                            "%4, it needs %5 m")
+          : TRIVET_SENTENCE("%1 does not fit between %2 and %3: they leave %4, it needs %5 m"),
+      trivet::quoted(m_out.thing), trivet::quoted(r.b), trivet::quoted(s.b),
+      say(axis, figure(left, 4)), figure(needed, 4));
 }
 
 void ConflictSearch::note(const std::string& object) {
@@ -222,24 +240,15 @@ void ConflictSearch::add(const Relation& r) {
 }
 
 void ConflictSearch::write() {
-  std::string list;
-  for (const std::string& c : m_out.constraints) list += (list.empty() ? "" : "; ") + c;
-  m_out.text = trivet::quoted(m_out.thing) + " has no place: " +
-               (m_out.constraints.size() > 1 ? "these leave none together" : "this leaves none");
-  if (m_out.as_they_stand) m_out.text += ", as things stand";
-  m_out.text += ": " + list;
-  if (!m_between.empty()) m_out.text = trivet::quoted(m_out.thing) + m_between;
-  if (m_out.missing && m_between.empty()) {
-    char text[64];
-    std::snprintf(text, sizeof(text), "; %.4g m are missing", *m_out.missing);
-    m_out.text += text;
-  }
+  m_out.text = m_between.empty() ? no_place(m_out) : m_between;
+  if (m_out.missing && m_between.empty())
+    m_out.text = say("%1; %2 m are missing", m_out.text, figure(*m_out.missing, 4));
   if (m_out.cheapest)
-    m_out.text +=
-        "; the cheapest to drop: " + m_world.arrangement().relations[*m_out.cheapest].text();
+    m_out.text = say("%1; the cheapest to drop: %2", m_out.text,
+                     m_world.arrangement().relations[*m_out.cheapest].text());
 }
 
-Conflict find_conflict(World& world, size_t thing, const std::string& refused) {
+Conflict find_conflict(World& world, size_t thing, const Sentence& refused) {
   return ConflictSearch(world, thing).run(refused);
 }
 

@@ -41,13 +41,13 @@ void ConflictSearch::fill_masks() {
     const std::string& name = m_world.scene().at(id).name;
     others.push_back(id);
     const double keep = m_world.keep(m_out.thing, name);
-    char by[32] = "";
-    if (keep > 0) std::snprintf(by, sizeof(by), " by %.4g m", keep);
-    m_constraints.push_back({"clear of " + quoted(name) + by, name});
+    m_constraints.push_back({keep > 0 ? say("clear of %1 by %2 m", quoted(name), figure(keep, 4))
+                                      : say("clear of %1", quoted(name)),
+                             name});
   }
   std::vector<ObjectId> with_zones;
   for (const ObjectId id : m_placer.has_zones() ? m_world.standing() : std::vector<ObjectId>()) {
-    const std::string text = zones_text(m_world.scene().at(id).name);
+    const Sentence text = zones_text(m_world.scene().at(id).name);
     if (text.empty()) continue;
     with_zones.push_back(id);
     m_constraints.push_back({text, m_world.scene().at(id).name});
@@ -83,7 +83,7 @@ bool ConflictSearch::all_but_sights_hold(size_t place) const {
   });
 }
 
-// Of each place; in parallel, with the same answers.
+// Judges each place; in parallel, with the same answers.
 std::vector<char> ConflictSearch::sight_holds(const Relation& r,
                                               std::span<const size_t> places) const {
   m_world.check_interrupt();
@@ -167,8 +167,8 @@ bool ConflictSearch::leaves_no_place(const Set& set) const {
   return true;
 }
 
-// Of the set's relations that outlines judge, the one that is nearest to being met where all others
-// of the set are.
+// Among the set's relations that outlines judge, finds the one that is nearest to being met where
+// all others of the set are.
 void ConflictSearch::find_cheapest(const Set& set) {
   double least = kInfinity;
   for (const size_t i : set) {
@@ -187,14 +187,14 @@ void ConflictSearch::find_cheapest(const Set& set) {
 }
 
 // Zones to be kept free, of the thing and another object; empty: neither has one.
-std::string ConflictSearch::zones_text(const std::string& other) const {
-  std::string out;
-  const auto add = [&](const std::string& text) {
-    out.append(out.empty() ? "" : ", ").append(text);
+Sentence ConflictSearch::zones_text(const std::string& other) const {
+  Sentence out;
+  const auto add = [&](const Sentence& text) {
+    out = out.empty() ? text : say("%1, %2", out, text);
   };
   for (const Zone& zone : m_world.arrangement().zones) {
-    if (zone.object == other) add("out of the " + zone.text());
-    if (zone.object == m_out.thing) add(zone.text() + " clear of " + trivet::quoted(other));
+    if (zone.object == other) add(say("out of the %1", zone.text()));
+    if (zone.object == m_out.thing) add(say("%1 clear of %2", zone.text(), trivet::quoted(other)));
   }
   return out;
 }
@@ -202,10 +202,7 @@ std::string ConflictSearch::zones_text(const std::string& other) const {
 // Relations need not hold to the last bit on the grid.
 bool ConflictSearch::nearly_holds(const Relation& r, const Outline& outline, double pixel) const {
   const double slack_deg = 360.0 / 64;
-  const bool of_angles = r.kind == RelationKind::Facing || r.kind == RelationKind::Away ||
-                         r.kind == RelationKind::Aligned || r.kind == RelationKind::Parallel ||
-                         r.kind == RelationKind::Perpendicular || r.kind == RelationKind::Same;
-  return m_placer.cost(r, outline) <= 1 + (of_angles ? slack_deg : pixel) / r.tolerance;
+  return m_placer.cost(r, outline) <= 1 + (r.is_in_degrees() ? slack_deg : pixel) / r.tolerance;
 }
 
 bool ConflictSearch::find_in_masks() {

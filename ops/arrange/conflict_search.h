@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/conflict.h"
 
 namespace trivet {
@@ -19,7 +20,7 @@ class ConflictSearch {
     m_out.thing = m_thing.thing->object;
   }
 
-  Conflict run(const std::string& refused);
+  Conflict run(const Sentence& refused);
 
  private:
   using Set = std::vector<size_t>;              // of relations, or of constraints
@@ -27,7 +28,7 @@ class ConflictSearch {
   using Mask = std::vector<std::uint64_t>;      // places that a constraint leaves
   // Over all places of all poses.
   struct Constraint {
-    std::string text;
+    Sentence text;
     std::string object;  // that it names; may be empty
     const Relation* relation = nullptr;
     Mask mask = {};
@@ -40,7 +41,7 @@ class ConflictSearch {
     double start_z;  // of the position, where it meets the support
   };
 
-  std::string where() const;
+  Sentence where() const;
   std::string support() const;
   void make_poses();
   const std::string& other_of(const Relation& r) const { return r.a == m_out.thing ? r.b : r.a; }
@@ -57,14 +58,14 @@ class ConflictSearch {
   double least_slack(const Set& set, const std::function<bool(size_t)>& gives) const;
   bool find_in_outlines();
   bool find_set();
-  std::string between(const Set& set) const;
+  Sentence between(const Set& set) const;
   bool is_certain() const;
 
   // By masks: conflict_masks.cpp.
   void fill_masks();
   void fill_sights();
   bool all_but_sights_hold(size_t place) const;
-  std::string zones_text(const std::string& other) const;
+  Sentence zones_text(const std::string& other) const;
   bool nearly_holds(const Relation& r, const Outline& outline, double pixel) const;
   bool find_in_masks();
   std::vector<char> sight_holds(const Relation& r, std::span<const size_t> places) const;
@@ -80,8 +81,8 @@ class ConflictSearch {
   std::vector<const Relation*> m_relations;  // hard, judged by outlines
   std::vector<Constraint> m_constraints;
   std::vector<Judged> m_places;
-  std::string m_why_none;
-  std::string m_between;    // and what they leave, of two relations to objects on opposite sides
+  Sentence m_why_none;
+  Sentence m_between;       // and what they leave, of two relations to objects on opposite sides
   bool m_anywhere = false;  // relations alone, without what the support leaves
   Conflict m_out;
 };

@@ -8,11 +8,7 @@
 namespace trivet {
 namespace {
 
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
+Sentence metres(double value) { return figure(value, 4); }
 
 }  // namespace
 
@@ -20,7 +16,7 @@ class ContradictionSearch {
  public:
   explicit ContradictionSearch(const World& world) : m_world(world), m_bounds(world) {
     for (const Relation& r : world.arrangement().relations)
-      if (r.is_hard() && (r.kind == RelationKind::Near || separates(r)) && r.lower > r.tolerance)
+      if (r.is_hard() && has_least_distance(r) && gap_of(r).lower > r.tolerance)
         m_least_of[m_bounds.node_of(r.a)].push_back(&r);
   }
 
@@ -37,7 +33,7 @@ class ContradictionSearch {
                                         int level) const;
   std::optional<Conflict> too_near() const;
   std::optional<Conflict> judge(size_t a, const Bounds& bounds) const;
-  Conflict conflict_of(size_t a, size_t b, const Bounds& bounds, const std::string& asked,
+  Conflict conflict_of(size_t a, size_t b, const Bounds& bounds, const Sentence& asked,
                        double wanted, double most, const Relation* relation) const;
   const std::string& name(size_t node) const { return m_bounds.nodes()[node].name; }
   size_t index_of(const Relation& r) const {
@@ -57,7 +53,7 @@ std::optional<Conflict> ContradictionSearch::too_near() const {
     const auto least = m_least_of.find(i);
     double most = m_world.thing_of(name(i)) >= 0 ? keep : 0;
     if (least != m_least_of.end())
-      for (const Relation* r : least->second) most = std::max(most, r->lower);
+      for (const Relation* r : least->second) most = std::max(most, gap_of(*r).lower);
     if (!(most > 0)) continue;
     if (auto conflict = judge(i, m_bounds.from(i, most))) return conflict;
   }
@@ -69,8 +65,9 @@ std::optional<Conflict> ContradictionSearch::judge(size_t a, const Bounds& bound
     for (const Relation* r : least->second) {
       const size_t b = m_bounds.node_of(r->b);
       const auto bound = bounds.find(b);
-      if (bound != bounds.end() && bound->second.distance < r->lower - r->tolerance)
-        return conflict_of(a, b, bounds, r->text(), r->lower, bound->second.distance, r);
+      const double lower = gap_of(*r).lower;
+      if (bound != bounds.end() && bound->second.distance < lower - r->tolerance)
+        return conflict_of(a, b, bounds, r->text(), lower, bound->second.distance, r);
     }
   const DistanceBounds::Node& node = m_bounds.nodes()[a];
   for (const auto& [b, bound] : bounds) {
@@ -80,15 +77,15 @@ std::optional<Conflict> ContradictionSearch::judge(size_t a, const Bounds& bound
     const double most = m_bounds.apart(node, other, bound.distance);
     const double keep = m_world.keep(node.name, other.name);
     if (most < keep)
-      return conflict_of(a, b, bounds,
-                         quoted(node.name) + " " + metres(keep) + " m from " + quoted(other.name),
-                         keep, most, nullptr);
+      return conflict_of(
+          a, b, bounds, say("%1 %2 m from %3", quoted(node.name), metres(keep), quoted(other.name)),
+          keep, most, nullptr);
   }
   return std::nullopt;
 }
 
 Conflict ContradictionSearch::conflict_of(size_t a, size_t b, const Bounds& bounds,
-                                          const std::string& asked, double wanted, double most,
+                                          const Sentence& asked, double wanted, double most,
                                           const Relation* relation) const {
   Conflict out;
   std::vector<size_t> chain{b};
@@ -112,19 +109,20 @@ Conflict ContradictionSearch::conflict_of(size_t a, size_t b, const Bounds& boun
   out.missing = wanted - most;
   out.is_certain = true;
   if (!out.relations.empty()) out.cheapest = out.relations.front();
-  std::string list;
-  for (const std::string& c : out.constraints) list += (list.empty() ? "" : "; ") + c;
-  out.text = trivet::quoted(out.thing) + " has no place: these leave none together: " + list +
-             "; " + quoted(name(a)) + " and " + quoted(name(b)) + " are " + metres(most) +
-             " m apart at most, " + metres(wanted) + " m are asked for";
+  out.text =
+      say("%1 has no place: these leave none together: %2; %3 and %4 are %5 m apart at most, "
+          "%6 m are asked for",
+          trivet::quoted(out.thing), listed(out.constraints), quoted(name(a)), quoted(name(b)),
+          metres(most), metres(wanted));
   return out;
 }
 
-// Of supports that stand, and of those that have one pose alone.
+// Looks at supports that stand, and at those that have one pose alone.
 std::optional<Conflict> ContradictionSearch::missing_level() const {
   for (const Relation& r : m_world.arrangement().relations) {
-    if (r.kind != RelationKind::On || !r.level || r.b == kFloorName) continue;
-    if (auto out = missing_level(r.a, r.b, *r.level)) {
+    const auto* const on = r.as<relations::On>();
+    if (!on || !on->level || r.b == kFloorName) continue;
+    if (auto out = missing_level(r.a, r.b, *on->level)) {
       out->relations = {index_of(r)};
       return out;
     }
@@ -141,11 +139,11 @@ std::optional<Conflict> ContradictionSearch::missing_level(const std::string& th
   if (!count || is_level(*count, level)) return std::nullopt;
   Conflict out;
   out.thing = thing;
-  out.constraints = {"on " + quoted(on) + ", level " + std::to_string(level)};
+  out.constraints = {say("on %1, level %2", quoted(on), level)};
   out.objects = {on};
   out.is_certain = true;
-  out.text = quoted(thing) + " has no place " + out.constraints.front() + ": " +
-             no_such_level(on, *count, level);
+  out.text = say("%1 has no place %2: %3", quoted(thing), out.constraints.front(),
+                 no_such_level(on, *count, level));
   return out;
 }
 

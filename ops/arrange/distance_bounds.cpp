@@ -94,7 +94,7 @@ void DistanceBounds::set_range(Node& node, const ThingModel& thing) {
   node.lower = support.lower - node.height;
   node.upper = support.upper + node.height;
   const Relation* relation = m_world.support_of(thing);
-  if (!relation || relation->kind != RelationKind::In) return;
+  if (!relation || !relation->as<relations::In>()) return;
   // On anything that comes to lie in there.
   for (const ObjectId id : m_world.standing())
     node.upper = std::max(node.upper, m_world.scene().world_box(id).upper.z());
@@ -102,7 +102,7 @@ void DistanceBounds::set_range(Node& node, const ThingModel& thing) {
 }
 
 void DistanceBounds::add_link(const std::string& a, const std::string& b, double length,
-                              const std::string& text, const Relation* relation) {
+                              const Sentence& text, const Relation* relation) {
   const size_t i = m_node_of.at(a), j = m_node_of.at(b);
   m_links[i].push_back({j, length, text, relation});
   m_links[j].push_back({i, length, text, relation});
@@ -110,32 +110,9 @@ void DistanceBounds::add_link(const std::string& a, const std::string& b, double
 
 // Metres between the outlines of a relation's objects at most.
 double DistanceBounds::reach_of(const Relation& r) const {
-  const Node &a = m_nodes[m_node_of.at(r.a)], &b = m_nodes[m_node_of.at(r.b)];
-  switch (r.kind) {
-    case RelationKind::On:
-    case RelationKind::In:
-      return m_touching;
-    case RelationKind::Under:
-      return r.overlap > 2 * r.tolerance ? m_touching : kInfinity;
-    case RelationKind::Near:
-      return r.upper + r.tolerance + m_touching;
-    case RelationKind::Against:
-    case RelationKind::LeftOf:
-    case RelationKind::RightOf:
-    case RelationKind::InFrontOf:
-    case RelationKind::Behind:
-      return r.upper + 2 * r.tolerance + a.size + b.size + m_touching;
-    case RelationKind::AtEdge:
-      return r.tolerance + m_touching;
-    case RelationKind::Reach:
-      return r.eye ? kInfinity : r.upper + r.tolerance + b.size + m_touching;
-    case RelationKind::Centred:
-      return r.along_x && r.along_y
-                 ? r.offset.norm() + 2 * r.tolerance + a.size + b.size + m_touching
-                 : kInfinity;
-    default:
-      return kInfinity;
-  }
+  const relations::Sizes sizes{m_nodes[m_node_of.at(r.a)].size, m_nodes[m_node_of.at(r.b)].size,
+                               m_touching};
+  return std::visit([&](const auto& kind) { return kind.most_apart(r, sizes); }, r.kind);
 }
 
 void DistanceBounds::add_links() {
@@ -204,7 +181,7 @@ std::vector<std::string> DistanceBounds::containers(const std::string& thing) co
   std::string at = thing;
   while (const std::string* below = carrier(at)) {
     const Relation* support = m_world.support_of(m_world.things()[m_world.thing_of(at)]);
-    if (support && support->kind == RelationKind::In) out.push_back(*below);
+    if (support && support->as<relations::In>()) out.push_back(*below);
     at = *below;
   }
   return out;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/world.h"
 
 namespace trivet {
@@ -25,7 +26,7 @@ class DistanceBounds {
   struct Link {
     size_t to;
     double length;
-    std::string text;  // empty: both stand there
+    Sentence text;  // empty: both stand there
     const Relation* relation = nullptr;
   };
   struct Bound {
@@ -39,7 +40,8 @@ class DistanceBounds {
 
   const std::vector<Node>& nodes() const { return m_nodes; }
   size_t node_of(const std::string& name) const { return m_node_of.at(name); }
-  /// Of the outlines of all nodes from one, where they are no more than `most` [Dijkstra 1959].
+  /// Bounds between the outlines of all nodes and one, where they are no more than `most` [Dijkstra
+  /// 1959].
   Bounds from(size_t start, double most) const;
   /// Metres between the surfaces of two objects whose outlines are so far apart, at most.
   double apart(const Node& a, const Node& b, double distance) const;
@@ -52,7 +54,7 @@ class DistanceBounds {
   void add_thing(const ThingModel& thing);
   void set_range(Node& node, const ThingModel& thing);
   void add_links();
-  void add_link(const std::string& a, const std::string& b, double length, const std::string& text,
+  void add_link(const std::string& a, const std::string& b, double length, const Sentence& text,
                 const Relation* relation = nullptr);
   void link_standing();
   double reach_of(const Relation& r) const;

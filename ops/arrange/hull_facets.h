@@ -9,8 +9,8 @@
 namespace trivet {
 
 inline constexpr double kHullTolerance = 1e-9;  // of the object's size
-/// Of 0.5 degrees, within which normals of one facet are: scans and polygonised cylinders are never
-/// quite flat.
+/// Cosine of 0.5 degrees, within which normals of one facet are: scans and polygonised cylinders
+/// are never quite flat.
 inline constexpr double kFacetMergeCosine = 0.99996192306417129;
 
 struct HullFace {

@@ -28,7 +28,7 @@ double Solver::soft_cost(const Relation& r) const {
   return *r.weight * cost * cost;
 }
 
-// Of all soft relations. @param of_thing  that part of each thing.
+// Cost of all soft relations. @param of_thing  that part of each thing.
 double Solver::soft_cost(std::vector<double>& of_thing) const {
   const std::vector<Relation>& relations = m_world.arrangement().relations;
   std::vector<double> costs;

@@ -1,7 +1,6 @@
 // Ways down for a thing: onto a level, into a container, from above onto all that is open.
 #include <algorithm>
 
-#include "core/base/count_of.h"
 #include "core/base/quoted.h"
 #include "ops/arrange/world.h"
 #include "ops/operations/moving_group.h"
@@ -20,12 +19,13 @@ bool is_level(size_t count, int level) {
   return level < num && level >= -num;
 }
 
-std::string no_such_level(const std::string& support, size_t count, int level) {
+Sentence no_such_level(const std::string& support, size_t count, int level) {
   const int num = static_cast<int>(count);
-  if (num == 0) return quoted(support) + " has no surface to set things down on";
-  return quoted(support) + " has " + count_of(count, "surface") + ", none of which is " +
-         std::to_string(level) + "; accepted: " + std::to_string(-num) + " to " +
-         std::to_string(num - 1);
+  if (num == 0) return say("%1 has no surface to set things down on", quoted(support));
+  if (num == 1)
+    return say("%1 has 1 surface, none of which is %2; accepted: -1 to 0", quoted(support), level);
+  return say("%1 has %2 surfaces, none of which is %3; accepted: %4 to %5", quoted(support), num,
+             level, -num, num - 1);
 }
 
 const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level) {
@@ -81,13 +81,13 @@ Landing landing_from_above(const Scene& scene, ObjectId support, double clearanc
 }  // namespace
 
 std::vector<Landing> World::landings(const ThingModel& thing, double height,
-                                     std::string& why_none) const {
+                                     Sentence& why_none) const {
   const Relation* support = support_of(thing);
   const double clearance = this->clearance(thing);
   std::vector<Landing> out;
   if (!support || support->b == "floor") {
     if (!scene().floor) {
-      why_none = "there is no floor";
+      why_none = TRIVET_SENTENCE("there is no floor");
       return {};
     }
     Landing landing;
@@ -98,16 +98,16 @@ std::vector<Landing> World::landings(const ThingModel& thing, double height,
     return out;
   }
   const ObjectId id = *scene().find(support->b);
-  if (support->kind == RelationKind::In) return {landing_in(scene(), id, clearance)};
+  if (support->as<relations::In>()) return {landing_in(scene(), id, clearance)};
   const std::vector<SupportSurface>& surfaces = this->surfaces(support->b);
   const auto add = [&](const SupportSurface& surface) {
     if (auto landing = landing_on(scene(), id, surfaces, surface, height, clearance))
       out.push_back(std::move(*landing));
   };
-  if (support->level) {
-    const SupportSurface* surface = surface_at(surfaces, *support->level);
-    why_none = surface ? "the head room there is less than its height"
-                       : no_such_level(support->b, surfaces.size(), *support->level);
+  if (const auto* const on = support->as<relations::On>(); on && on->level) {
+    const SupportSurface* surface = surface_at(surfaces, *on->level);
+    why_none = surface ? TRIVET_SENTENCE("the head room there is less than its height")
+                       : no_such_level(support->b, surfaces.size(), *on->level);
     if (surface) add(*surface);
     return out;
   }

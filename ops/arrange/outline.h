@@ -30,7 +30,7 @@ std::vector<Vec3> hull_points(const Shape& shape);
 Outline outline_of(const std::vector<Vec3>& points, const Object& object, const Pose& pose,
                    const Vec3& front);
 
-/// Those of the points that are in the outline's hull, lowest or highest: outlines of the same pose
+/// Points in the outline's hull, lowest or highest: outlines of the same pose
 /// turned about z need no others.
 std::vector<Vec3> rim_of(const std::vector<Vec3>& points, const Object& object, const Pose& pose,
                          const Outline& outline);

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kMostShift = 1e-3;  // metres, of a thing at rest from its slot
 
-Conflict conflict_of(const Pattern& pattern, const std::string& text, double missing) {
+Conflict conflict_of(const Pattern& pattern, const Sentence& text, double missing) {
   Conflict out;
-  out.thing = pattern.text();
+  out.thing = in_english(pattern.text());
   out.objects = pattern.things;
   out.objects.push_back(pattern.on);
   out.text = text;
@@ -22,23 +22,23 @@ Conflict conflict_of(const Pattern& pattern, const std::string& text, double mis
   return out;
 }
 
-std::optional<std::string> judge_slot(const World& world, const Slot& slot, const Pattern& pattern,
-                                      const OperationResult& result) {
+std::optional<Sentence> judge_slot(const World& world, const Slot& slot, const Pattern& pattern,
+                                   const OperationResult& result) {
   const ThingModel& thing = world.things()[slot.thing];
   const std::string who = quoted(thing.thing->object);
-  if (!result.ok()) return result.reason();
-  if (!result.gave_way.empty()) return who + " makes others give way";
+  if (!result.ok()) return sentence_of(*result.refusal);
+  if (!result.gave_way.empty()) return say("%1 makes others give way", who);
   const Object& object = world.object(thing);
   const Vec3 up = object.pose.rotation.matrix().row(2);
   const Vec3 wanted = slot.start.rotation.matrix().row(2);
-  if (angle_between_deg(up, wanted) > kMostTiltDeg) return who + " tips";
+  if (angle_between_deg(up, wanted) > kMostTiltDeg) return say("%1 tips", who);
   const Vec3 shift = object.pose.translation - slot.start.translation;
-  if (shift.head<2>().norm() > kMostShift) return who + " slides away";
+  if (shift.head<2>().norm() > kMostShift) return say("%1 slides away", who);
   const Support on =
       pattern.on == kFloorName ? Support::floor() : Support(*world.scene().find(pattern.on));
   for (const ObjectContact& entry : object.contacts)
-    if (holds_up(entry.contact) && !(entry.with == on))
-      return who + " does not rest on " + quoted(pattern.on) + " alone";
+    if (holds_up(entry) && !(entry.with == on))
+      return say("%1 does not rest on %2 alone", who, quoted(pattern.on));
   if (auto why = broken_sight(world)) return why;
   return taken_zone(world, thing);
 }
@@ -57,12 +57,12 @@ std::optional<Conflict> put_pattern(World& world, const Pattern& pattern, std::u
     put.start = slot.start;
     placed.push_back({slot.thing, world.perform(put)});
     if (const auto why = judge_slot(world, slot, pattern, placed.back().result))
-      return conflict_of(pattern, pattern.text() + ": " + *why, 0);
+      return conflict_of(pattern, say("%1: %2", pattern.text(), *why), 0);
   }
   // Carriers are judged with all of them: things may balance each other.
   for (const Slot& slot : slots.slots)
     if (const auto why = unsteady(world, world.things()[slot.thing]))
-      return conflict_of(pattern, pattern.text() + ": " + *why, 0);
+      return conflict_of(pattern, say("%1: %2", pattern.text(), *why), 0);
   trial.commit();
   return std::nullopt;
 }

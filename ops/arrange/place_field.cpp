@@ -19,7 +19,7 @@ constexpr double kGrown = 1.002;
 constexpr double kMostGrown = 256;  // pixels; of larger distances boxes decide, and maps stay small
 constexpr int kSingleShare = 4;     // falls are found one by one for a part of the places: 1 in 4
 
-// Of two boxes, seen from above.
+// Distance of two boxes, seen from above.
 double seen_distance(const Aabb& a, const Aabb& b) {
   const Vec3 apart = (a.lower - b.upper).cwiseMax(b.lower - a.upper).cwiseMax(Vec3::Zero());
   return apart.head<2>().norm();
@@ -138,7 +138,7 @@ PlaceField::Underside PlaceField::underside_of(std::span<const Body> moving, dou
   return {growth, grid, draw_underside(moving, grid, growth)};
 }
 
-// Of the object itself, each growth drawn once.
+// Underside of the object itself, each growth drawn once.
 const PlaceField::Underside& PlaceField::underside(double growth) const {
   for (const Underside& known : m_undersides)
     if (known.growth == growth) return known;

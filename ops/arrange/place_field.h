@@ -91,7 +91,7 @@ class PlaceField {
   std::unique_ptr<Obstruction> obstruction(std::span<const Body> moving,
                                            std::span<const Body> others) const;
   std::unique_ptr<Obstruction> obstruction_of_floor() const;
-  /// Of each place whether none of these can be met before the support.
+  /// For each place, true if none of these can be met before the support.
   std::vector<char> clear_of(std::span<const ObjectId> others, double keep) const;
   /// World box that the object sweeps, at all places.
   const Aabb& reach() const { return m_reach; }

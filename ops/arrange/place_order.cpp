@@ -24,13 +24,7 @@ std::uint64_t counter(std::uint64_t seed, size_t combination, size_t place) {
 
 // Tolerances more for a thing that is turned to face something afterwards.
 double slack_of(const Relation& r, const std::string& thing) {
-  const bool turns_later = r.kind == RelationKind::Facing || r.kind == RelationKind::Away;
-  return turns_later && r.a == thing ? kFacingSlackDeg / r.tolerance : 0;
-}
-
-bool is_of_turn(const Relation& r) {
-  return r.kind == RelationKind::Aligned || r.kind == RelationKind::Parallel ||
-         r.kind == RelationKind::Perpendicular || r.kind == RelationKind::Same;
+  return r.faces() && r.a == thing ? kFacingSlackDeg / r.tolerance : 0;
 }
 
 }  // namespace
@@ -44,10 +38,9 @@ PlaceCosts::PlaceCosts(const Placer& placer, const Combination& combination)
     const Relation& r = *placer.m_relations[k];
     if (!r.is_hard()) m_soft.push_back(k);
     if (r.is_hard() && !(is_decided_by_planes(r) && r.tolerance > kLittleWay)) m_hard.push_back(k);
-    if (is_of_turn(r)) m_fixed[k] = placer.cost(r, m_base);
+    if (r.is_of_turn()) m_fixed[k] = placer.cost(r, m_base);
     const double widest_deg = r.tolerance * (1 + slack_of(r, placer.name()));
-    if (r.a == placer.name() && widest_deg < 180 &&
-        (r.kind == RelationKind::Facing || r.kind == RelationKind::Away))
+    if (r.a == placer.name() && widest_deg < 180 && r.faces())
       m_cosines[k] = turned_about_z(widest_deg).matrix()(0, 0);
   }
 }
@@ -73,16 +66,16 @@ double PlaceCosts::cost(size_t relation) const {
 
 // Cheap conditions first: they leave most places out.
 bool PlaceCosts::meets_hard() const {
-  const auto& relations = m_placer.m_relations;
+  const auto& all = m_placer.m_relations;
   for (const size_t k : m_hard)
     if (!faces(k).value_or(true) || m_fixed[k].value_or(0) > 1) return false;
   for (const size_t k : m_hard) {
     if (faces(k)) continue;
-    if (relations[k]->kind == RelationKind::Near) {
+    if (all[k]->as<relations::Near>()) {
       if (!is_near(k)) return false;
       continue;
     }
-    if (!(cost(k) <= 1 + slack_of(*relations[k], m_placer.name()))) return false;
+    if (!(cost(k) <= 1 + slack_of(*all[k], m_placer.name()))) return false;
   }
   return true;
 }
@@ -98,21 +91,23 @@ std::optional<bool> PlaceCosts::faces(size_t relation) const {
 }
 
 // No distance changes by more than the way from where it was measured: near its bounds it is
-// measured again. One below its upper end may be too large, as near_distance() says.
+// measured again. One below its upper end may be too large, as Near::distance() says.
 bool PlaceCosts::is_near(size_t relation) const {
   const Relation& r = *m_placer.m_relations[relation];
+  const relations::Near& near = *r.as<relations::Near>();
   Known& known = m_known[relation];
   const double way = (m_here.mass_centre - known.at).norm() + kLittleWay;
   if (known.distance >= 0) {
-    const bool is_exact = r.lower > 0 || known.distance > r.upper;
-    if (is_exact && known.distance - way > r.upper + r.tolerance) return false;
-    if (known.distance + way <= r.upper && (r.lower == 0 || known.distance - way >= r.lower))
+    const bool is_exact = near.lower > 0 || known.distance > near.upper;
+    if (is_exact && known.distance - way > near.upper + r.tolerance) return false;
+    if (known.distance + way <= near.upper &&
+        (near.lower == 0 || known.distance - way >= near.lower))
       return true;
   }
   const Outline& partner = *m_placer.partner(r);
   const bool is_a = r.a == m_placer.name();
-  known = {m_here.mass_centre, near_distance(r, is_a ? here() : partner, is_a ? partner : here())};
-  return near_cost(r, known.distance) <= 1;
+  known = {m_here.mass_centre, near.distance(is_a ? here() : partner, is_a ? partner : here())};
+  return near.cost_at(r, known.distance) <= 1;
 }
 
 double PlaceCosts::energy() const {
@@ -169,7 +164,7 @@ void PlaceOrder::add(size_t c) {
   m_open.push_back(std::move(open));
 }
 
-// Of what may be in the way in this rotation.
+// Obstructions in this rotation.
 Obstructions PlaceOrder::obstructions(const Open& open) const {
   const World& world = m_placer.m_world;
   std::map<double, std::vector<ObjectId>> by_keep;

@@ -20,7 +20,7 @@ class PlaceCosts {
   /// In the combination's region. But for things that are turned to face something afterwards:
   /// kFacingSlackDeg.
   bool meets_hard() const;
-  /// Of the soft relations: not negative.
+  /// Energy of the soft relations: not negative.
   double energy() const;
 
  private:

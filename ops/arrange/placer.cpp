@@ -69,7 +69,7 @@ std::vector<ObjectId> Placer::obstacles(const Combination& combination, Obstacle
     if (which == Obstacles::Immovable && m_world.thing_of(other) >= 0) continue;
     const double keep = m_world.keep(name(), other);
     const auto apart = [&](const Relation* r) {
-      return separates(*r) && (r->a == other || r->b == other) && keep <= r->lower;
+      return separates(*r) && (r->a == other || r->b == other) && keep <= gap_of(*r).lower;
     };
     if (std::none_of(m_relations.begin(), m_relations.end(), apart)) out.push_back(id);
   }
@@ -100,7 +100,7 @@ std::vector<char> Placer::zones_clear_of(const PlaceField& field, const Combinat
   return out;
 }
 
-// Of turns that are free, by the seed.
+// Rank among the free turns, by the seed.
 size_t Placer::rank_of_turn(size_t turn) const {
   const auto key = [&](size_t t) { return scrambled(m_seed ^ scrambled(~t)); };
   size_t out = 0;

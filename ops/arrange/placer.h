@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/relations.h"
 #include "ops/arrange/sights.h"
 #include "ops/arrange/world.h"
@@ -68,7 +69,7 @@ class Placer {
   std::vector<size_t> blockers(const PlaceCandidate& candidate) const;
 
   /// PUT at a candidate, refined. @return why not; nullopt: it stands there.
-  std::optional<std::string> put(const PlaceCandidate& candidate, OperationResult& result);
+  std::optional<Sentence> put(const PlaceCandidate& candidate, OperationResult& result);
 
   PlaceField field(const Combination& combination) const;
 
@@ -99,11 +100,11 @@ class Placer {
   bool has_zones() const { return !m_world.arrangement().zones.empty(); }
   Vec2 refined(const PlaceCandidate& candidate) const;
   Rotation turned_to_face(const PlaceCandidate& candidate, const Vec2& at) const;
-  std::optional<std::string> push_to_contact(OperationResult& result);
-  std::optional<std::string> judge(const Combination& combination, const Rotation& rotation,
-                                   const OperationResult& result) const;
-  std::optional<std::string> judge_supports(const Combination& combination) const;
-  std::optional<std::string> judge_distances(const Combination& combination) const;
+  std::optional<Sentence> push_to_contact(OperationResult& result);
+  std::optional<Sentence> judge(const Combination& combination, const Rotation& rotation,
+                                const OperationResult& result) const;
+  std::optional<Sentence> judge_supports(const Combination& combination) const;
+  std::optional<Sentence> judge_distances(const Combination& combination) const;
 
   World& m_world;
   size_t m_thing;

@@ -3,7 +3,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/place_order.h"
-#include "ops/arrange/relation_parts.h"
+#include "ops/arrange/relations.h"
 #include "ops/arrange/steadiness.h"
 #include "ops/arrange/zones.h"
 #include "ops/free_places/distance_query.h"
@@ -50,12 +50,12 @@ Rotation Placer::turned_to_face(const PlaceCandidate& candidate, const Vec2& at)
     const Outline outline = moved(c.outline, at);
     const Vec2 wanted = wanted_front(*r, outline, partner(*r));
     if (wanted != Vec2::Zero() && model().thing->yaws_deg.empty())
-      return (turn_between(outline.front, wanted) * c.rotation).normalized();
+      return (relations::turn_between(outline.front, wanted) * c.rotation).normalized();
   }
   return c.rotation;
 }
 
-std::optional<std::string> Placer::put(const PlaceCandidate& candidate, OperationResult& result) {
+std::optional<Sentence> Placer::put(const PlaceCandidate& candidate, OperationResult& result) {
   const Combination& c = m_combinations[candidate.combination];
   const Vec2 at = refined(candidate);
   PutOperation put;
@@ -65,7 +65,7 @@ std::optional<std::string> Placer::put(const PlaceCandidate& candidate, Operatio
   put.start.translation = Vec3(at.x(), at.y(), height);
   World::Trial trial(m_world);
   result = m_world.perform(put);
-  if (!result.ok()) return result.reason();
+  if (!result.ok()) return sentence_of(*result.refusal);
   if (auto why = push_to_contact(result)) return why;
   if (auto why = judge(c, put.start.rotation, result)) return why;
   trial.commit();
@@ -73,7 +73,7 @@ std::optional<std::string> Placer::put(const PlaceCandidate& candidate, Operatio
 }
 
 // Over what is left of each gap that is to be 0: walls that stop it sooner are judged by the cost.
-std::optional<std::string> Placer::push_to_contact(OperationResult& result) {
+std::optional<Sentence> Placer::push_to_contact(OperationResult& result) {
   for (const Relation* r : m_relations) {
     if (!closes_gap(*r) || r->a != name()) continue;
     const Outline outline = m_world.outline(model(), m_world.object(model()).pose);
@@ -91,46 +91,48 @@ std::optional<std::string> Placer::push_to_contact(OperationResult& result) {
     result.num_motions += pushed.num_motions;
     result.num_queries += pushed.num_queries;
     result.num_face_pairs += pushed.num_face_pairs;
-    if (!pushed.ok()) return pushed.reason();
-    if (!pushed.gave_way.empty()) return quoted(pushed.gave_way.front().name) + " gives way";
+    if (!pushed.ok()) return sentence_of(*pushed.refusal);
+    if (!pushed.gave_way.empty()) return say("%1 gives way", quoted(pushed.gave_way.front().name));
   }
   return std::nullopt;
 }
 
-std::optional<std::string> Placer::judge(const Combination& combination, const Rotation& rotation,
-                                         const OperationResult& result) const {
-  if (!result.gave_way.empty()) return quoted(result.gave_way.front().name) + " gives way";
+std::optional<Sentence> Placer::judge(const Combination& combination, const Rotation& rotation,
+                                      const OperationResult& result) const {
+  if (!result.gave_way.empty()) return say("%1 gives way", quoted(result.gave_way.front().name));
   const Object& object = m_world.object(model());
   const Vec3 up = object.pose.rotation.matrix().row(2), wanted = rotation.matrix().row(2);
   const bool may_tip = model().thing->pose.kind == PoseChoice::Kind::Free;
-  if (!may_tip && angle_between_deg(up, wanted) > kMostTiltDeg) return quoted(name()) + " tips";
+  if (!may_tip && angle_between_deg(up, wanted) > kMostTiltDeg)
+    return say("%1 tips", quoted(name()));
   if (auto why = judge_supports(combination)) return why;
   if (auto why = taken_zone(m_world, model())) return why;
   const Outline outline = m_world.outline(model(), object.pose);
   for (const Relation* r : m_relations)
     if (r->is_hard() && !(cost(*r, outline) <= 1))
-      return "where it comes to rest, not: " + r->text();
+      return say("where it comes to rest, not: %1", r->text());
   if (auto why = broken_sight(m_world)) return why;
   if (auto why = unsteady(m_world, model())) return why;
   return judge_distances(combination);
 }
 
-std::optional<std::string> Placer::judge_supports(const Combination& combination) const {
+std::optional<Sentence> Placer::judge_supports(const Combination& combination) const {
   const auto& supports = combination.landing.supports;
   bool carried = false;
   for (const ObjectContact& entry : m_world.object(model()).contacts) {
     const bool asked = std::count(supports.begin(), supports.end(), entry.with) > 0;
-    carried = carried || (asked && holds_up(entry.contact));
-    if (!asked && holds_up(entry.contact))
-      return quoted(name()) + " comes to rest on " +
-             (entry.with.is_floor() ? "the floor"
-                                    : quoted(m_world.scene().at(entry.with.object()).name));
+    carried = carried || (asked && holds_up(entry));
+    if (!asked && holds_up(entry))
+      return say("%1 comes to rest on %2", quoted(name()),
+                 entry.with.is_floor()
+                     ? Sentence("the floor")
+                     : Sentence(quoted(m_world.scene().at(entry.with.object()).name)));
   }
-  if (!carried) return quoted(name()) + " does not rest on what it is to rest on";
+  if (!carried) return say("%1 does not rest on what it is to rest on", quoted(name()));
   return std::nullopt;
 }
 
-std::optional<std::string> Placer::judge_distances(const Combination& combination) const {
+std::optional<Sentence> Placer::judge_distances(const Combination& combination) const {
   const Scene& scene = m_world.scene();
   const Body body = body_of(scene.at(model().id));
   for (const ObjectId id : m_world.standing()) {
@@ -139,7 +141,7 @@ std::optional<std::string> Placer::judge_distances(const Combination& combinatio
     const double keep = m_world.keep(name(), scene.at(id).name);
     if (keep > 0 && overlaps(scene.world_box(id), body.world_box, keep) &&
         nearer_than(keep, body, body_of(scene.at(id))))
-      return quoted(name()) + " comes too near to " + quoted(scene.at(id).name);
+      return say("%1 comes too near to %2", quoted(name()), quoted(scene.at(id).name));
   }
   return std::nullopt;
 }

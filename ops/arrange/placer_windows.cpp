@@ -13,7 +13,7 @@ constexpr int kAnyTurns = 16;  // of things that may be turned at will
 
 }  // namespace
 
-// Those that the thing asks for itself, else its hard relations, else all round; soft relations add
+// Turns that the thing asks for itself, else its hard relations, else all round; soft relations add
 // theirs.
 std::vector<Rotation> Placer::turns(const Rest& rest) const {
   std::vector<Rotation> out;
@@ -26,7 +26,7 @@ std::vector<Rotation> Placer::turns(const Rest& rest) const {
     faces = faces || wanted_front(*r, outline, partner(*r)) != Vec2::Zero();
     if (!partner(*r)) continue;
     // A side of b that is against a turns with b.
-    const bool turns_with_a = r->kind != RelationKind::Against || r->a == name();
+    const bool turns_with_a = !turns_only_a(*r) || r->a == name();
     if (!turns_with_a) continue;
     for (const Rotation& turn : turns_asked_for(*r, outline, *partner(*r)))
       (r->is_hard() ? out : soft).push_back(turn);
@@ -49,10 +49,9 @@ ConvexRegion Placer::window(const Landing& landing, const Outline& outline) cons
     double more = 0;
     for (const ThingModel& thing : m_world.things()) more += std::sqrt(thing.area);
     for (const Relation* r : m_relations) {
-      if (r->point) box.extend(Vec3(r->point->x(), r->point->y(), 0));
-      if (r->eye) box.extend(*r->eye);
-      for (const Vec2& p : r->region) box.extend(Vec3(p.x(), p.y(), 0));
-      if (r->upper < kInfinity) more = std::max(more, r->upper);
+      std::visit([&](const auto& kind) { kind.extend(box); }, r->kind);
+      const double length = std::visit([](const auto& kind) { return kind.length(); }, r->kind);
+      if (length < kInfinity) more = std::max(more, length);
     }
     for (const KeepApart& keep : m_world.arrangement().keeps) more = std::max(more, keep.distance);
     const double size = outline.width(Vec2::UnitX()) + outline.width(Vec2::UnitY());
@@ -70,7 +69,7 @@ void Placer::clip(Combination& combination) const {
   }
 }
 
-// Of a region that is far larger than the thing, a part by the seed.
+// Takes a part, by the seed, of a region that is far larger than the thing.
 void Placer::narrow(Combination& combination) const {
   const Object& object = m_world.object(model());
   const Body body = body_of(object, {combination.rotation, Vec3::Zero()});
@@ -102,7 +101,7 @@ bool Placer::turns_are_free() const {
 void Placer::combine() {
   m_turns_are_free = m_temperature > 0 && turns_are_free();
   for (const Rest& rest : model().rests) {
-    std::string why_none;
+    Sentence why_none;
     const double height = rest.outline.top - rest.outline.bottom;
     const auto landings = m_world.landings(model(), height, why_none);
     const std::vector<Rotation> turns = this->turns(rest);

@@ -9,14 +9,8 @@
 
 namespace trivet {
 
-/// Metres between the outlines of Near; what is no more than its upper end may be anything up to
-/// that, where it has no lower one.
-double near_distance(const Relation& r, const Outline& a, const Outline& b);
-/// Cost of Near at that distance.
-double near_cost(const Relation& r, double distance);
-
-/// Cost in tolerances: 0 where it holds exactly, 1 at its tolerance. Relations of support are not
-/// seen from above: 0.
+/// Cost in tolerances: 0 where it holds exactly, 1 at its tolerance. Relations of support and of
+/// sight are not seen from above: 0.
 /// @param b  null where the relation has none.
 double relation_cost(const Relation& relation, const Outline& a, const Outline* b);
 
@@ -35,14 +29,20 @@ bool is_decided_by_planes(const Relation& relation);
 bool separates(const Relation& relation);
 /// True of one of these whose gap is to be 0: a is pushed to b where it came to rest.
 bool closes_gap(const Relation& relation);
+/// The gap between the outlines of both; of none: 0 and more.
+relations::Gap gap_of(const Relation& relation);
+/// True of a relation that asks for a distance of the outlines, at least.
+bool has_least_distance(const Relation& relation);
+
+/// From b, in which a lies, for a relation that says so.
+Vec2 direction_of(const Relation& relation, const Outline& a, const Outline& b);
 
 /// Turns about z that bring the front of a, or of b, to where a relation of directions asks for it;
 /// none: the relation does not say. @param other  of the two, the one that stands.
 std::vector<Rotation> turns_asked_for(const Relation& relation, const Outline& moving,
                                       const Outline& other);
-
-/// The turn about z from one unit direction to another.
-Rotation turn_between(const Vec2& from, const Vec2& to);
+/// True of one that asks for none of b.
+bool turns_only_a(const Relation& relation);
 
 /// Direction from a to what it faces, or from which it looks away; zero: the relation is another.
 Vec2 wanted_front(const Relation& relation, const Outline& a, const Outline* b);

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "ops/arrange/relation_parts.h"
 #include "ops/arrange/sight_grid.h"
 
 namespace trivet {
@@ -27,10 +26,23 @@ bool is_convex_solid(const Shape& shape) {
   });
 }
 
+/// Answer of a kind of sight; another one, which is never asked, nothing.
+template <class Answer, class Ask>
+Answer ask_sight(const Relation& relation, const Ask& ask) {
+  return std::visit(
+      [&](const auto& kind) {
+        if constexpr (std::decay_t<decltype(kind)>::kIsOfSight)
+          return ask(kind);
+        else
+          return Answer();
+      },
+      relation.kind);
+}
+
 }  // namespace
 
 /// Objects of the trial with their places.
-class Eyes {
+class Eyes : public relations::Sight {
  public:
   Eyes(const SightTrial& trial, const Relation& relation)
       : m_trial(trial), m_relation(relation), m_a(body(relation.a)) {
@@ -49,7 +61,11 @@ class Eyes {
       m_others.push_back({body(name_of_thing()), trial.thing, false});
   }
 
-  double cost() const { return cost_of(missing()); }
+  double cost() const {
+    return ask_sight<double>(m_relation, [&](const auto& kind) {
+      return relations::sight_cost_of(m_relation, kind.missing(*this));
+    });
+  }
 
   /// Looks which bodies cast a shadow as a whole.
   void find_convex() {
@@ -67,19 +83,13 @@ class Eyes {
 
   /// cost() <= 1, by as few rays as decide it.
   bool holds() const {
-    switch (m_relation.kind) {
-      case RelationKind::View:
-        return is_seen();
-      case RelationKind::Reach:
-        return is_in_reach();
-      default:
-        return cost() <= 1;
-    }
+    return ask_sight<bool>(m_relation,
+                           [&](const auto& kind) { return kind.holds(m_relation, *this); });
   }
 
   std::vector<size_t> between() const {
     std::vector<size_t> out;
-    if (m_relation.kind == RelationKind::Under) return out;
+    if (!ask_sight<bool>(m_relation, [](const auto& kind) { return kind.kHasLines; })) return out;
     for (const Ray& ray : rays()) {
       const double until = hit(m_a, ray, kInfinity);
       if (!(until < kInfinity)) continue;
@@ -98,26 +108,6 @@ class Eyes {
     int thing;
     bool is_convex = false;
   };
-
-  double missing() const {
-    switch (m_relation.kind) {
-      case RelationKind::Under:
-        return m_relation.overlap - covered();
-      case RelationKind::View:
-        return m_relation.overlap - seen();
-      default:
-        return nearest_in_reach() - m_relation.upper;
-    }
-  }
-
-  double cost_of(double missing) const {
-    return std::min(kMostSightCost, std::max(0.0, missing) / m_relation.tolerance);
-  }
-
-  bool is_enough(int num_seen, int num_met) const {
-    const double seen = num_met ? double(num_seen) / num_met : 0;
-    return cost_of(m_relation.overlap - seen) <= 1;
-  }
 
   // Behind one convex body: what it hides from a point outside is convex, so that all of a is
   // hidden if the corners of its box are.
@@ -141,7 +131,10 @@ class Eyes {
   }
 
   // As seen(): where all rays are cut off before they come to a's box, without a look at a.
-  bool is_seen() const {
+  bool sees(const std::function<bool(double)>& is_enough_share) const override {
+    const auto is_enough = [&](int num_seen, int num_met) {
+      return is_enough_share(num_met ? double(num_seen) / num_met : 0);
+    };
     if (!is_enough(0, 1) && is_in_shadow()) return false;
     const std::vector<Ray> all = rays();
     const auto ends_before = [&](const Ray& ray) { return cut_off(ray, entry(ray)); };
@@ -162,9 +155,8 @@ class Eyes {
     return is_enough(num_seen, num_met);
   }
 
-  // As nearest_in_reach(): one ray is enough.
-  bool is_in_reach() const {
-    const auto is_near = [&](double distance) { return cost_of(distance - m_relation.upper) <= 1; };
+  // As nearest(): one ray is enough.
+  bool reaches(const std::function<bool(double)>& is_near) const override {
     for (const Ray& ray : rays()) {
       if (!is_near(entry(ray))) continue;
       const double until = hit(m_a, ray, kInfinity);
@@ -220,7 +212,7 @@ class Eyes {
   }
 
   // Share of a's box, seen from above, that b is over.
-  double covered() const {
+  double covered() const override {
     int num_met = 0, num_covered = 0;
     for (const Ray& down : rays_down_to(m_a.world_box)) {
       if (!(hit(m_a, down, kInfinity) < kInfinity)) continue;
@@ -233,12 +225,15 @@ class Eyes {
   Vec3 eye() const {
     std::optional<Outline> b;
     if (!m_relation.b.empty()) b = outline(m_relation.b);
-    return eye_of(m_relation, b ? &*b : nullptr);
+    return ask_sight<Vec3>(m_relation, [&](const auto& kind) -> Vec3 {
+      if constexpr (std::decay_t<decltype(kind)>::kHasLines) return kind.place(b ? &*b : nullptr);
+      return Vec3::Zero();
+    });
   }
 
   std::vector<Ray> rays() const { return rays_to(eye(), m_a.world_box); }
 
-  double seen() const {
+  double seen() const override {
     int num_met = 0, num_seen = 0;
     for (const Ray& ray : rays()) {
       const double until = hit(m_a, ray, kInfinity);
@@ -249,7 +244,7 @@ class Eyes {
     return num_met ? double(num_seen) / num_met : 0;
   }
 
-  double nearest_in_reach() const {
+  double nearest() const override {
     double out = kInfinity;
     for (const Ray& ray : rays()) {
       const double until = hit(m_a, ray, out);
@@ -286,10 +281,10 @@ std::vector<size_t> things_between(const SightTrial& trial, const Relation& rela
   return Eyes(trial, relation).between();
 }
 
-std::optional<std::string> broken_sight(const World& world) {
+std::optional<Sentence> broken_sight(const World& world) {
   const SightTrial as_it_is{world, -1, {}};
   for (const Relation* r : sights_of(as_it_is))
-    if (!(sight_cost(as_it_is, *r) <= 1)) return "as things come to rest, not: " + r->text();
+    if (!(sight_cost(as_it_is, *r) <= 1)) return say("as things come to rest, not: %1", r->text());
   return std::nullopt;
 }
 

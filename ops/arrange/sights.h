@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/world.h"
 
 namespace trivet {
@@ -18,13 +19,10 @@ struct SightTrial {
   bool immovable_only = false;  // others of the things to arrange hide nothing
 };
 
-/// Tolerances; more than that costs no more: a can be out of reach altogether.
-inline constexpr double kMostSightCost = 1000;
-
 /// Cost in tolerances of a relation of sight whose objects stand, or are the thing of the trial.
 /// Under: rays up from a grid on a's outline. View: rays from the eye to a grid on the rectangle
 /// that a's box is seen in; those that meet a count. Reach: the shortest of these to a that nothing
-/// else cuts off, the viewer itself left out. At most kMostSightCost.
+/// else cuts off, the viewer itself left out. At most relations::kMostSightCost.
 double sight_cost(const SightTrial& trial, const Relation& relation);
 
 /// The same decision at one pose of the thing after the other, sooner: what stands is looked up
@@ -46,7 +44,7 @@ class SightJudge {
 std::vector<size_t> things_between(const SightTrial& trial, const Relation& relation);
 
 /// Why a hard relation of sight of what stands does not hold; nullopt: all do.
-std::optional<std::string> broken_sight(const World& world);
+std::optional<Sentence> broken_sight(const World& world);
 
 /// Hard relations of sight that can be judged in the trial: all their objects stand then.
 std::vector<const Relation*> sights_of(const SightTrial& trial);

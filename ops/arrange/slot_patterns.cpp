@@ -36,9 +36,10 @@ void SlotSearch::place_row() {
     depth = std::max(depth, member.depth);
   }
   if (total > m_along.length() + kFits)
-    return fail("with gaps they are", total, "wide, there is room for", m_along.length());
+    return fail("with gaps they are %1 m wide, there is room for %2 m", total, m_along.length());
   if (depth > m_across.length() + kFits)
-    return fail("the deepest of them is", depth, "deep, there is room for", m_across.length());
+    return fail("the deepest of them is %1 m deep, there is room for %2 m", depth,
+                m_across.length());
   const bool spread = m_pattern.align == Pattern::Align::Spread && m_members.size() > 1;
   const double gap =
       m_gap + (spread ? (m_along.length() - total) / double(m_members.size() - 1) : 0);
@@ -60,12 +61,11 @@ void SlotSearch::place_grid() {
   const int rows = count_in(m_across.length(), depth, m_gap);
   if (m_pattern.columns > 0) columns = std::min(columns, m_pattern.columns);
   if (columns * rows < num) {
-    char text[256];
-    std::snprintf(text, sizeof(text),
-                  "there is room for %d by %d of %.9g x %.9g m with gaps of %.9g m, in %.9g x "
-                  "%.9g m",
-                  columns, rows, width, depth, m_gap, m_along.length(), m_across.length());
-    m_out.why_not = m_pattern.text() + " does not fit: " + text;
+    const Sentence room =
+        say("there is room for %1 by %2 of %3 x %4 m with gaps of %5 m, in %6 x %7 m", columns,
+            rows, figure(width, 9), figure(depth, 9), figure(m_gap, 9), figure(m_along.length(), 9),
+            figure(m_across.length(), 9));
+    m_out.why_not = say("%1 does not fit: %2", m_pattern.text(), room);
     return;
   }
   const int used = (num + columns - 1) / columns;
@@ -91,7 +91,7 @@ void SlotSearch::place_round(const std::vector<Vec2>& centres, const std::vector
   for (size_t i = 0; i < hulls.size(); ++i)
     for (size_t j = 0; j < i; ++j)
       if (const double apart = distance(hulls[i], hulls[j]); apart < m_gap)
-        return fail("neighbours need", m_gap, "between them, there is", apart);
+        return fail("neighbours need %1 m between them, there is %2 m", m_gap, apart);
 }
 
 // Around the middle, counter-clockwise, at equal angles.
@@ -116,7 +116,7 @@ void SlotSearch::place_along() {
   const double count = double(m_members.size() - 1);
   const double spacing = m_pattern.spacing > 0 ? m_pattern.spacing : length / std::max(1.0, count);
   if (spacing * count > length + kFits)
-    return fail("along the line they take", spacing * count, "it is long by", length);
+    return fail("along the line they take %1 m it is long by %2 m", spacing * count, length);
   std::vector<Vec2> centres, fronts;
   size_t k = 1;
   double passed = 0;  // of the line, up to corner k - 1
@@ -160,11 +160,11 @@ void SlotSearch::place_facings() {
   double total = -m_gap;
   for (const Facing& block : blocks) {
     if (block.depth > room + kFits)
-      return fail("a block is", block.depth, "deep, there is room for", room);
+      return fail("a block is %1 m deep, there is room for %2 m", block.depth, room);
     total += block.width + m_gap;
   }
   if (total > m_along.length() + kFits)
-    return fail("with gaps they are", total, "wide, there is room for", m_along.length());
+    return fail("with gaps they are %1 m wide, there is room for %2 m", total, m_along.length());
   const bool spread = m_pattern.align == Pattern::Align::Spread && blocks.size() > 1;
   const double between =
       m_gap + (spread ? (m_along.length() - total) / double(blocks.size() - 1) : 0);

@@ -43,7 +43,8 @@ class SlotSearch {
   bool choose_surface();
   Room room(const Vec2& axis) const;
   double ray(const Vec2& from, double z, const Vec2& axis) const;
-  void fail(const std::string& needs, double needed, const std::string& there, double is);
+  /// @param pattern  %1: what is needed, %2: what is there, metres.
+  void fail(const char* pattern, double needed, double is);
   void add(const Member& member, double along, double across);
   void add_at(const Member& member, const Vec2& centre);
   // slot_patterns.cpp

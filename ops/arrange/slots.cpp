@@ -66,7 +66,7 @@ SlotSearch::Member SlotSearch::member_of(size_t thing, const Vec2& front) const 
   const ThingModel& model = m_world.things()[thing];
   const Rest& rest = model.rests.front();
   const double yaw = model.thing->yaws_deg.empty() ? 0 : model.thing->yaws_deg.front();
-  const Rotation turn = turned_about_z(yaw) * turn_between(rest.outline.front, front);
+  const Rotation turn = turned_about_z(yaw) * relations::turn_between(rest.outline.front, front);
   Member out{thing, (turn * rest.rotation).normalized(), m_world.outline(model, rest, turn), 0, 0};
   out.width = out.outline.width(m_on.right());
   out.depth = out.outline.width(m_on.front);
@@ -91,7 +91,8 @@ bool SlotSearch::choose_surface() {
   m_id = *m_world.scene().find(m_pattern.on);
   const auto landing = landing_on(m_world.scene(), m_id, surfaces, m_surface, m_height, clearance);
   if (!landing) {
-    fail("the highest of them needs", m_height, "of head room, there is", m_surface.head_room);
+    fail("the highest of them needs %1 m of head room, there is %2 m", m_height,
+         m_surface.head_room);
     return false;
   }
   m_start_z = landing->start_z + clearance;
@@ -126,12 +127,9 @@ double SlotSearch::ray(const Vec2& from, double z, const Vec2& axis) const {
   return hit ? hit->time : kInfinity;
 }
 
-void SlotSearch::fail(const std::string& needs, double needed, const std::string& there,
-                      double is) {
-  char text[256];
-  std::snprintf(text, sizeof(text), "%s %.9g m %s %.9g m", needs.c_str(), needed, there.c_str(),
-                is);
-  m_out.why_not = m_pattern.text() + " does not fit: " + text;
+void SlotSearch::fail(const char* pattern, double needed, double is) {
+  m_out.why_not =
+      say("%1 does not fit: %2", m_pattern.text(), say(pattern, figure(needed, 9), figure(is, 9)));
   m_out.missing = needed - is;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/world.h"
 
 namespace trivet {
@@ -16,7 +17,7 @@ struct Slot {
 
 struct Slots {
   std::vector<Slot> slots;  // in the order of their PUTs
-  std::string why_not;      // empty unless they do not fit, with the lengths
+  Sentence why_not;         // empty unless they do not fit, with the lengths
   double missing = 0;       // metres, then; 0: no length is missing
 };
 

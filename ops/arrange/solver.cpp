@@ -48,7 +48,7 @@ bool Solver::place_all() {
     const auto item = static_cast<size_t>(next - m_placed.begin());
     if (stopped()) return false;
     if (m_progress) m_progress(name_of(item), standing(), m_world.things().size());
-    m_refused.clear();
+    m_refused = {};
     const bool done = m_items[item].pattern ? place_pattern(item) : place_thing(item);
     if (done) {
       m_placed[item] = 1;
@@ -69,7 +69,7 @@ void Solver::finish() {
     if (!r.b.empty()) b = m_world.outline(r.b);
     const double cost = r.is_of_sight() ? sight_cost({m_world, -1, {}}, r)
                                         : relation_cost(r, m_world.outline(r.a), b ? &*b : nullptr);
-    m_out.relations.push_back({r.text(), r.is_hard(), cost});
+    m_out.relations.push_back({in_english(r.text()), r.is_hard(), cost});
   }
 }
 
@@ -121,7 +121,7 @@ bool Solver::put(Placer& placer, const PlaceCandidate& candidate, size_t thing, 
 
 // Looks ahead to what refers to the thing, stands next to it as soon as it stands, and has had no
 // place before: it is to have one.
-std::optional<std::string> Solver::leaves_no_room(size_t thing) {
+std::optional<Sentence> Solver::leaves_no_room(size_t thing) {
   const auto stands = [&](const std::string& other) {
     return m_world.thing_of(other) < 0 || m_world.stands(other);
   };
@@ -143,7 +143,7 @@ std::optional<std::string> Solver::leaves_no_room(size_t thing) {
     if (!ready || m_in_vain[t] > kMostLooksInVain) continue;
     ++m_in_vain[t];
     if (Placer(m_world, t, seed_of(t)).candidates(Obstacles::All, m_nogoods[t], 1).empty())
-      return "it would leave no room for " + quoted(name(t));
+      return say("it would leave no room for %1", quoted(name(t)));
     m_in_vain[t] = 0;
   }
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/arrange.h"
 #include "ops/arrange/items.h"
 #include "ops/base/interrupt.h"
@@ -44,7 +45,7 @@ class Solver {
   bool place_thing(size_t item);
   bool place_pattern(size_t item);
   void explain(size_t item);
-  std::optional<std::string> leaves_no_room(size_t thing);
+  std::optional<Sentence> leaves_no_room(size_t thing);
 
   // improve.cpp
   double soft_cost(const Relation& relation) const;
@@ -83,7 +84,7 @@ class Solver {
   size_t m_most_standing = 0;                // things, at any time
   int m_evictions_then = 0;                  // when so many stood first
   bool m_left_no_room = false;               // the last PUT was kept but for what follows
-  std::string m_refused;                     // of the first PUT of this item
+  Sentence m_refused;                        // of the first PUT of this item
   std::vector<int> m_times_refused;          // #items: places, but no PUT was kept
   int m_num_evictions = 0;
   bool m_no_more = false;  // nothing is evicted any more

@@ -15,8 +15,9 @@ namespace trivet {
 namespace {
 
 constexpr double kEqualProbability = 1e-9;
-// Of the centre's height, and of the size: a facet tilted by less than half a degree, and thus of
-// the same pose, is farther from the centre than the one below it, whatever is rounded.
+// Margins relative to the centre's height and to the size: a facet tilted by less than half a
+// degree, and thus of the same pose, is farther from the centre than the one below it, whatever is
+// rounded.
 constexpr double kSafeMargin = 0.01, kSafeSize = 1e-6;
 
 // Hull triangles that count as one facet.
@@ -189,7 +190,7 @@ class PoseSearch {
     return out;
   }
 
-  // Of points in one plane: it lies on either side.
+  // Points in one plane: the body lies on either side.
   std::vector<StablePose> flat_poses() const {
     if (m_hull.points().size() < 3) return {};
     const auto farthest = [&](const auto& distance) {
@@ -280,16 +281,11 @@ std::optional<StablePose> upright_pose(const std::vector<StablePose>& poses) {
   return *nearest;
 }
 
-std::string no_upright_pose(const std::string& name, const std::vector<StablePose>& poses) {
+Sentence no_upright_pose(const std::string& name, const std::vector<StablePose>& poses) {
   const StablePose* nearest = nearest_to_up(poses);
-  std::ostringstream out;
-  out.precision(3);
-  out << "\"" << name << "\" does not stand upright: ";
-  if (nearest)
-    out << "its nearest stable pose is tilted by " << nearest->tilt_deg << " degrees";
-  else
-    out << "it has no stable pose";
-  return out.str();
+  if (!nearest) return say("\"%1\" does not stand upright: it has no stable pose", name);
+  return say("\"%1\" does not stand upright: its nearest stable pose is tilted by %2 degrees", name,
+             figure(nearest->tilt_deg, 3));
 }
 
 }  // namespace trivet

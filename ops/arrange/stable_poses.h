@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/index/shape.h"
 #include "core/motion/pose.h"
 
@@ -44,6 +45,6 @@ std::optional<StablePose> upright_pose(const std::vector<StablePose>& poses);
 
 /// Why there is no upright pose: `"egg" does not stand upright: its nearest stable pose is tilted
 /// by 72 degrees`.
-std::string no_upright_pose(const std::string& name, const std::vector<StablePose>& poses);
+Sentence no_upright_pose(const std::string& name, const std::vector<StablePose>& poses);
 
 }  // namespace trivet

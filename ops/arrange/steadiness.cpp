@@ -15,14 +15,14 @@ std::vector<ObjectId> with_loads(const Scene& scene, ObjectId id) {
   std::vector<ObjectId> out{id};
   for (size_t i = 0; i < out.size(); ++i)
     for (const ObjectContact& entry : scene.at(out[i]).contacts) {
-      if (!entry.with.is_object() || !weighs_on(entry.contact)) continue;
+      if (!entry.with.is_object() || !weighs_on(entry)) continue;
       const ObjectId load = entry.with.object();
       if (!scene.at(load).fixed && !std::count(out.begin(), out.end(), load)) out.push_back(load);
     }
   return out;
 }
 
-// Of the first of these, with the weight of all where their common centre of mass is.
+// Margin of the first of these, with the weight of all where their common centre of mass is.
 double common_margin(const World& world, const std::vector<ObjectId>& all) {
   const Scene& scene = world.scene();
   double weight = 0;
@@ -38,32 +38,35 @@ double common_margin(const World& world, const std::vector<ObjectId>& all) {
     return c.with.is_object() && std::count(all.begin(), all.end(), c.with.object());
   });
   const SettleOptions& settle = world.setting().settle;
-  return tipping_margin(scene, object, moment / weight, below,
-                        rest_rules(settle, clearance_of(scene, settle)));
+  return tipping_margin(
+      scene, object, moment / weight, below,
+      rest_rules(settle, clearance_near(scene, settle, scene.world_box(all.front()))));
 }
 
 // @param all  the object first, then what lies on it.
-std::optional<std::string> unsteady(const World& world, const std::vector<ObjectId>& all,
-                                    const Steadiness& wanted) {
+std::optional<Sentence> unsteady(const World& world, const std::vector<ObjectId>& all,
+                                 const Steadiness& wanted) {
   const Object& object = world.scene().at(all.front());
   const double common = all.size() > 1 && wanted.margin > 0 ? common_margin(world, all) : kInfinity;
   const double margin = std::min(object.stability_margin, common);
-  char text[128];
+  const std::string name = quoted(object.name);
   if (margin < wanted.margin)
-    std::snprintf(
-        text, sizeof(text), "it tips%s over an edge %.4g m away; accepted: %.4g m or more",
-        common < object.stability_margin ? ", with what lies on it," : "", margin, wanted.margin);
-  else if (object.least_friction > wanted.friction)
-    std::snprintf(text, sizeof(text), "it needs friction of %.4g; accepted: %.4g or less",
-                  object.least_friction, wanted.friction);
-  else
-    return std::nullopt;
-  return quoted(object.name) + " would not stand well: " + text;
+    return say(
+        common < object.stability_margin
+            ? TRIVET_SENTENCE("%1 would not stand well: it tips, with what lies on it, over an "
+                              "edge %2 m away; accepted: %3 m or more")
+            : TRIVET_SENTENCE("%1 would not stand well: it tips over an edge %2 m away; "
+                              "accepted: %3 m or more"),
+        name, figure(margin, 4), figure(wanted.margin, 4));
+  if (object.least_friction > wanted.friction)
+    return say("%1 would not stand well: it needs friction of %2; accepted: %3 or less", name,
+               figure(object.least_friction, 4), figure(wanted.friction, 4));
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::string> unsteady(const World& world, const ThingModel& thing) {
+std::optional<Sentence> unsteady(const World& world, const ThingModel& thing) {
   const Scene& scene = world.scene();
   for (const Steadiness& wanted : world.arrangement().steadiness)
     for (const std::string& name : wanted.things) {

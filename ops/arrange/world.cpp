@@ -17,7 +17,7 @@ namespace {
 constexpr double kSideDeg = 30;
 constexpr size_t kMaxRests = 6;  // stable poses that are tried, the likely ones
 
-[[noreturn]] void refuse(const std::string& what) { throw Error(Error::Kind::BadInput, what); }
+[[noreturn]] void refuse(const Sentence& what) { throw Error(Error::Kind::BadInput, what); }
 
 std::vector<std::string> names_in(const Scene& scene) {
   std::vector<std::string> out;
@@ -27,9 +27,10 @@ std::vector<std::string> names_in(const Scene& scene) {
 
 bool lies_on_side(const StablePose& pose) { return std::abs(pose.tilt_deg - 90) <= kSideDeg; }
 
-void check_name(const Scene& scene, const std::string& name, const std::string& where) {
+void check_name(const Scene& scene, const std::string& name, const Sentence& where) {
   if (!scene.find(name))
-    refuse(where + ": there is no object " + quoted(name) + did_you_mean(name, names_in(scene)));
+    refuse(say("%1: there is no object %2%3", where, quoted(name),
+               did_you_mean(name, names_in(scene))));
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ World::World(Transaction& transaction, const Arrangement& arrangement,
 
 void World::find_hulls() {
   for (const Relation& r : m_arrangement.relations)
-    for (const std::string& name : {r.b, r.about}) {
+    for (const std::string& name : {r.b, r.about() ? *r.about() : ""}) {
       const auto id = scene().find(name);
       if (id && !r.is_support() && thing_of(name) < 0 && !m_hulls.count(name))
         m_hulls[name] = facts().hull(scene().at(*id));
@@ -68,61 +69,61 @@ void World::check_zones() const {
   for (const Zone& zone : m_arrangement.zones) {
     check_name(scene(), zone.object, zone.text());
     if (!((zone.upper - zone.lower).minCoeff() > 2 * kZoneSlack))
-      refuse(zone.text() + ": accepted: a box whose upper corner is above its lower one");
+      refuse(say("%1: accepted: a box whose upper corner is above its lower one", zone.text()));
   }
 }
 
 // Symmetric about an object: about the plane between its left and its right.
 void World::find_planes() {
   for (Relation& r : m_arrangement.relations) {
-    if (r.about.empty()) continue;
-    const Outline middle = outline(r.about);
-    r.point = middle.centre;
-    r.axis = middle.front;
+    if (!r.about()) continue;
+    const Outline middle = outline(*r.about());
+    std::visit([&](auto& kind) { kind.set_about(middle); }, r.kind);
   }
 }
 
 void World::check_names() const {
   std::map<std::string, int> seen;
   for (const Thing& thing : m_arrangement.things) {
-    check_name(scene(), thing.object, "things");
+    check_name(scene(), thing.object, TRIVET_SENTENCE("things"));
     if (scene().at(*scene().find(thing.object)).fixed)
-      refuse("things: " + quoted(thing.object) + " is fixed; accepted: objects that may move");
-    if (seen[thing.object]++) refuse("things: " + quoted(thing.object) + " comes twice");
+      refuse(say("things: %1 is fixed; accepted: objects that may move", quoted(thing.object)));
+    if (seen[thing.object]++) refuse(say("things: %1 comes twice", quoted(thing.object)));
   }
-  std::map<std::string, std::string> carried;
-  const auto carry = [&](const std::string& name, const std::string& what) {
-    if (!seen.count(name)) refuse(what + ": " + quoted(name) + " is none of the things to arrange");
+  std::map<std::string, Sentence> carried;
+  const auto carry = [&](const std::string& name, const Sentence& what) {
+    if (!seen.count(name))
+      refuse(say("%1: %2 is none of the things to arrange", what, quoted(name)));
     const auto [it, is_new] = carried.emplace(name, what);
-    if (!is_new) refuse(what + ": " + it->second + " says already what carries " + quoted(name));
+    if (!is_new) refuse(say("%1: %2 says already what carries %3", what, it->second, quoted(name)));
   };
-  const auto stand = [&](const std::string& name, const std::string& what) {
+  const auto stand = [&](const std::string& name, const Sentence& what) {
     if (!seen.count(name) && !stands(name))
-      refuse(what + ": " + quoted(name) + " stands nowhere and is none of the things to arrange");
+      refuse(say("%1: %2 stands nowhere and is none of the things to arrange", what, quoted(name)));
   };
   for (const Relation& r : m_arrangement.relations) {
     check_name(scene(), r.a, r.text());
     if (!r.b.empty() && r.b != "floor") check_name(scene(), r.b, r.text());
-    if (r.a == r.b) refuse(r.text() + ": a thing has no relation to itself");
+    if (r.a == r.b) refuse(say("%1: a thing has no relation to itself", r.text()));
     if (r.is_support()) carry(r.a, r.text());
     if (!seen.count(r.a) && !seen.count(r.b))
-      refuse(r.text() + ": neither is one of the things to arrange");
+      refuse(say("%1: neither is one of the things to arrange", r.text()));
     stand(r.a, r.text());
-    if (!r.about.empty()) {
-      check_name(scene(), r.about, r.text());
-      if (seen.count(r.about) || !stands(r.about))
-        refuse(r.text() + ": " + quoted(r.about) +
-               " is no object that stands already; accepted for \"about\": one that does");
+    if (const std::string* const about = r.about()) {
+      check_name(scene(), *about, r.text());
+      if (seen.count(*about) || !stands(*about))
+        refuse(say("%1: %2 is no object that stands already; accepted for \"about\": one that does",
+                   r.text(), quoted(*about)));
     }
     if (!r.b.empty() && r.b != "floor") stand(r.b, r.text());
   }
   for (const Pattern& pattern : m_arrangement.patterns) {
-    if (pattern.things.empty()) refuse(pattern.text() + ": accepted: at least one");
+    if (pattern.things.empty()) refuse(say("%1: accepted: at least one", pattern.text()));
     if (pattern.on != kFloorName) {
       check_name(scene(), pattern.on, pattern.text());
       stand(pattern.on, pattern.text());
     } else if (!scene().floor) {
-      refuse(pattern.text() + ": there is no floor");
+      refuse(say("%1: there is no floor", pattern.text()));
     }
     for (const std::string& name : pattern.things) carry(name, pattern.text());
   }
@@ -143,8 +144,8 @@ std::vector<Rotation> World::rests_of(const Thing& thing) const {
   }
   if (kind == Kind::Number) {
     if (thing.pose.number < 0 || thing.pose.number >= static_cast<int>(poses.size()))
-      refuse(quoted(thing.object) + " has no stable pose " + std::to_string(thing.pose.number) +
-             ": there are " + std::to_string(poses.size()) + ", from 0");
+      refuse(say("%1 has no stable pose %2: there are %3, from 0", quoted(thing.object),
+                 thing.pose.number, poses.size()));
     return {poses[thing.pose.number].rotation};
   }
   std::vector<Rotation> out;
@@ -152,10 +153,12 @@ std::vector<Rotation> World::rests_of(const Thing& thing) const {
     if (out.size() < kMaxRests && (kind != Kind::Side || lies_on_side(pose)))
       out.push_back(pose.rotation);
   if (out.empty())
-    refuse(quoted(thing.object) + (kind == Kind::Side
-                                       ? " does not lie on its side: it has no stable pose with "
-                                         "its up within 30 degrees of level"
-                                       : " has no stable pose"));
+    refuse(
+        say(kind == Kind::Side
+                ? TRIVET_SENTENCE("%1 does not lie on its side: it has no stable pose with its up "
+                                  "within 30 degrees of level")
+                : TRIVET_SENTENCE("%1 has no stable pose"),
+            quoted(thing.object)));
   return out;
 }
 
@@ -191,8 +194,8 @@ void World::check_cycles() const {
         if (std::count(p.things.begin(), p.things.end(), at)) below = p.on;
       if (below.empty()) break;
       if (below == start.thing->object)
-        refuse(quoted(start.thing->object) +
-               " would have to carry itself: it lies on what it carries");
+        refuse(say("%1 would have to carry itself: it lies on what it carries",
+                   quoted(start.thing->object)));
       at = below;
     }
   }
@@ -204,8 +207,8 @@ void World::unplace_things() {
     const std::vector<ObjectId> all = carried_with(scene(), thing.id);
     for (const ObjectId id : all)
       if (thing_of(scene().at(id).name) < 0)
-        refuse("things: " + quoted(object(thing).name) + " carries " + quoted(scene().at(id).name) +
-               ", which is none of the things to arrange");
+        refuse(say("things: %1 carries %2, which is none of the things to arrange",
+                   quoted(object(thing).name), quoted(scene().at(id).name)));
   }
   // The highest first: loads before what carries them.
   std::vector<const ThingModel*> order;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/scene/transaction.h"
 #include "ops/arrange/arrangement.h"
 #include "ops/arrange/outline.h"
@@ -88,10 +89,10 @@ class World {
   const Object& object(const ThingModel& thing) const { return scene().at(thing.id); }
 
   bool stands(const std::string& name) const;
-  /// Of an object in the scene.
+  /// Outline of an object in the scene.
   Outline outline(const std::string& name) const;
   Outline outline(const ThingModel& thing, const Pose& pose) const;
-  /// Of a thing at the origin, turned about z.
+  /// Outline of a thing at the origin, turned about z.
   Outline outline(const ThingModel& thing, const Rest& rest, const Rotation& turn) const;
   /// In the scene, in the scene's order.
   std::vector<ObjectId> standing() const;
@@ -99,8 +100,7 @@ class World {
   /// The relation that says what carries a thing; nullptr: the floor does.
   const Relation* support_of(const ThingModel& thing) const;
   /// Ways down for a thing of this height. None: `why_none` says why.
-  std::vector<Landing> landings(const ThingModel& thing, double height,
-                                std::string& why_none) const;
+  std::vector<Landing> landings(const ThingModel& thing, double height, Sentence& why_none) const;
   /// Surfaces of an object in the scene.
   const std::vector<SupportSurface>& surfaces(const std::string& name) const;
   /// Number of levels of an object that stands, or of a thing that has one pose alone; nullopt: it
@@ -143,7 +143,7 @@ std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
 /// True if there is this level among so many, from below or, negative, from above; and the
 /// sentence when there is not.
 bool is_level(size_t count, int level);
-std::string no_such_level(const std::string& support, size_t count, int level);
+Sentence no_such_level(const std::string& support, size_t count, int level);
 /// The surface of this level, from below or, negative, from above; nullptr: there is none.
 const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, int level);
 

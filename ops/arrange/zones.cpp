@@ -20,7 +20,7 @@ bool is_in(const World& world, const Object& zone, const Pose& pose, const Objec
 // Carries it, and so may be in its zones.
 bool carries(const Object& owner, ObjectId other) {
   return std::any_of(owner.contacts.begin(), owner.contacts.end(), [&](const ObjectContact& c) {
-    return c.with == Support(other) && holds_up(c.contact);
+    return c.with == Support(other) && holds_up(c);
   });
 }
 
@@ -58,11 +58,11 @@ std::vector<Body> zones_of(const World& world, const std::string& object, const 
   return out;
 }
 
-std::optional<std::string> taken_zone(const World& world, const ThingModel& thing) {
+std::optional<Sentence> taken_zone(const World& world, const ThingModel& thing) {
   const std::vector<Zone>& zones = world.arrangement().zones;
   const Object& object = world.object(thing);
   const auto said = [](const std::string& name, const Zone& zone) {
-    return quoted(name) + " is in the " + zone.text();
+    return say("%1 is in the %2", quoted(name), zone.text());
   };
   for (size_t z = 0; z < zones.size(); ++z) {
     if (!world.stands(zones[z].object)) continue;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "ops/arrange/world.h"
 
 namespace trivet {
@@ -17,8 +18,8 @@ Object object_of(const Zone& zone);
 /// Zones of an object in this pose of it.
 std::vector<Body> zones_of(const World& world, const std::string& object, const Pose& pose);
 
-/// What is in a zone that it should not be in, by the exact test: of the thing as it stands, its
+/// Names what is in a zone that must be free, by the exact test: of the thing as it stands, its
 /// own zones with all others, and those of others with it. nullopt: all zones are free.
-std::optional<std::string> taken_zone(const World& world, const ThingModel& thing);
+std::optional<Sentence> taken_zone(const World& world, const ThingModel& thing);
 
 }  // namespace trivet

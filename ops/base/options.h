@@ -7,7 +7,7 @@ namespace trivet {
 
 /// Clearance of motions and end of settling. Lengths in metres.
 struct SettleOptions {
-  /// Clearance at which motions stop; 0: 2^-20 of the scene's size or largest coordinate.
+  /// Clearance at which motions stop; 0: 2^-20 of the size of what is near.
   double clearance = 0;
   /// The paper's three cases literally, for comparison, instead of the enumerated Gauss principle.
   bool literal_paper_rules = false;
@@ -24,12 +24,13 @@ struct SettleOptions {
   bool accept_wedged = false;
 };
 
-/// Those of the options that say what counts as rest, as far as a file or a user states them.
+/// Options that say what counts as rest, as far as a file or a user states them.
 struct SettleRules {
   std::optional<bool> perfect_friction, whole_at_rest, literal_paper_rules;
 };
 
-/// Of journals and scene files that state none: they are of the time before there was a choice.
+/// Rules of journals and scene files that state none: they are of the time before there was a
+/// choice.
 constexpr SettleRules kRulesBefore{true, false, false};
 
 inline SettleOptions with_rules(SettleOptions options, const SettleRules& rules) {

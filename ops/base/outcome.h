@@ -63,8 +63,8 @@ struct OperationResult {
     AtRest,   // PUT: it settled
     Reached,  // as far as was asked for
     Blocked,  // by `blocked_by` at `blocked_at`
-    Step,     // the same, by a step higher than step_up
-    Edge,     // before an edge deeper than step_down; pulled back
+    Step,     // the same, by a step that is too high
+    Edge,     // before an edge that is too deep; pulled back
   };
   End end = End::AtRest;
   Named blocked_by;                          // its name is empty when nothing did
@@ -76,6 +76,7 @@ struct OperationResult {
   std::vector<std::string> settled;          // released objects, in order
   std::vector<GaveWay> gave_way;             // in the scene's order
   std::vector<std::string> interpenetrates;  // after a free move; "floor" too
+  std::vector<std::string> unsound;          // below it, held, unsupported or invalid
   std::optional<StartTried> tried;           // of a PUT that might try several starts
 
   bool ok() const { return status == Status::Ok; }

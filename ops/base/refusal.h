@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/scene/scene.h"
 #include "core/scene/support.h"
 
@@ -21,7 +22,7 @@ Named named(const Scene& scene, const Support& support);
 Named named(const Scene& scene, const std::string& name);
 
 struct Refusal {
-  /// Beside each: `objects`, in this order; `numbers` by key; `detail`.
+  /// The comment at each cause lists: `objects`, in this order; `numbers` by key; `detail`.
   enum class Cause {
     // Arguments and names.
     InvalidArgument,  // detail: the argument, its value and what is accepted
@@ -41,7 +42,8 @@ struct Refusal {
     TooCoarse,         // objects: the farthest, the smallest. numbers: coordinate, clearance,
                        // diagonal, largest_coordinate [, largest_clearance]
     InvalidClearance,  // numbers: clearance, smallest, largest
-    // Exact test of a pose; objects: the one that moves [, the other].
+    // Exact test of a pose; objects: the one that moves [, the other]. Numbers, where the user gave
+    // the pose: depth, metres, 0 where they touch; x, y, z of a point there, world.
     Crossing,           // passes through the other
     Inside,             // is inside the other
     Float32Contact,     // would touch the other in the float32 values of an exported file
@@ -50,7 +52,7 @@ struct Refusal {
     // Motion and rest.
     AlreadyTouches,  // objects: it, the other
     NothingBelow,    // objects: it
-    // Of a PUT that tried several starts, the next two have the numbers tries, within (metres):
+    // A PUT that tried several starts adds the numbers tries and within (metres) to the next two:
     Topples,           // objects: it, those that would move. numbers: friction
     Wedged,            // objects: it, all between which it is wedged
     TouchesAtStart,    // objects: it
@@ -91,7 +93,7 @@ struct Refusal {
   Cause cause = Cause::InvalidArgument;
   std::vector<Named> objects = {};
   std::vector<Number> numbers = {};
-  std::string detail = {};
+  Sentence detail = {};
   At at = At::End;
   std::shared_ptr<const Refusal> first = nullptr;
 
@@ -107,6 +109,7 @@ Refusal unknown_object(const Scene& scene, const std::string& name);
 const char* to_string(Refusal::Cause cause);
 
 /// The sentence for people: geometric, names the objects.
+Sentence sentence_of(const Refusal& refusal);
 std::string message(const Refusal& refusal);
 
 /// The floor, as files and people call it; no object is named so.

@@ -10,6 +10,7 @@
 #include "core/scene/transaction.h"
 #include "ops/operations/commit.h"
 #include "ops/placement/clearance.h"
+#include "ops/placement/depth.h"
 #include "ops/placement/verify.h"
 #include "ops/settle/rest.h"
 
@@ -35,7 +36,12 @@ std::vector<PlacedObject> placed_objects(const Scene& scene) {
 struct PairToCheck {
   size_t a, b;
   PairVerdict verdict;
+  Depth depth;  // unless it is clear
 };
+
+bool only_touches(const Depth& depth, double clearance) {
+  return depth.metres <= kTouchingDepth * clearance;
+}
 
 // Pairs (a, b) with a < b whose boxes overlap, sorted.
 std::vector<PairToCheck> near_pairs(const Scene& scene, const std::vector<PlacedObject>& objects) {
@@ -50,40 +56,79 @@ std::vector<PairToCheck> near_pairs(const Scene& scene, const std::vector<Placed
   for (size_t i = 0; i < objects.size(); ++i)
     for (const ObjectId id : scene.near(objects[i].world.box, slack)) {
       const size_t j = index_of[id.index];
-      if (j > i && overlaps(objects[i].world.box, objects[j].world.box)) out.push_back({i, j, {}});
+      if (j > i && overlaps(objects[i].world.box, objects[j].world.box))
+        out.push_back({i, j, {}, {}});
     }
   return out;
 }
 
-void add_floor_findings(const PlacedObject& o, SceneCheck& check) {
+using Finding = SceneCheck::PairFinding;
+
+Finding finding(const std::string& a, const std::string& b, std::int64_t count,
+                const Depth& depth) {
+  return {a, b, count, depth.metres, depth.point};
+}
+
+void add_floor_findings(const PlacedObject& o, double clearance, SceneCheck& check) {
   if (o.world.box.lower.z() >= 0) return;
-  if (const auto n = num_below_floor(o.world))
-    check.crossings.push_back({o.object().name, "floor", n});
-  if (const auto n = num_floats_below_floor(o.world))
-    check.float32_crossings.push_back({o.object().name, "floor", n});
+  const auto crossings = num_below_floor(o.world), floats = num_floats_below_floor(o.world);
+  if (!crossings && !floats) return;
+  const Depth depth = depth_below_floor(o.world);
+  const std::string& name = o.object().name;
+  if (crossings) check.crossings.push_back(finding(name, "floor", crossings, depth));
+  if (floats) check.float32_crossings.push_back(finding(name, "floor", floats, depth));
+  if (only_touches(depth, clearance))
+    check.touching.push_back(finding(name, "floor", crossings, depth));
 }
 
-void add_pair_findings(const std::string& a, const std::string& b, const PairVerdict& v,
-                       SceneCheck& check) {
-  if (v.crossings) check.crossings.push_back({a, b, v.crossings});
-  if (v.float_crossings) check.float32_crossings.push_back({a, b, v.float_crossings});
-  if (v.a_inside_b) check.contained.push_back({a, b, v.a_inside_b});
-  if (v.b_inside_a) check.contained.push_back({b, a, v.b_inside_a});
+void add_pair_findings(const PlacedObject& a, const PlacedObject& b, const PairToCheck& pair,
+                       double clearance, SceneCheck& check) {
+  const PairVerdict& v = pair.verdict;
+  if (v.clear()) return;
+  const Depth& depth = pair.depth;
+  const std::string &name_a = a.object().name, &name_b = b.object().name;
+  const auto add = [&](std::vector<Finding>& findings, const std::string& first,
+                       const std::string& second, std::int64_t count) {
+    if (count) findings.push_back(finding(first, second, count, depth));
+  };
+  add(check.crossings, name_a, name_b, v.crossings);
+  add(check.float32_crossings, name_a, name_b, v.float_crossings);
+  add(check.contained, name_a, name_b, v.a_inside_b);
+  add(check.contained, name_b, name_a, v.b_inside_a);
+  if (only_touches(depth, clearance))
+    check.touching.push_back(finding(name_a, name_b, v.crossings, depth));
 }
 
-// Partners of each object that it passes through: these do not hold it.
+// Partners of each object that it passes through: these do not hold it. What it only touches does.
 std::vector<std::vector<Support>> crossed_by(const std::vector<PlacedObject>& objects,
-                                             const std::vector<PairToCheck>& pairs) {
+                                             const std::vector<PairToCheck>& pairs,
+                                             double clearance) {
   std::vector<std::vector<Support>> out(objects.size());
   for (size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].world.box.lower.z() < 0 && num_below_floor(objects[i].world))
+    if (objects[i].world.box.lower.z() < 0 &&
+        !only_touches(depth_below_floor(objects[i].world), clearance))
       out[i].push_back(Support::floor());
   for (const PairToCheck& p : pairs)
-    if (!p.verdict.clear()) {
+    if (!p.verdict.clear() && !only_touches(p.depth, clearance)) {
       out[p.a].push_back(objects[p.b].id);
       out[p.b].push_back(objects[p.a].id);
     }
   return out;
+}
+
+// Distance by which it would fall, to within a clearance, and onto what.
+SceneCheck::Hovering hovering_at(const PlacedObject& o, const Neighbourhood& others,
+                                 double clearance) {
+  const Body body = body_of(o.object());
+  const double lowest = std::min(others.floor() ? 0.0 : kInfinity, others.box().lower.z());
+  const double depth = body.world_box.upper.z() - lowest;
+  if (!(depth > 0) || !(depth < kInfinity)) return {o.object().name, "", kInfinity};
+  Clearance keep;
+  keep.distance = clearance;
+  const ObstacleContact found =
+      first_contact({&body, 1}, others, Motion::translation(-Vec3::UnitZ(), depth), keep, nullptr);
+  if (found.status != FirstContact::Status::Contact) return {o.object().name, "", kInfinity};
+  return {o.object().name, named(others.scene(), found.with).name, found.time + clearance};
 }
 
 void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, const RestRules& rules,
@@ -91,15 +136,19 @@ void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, const
   const auto contacts = touching(body_of(o.object()), others, rules.clearance);
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
-  if (!o.object().fixed && !rests_at(o.object(), o.object().pose, others, rules))
-    check.not_at_rest.push_back(o.object().name);
+  if (o.object().fixed || rests_at(o.object(), o.object().pose, others, rules)) return;
+  check.not_at_rest.push_back(o.object().name);
+  const bool lies = std::any_of(contacts.begin(), contacts.end(), [](const ContactsWith& c) {
+    return std::any_of(c.points.begin(), c.points.end(),
+                       [](const ContactPoint& p) { return p.normal.z() > kSupportNormalZ; });
+  });
+  if (!lies) check.hovering.push_back(hovering_at(o, others, rules.clearance));
 }
 
 // Clearance of a file, limited: it must not turn hovering into rest.
 double believable_clearance(const Scene& scene, double clearance) {
-  const double usual = default_clearance(scene);
-  return clearance > 0 ? std::min(clearance, kLargestClearance / kRelativeClearance * usual)
-                       : usual;
+  const ClearanceRange range = clearance_range(scene);
+  return clearance > 0 ? std::min(clearance, range.largest) : range.usual;
 }
 
 }  // namespace
@@ -111,7 +160,14 @@ std::int64_t SceneCheck::interpenetrating_pairs() const {
 }
 
 bool SceneCheck::ok() const {
-  return crossings.empty() && float32_crossings.empty() && contained.empty() && not_at_rest.empty();
+  const auto is_deep = [this](const PairFinding& f) {
+    return std::none_of(touching.begin(), touching.end(), [&](const PairFinding& t) {
+      return (t.a == f.a && t.b == f.b) || (t.a == f.b && t.b == f.a);
+    });
+  };
+  return not_at_rest.empty() && std::none_of(crossings.begin(), crossings.end(), is_deep) &&
+         std::none_of(float32_crossings.begin(), float32_crossings.end(), is_deep) &&
+         std::none_of(contained.begin(), contained.end(), is_deep);
 }
 
 SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
@@ -125,19 +181,21 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
   const std::vector<PlacedObject> objects = placed_objects(scene);
   std::vector<PairToCheck> pairs = near_pairs(scene, objects);
   in_parallel(pairs.size(), [&](size_t i) {
-    pairs[i].verdict = verify_pair(objects[pairs[i].a].world, objects[pairs[i].b].world, true,
-                                   std::numeric_limits<std::int64_t>::max());
+    PairToCheck& p = pairs[i];
+    const ObjectInWorld &a = objects[p.a].world, &b = objects[p.b].world;
+    p.verdict = verify_pair(a, b, true, std::numeric_limits<std::int64_t>::max());
+    if (!p.verdict.clear()) p.depth = depth_of(a, b);
   });
-  const std::vector<std::vector<Support>> crossed = crossed_by(objects, pairs);
+  const std::vector<std::vector<Support>> crossed = crossed_by(objects, pairs, rules.clearance);
   SceneCheck check;
   for (size_t i = 0; i < objects.size(); ++i) {
-    if (scene.floor) add_floor_findings(objects[i], check);
+    if (scene.floor) add_floor_findings(objects[i], rules.clearance, check);
     Neighbourhood holders(scene, objects[i].id);
     holders.leave_out(crossed[i]);
     add_rest_findings(objects[i], holders, rules, check);
   }
   for (const PairToCheck& p : pairs)
-    add_pair_findings(objects[p.a].object().name, objects[p.b].object().name, p.verdict, check);
+    add_pair_findings(objects[p.a], objects[p.b], p, rules.clearance, check);
   return check;
 }
 
@@ -150,18 +208,25 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Neighbourhoo
   const ObjectState was = object.state;
   if (was == ObjectState::Invalid && refuse_interpenetration(scene, id, object.pose, true))
     return was;
-  if (rests_at(object, object.pose, others, rules)) return ObjectState::Stable;
-  if (was == ObjectState::Held || was == ObjectState::Invalid) return ObjectState::Held;
-  return was == ObjectState::Unsupported ? was : ObjectState::Wedged;
+  if (was == ObjectState::Held || was == ObjectState::Invalid)
+    return rests_at(object, object.pose, others, rules) ? ObjectState::Stable : ObjectState::Held;
+  return state_at(object, object.pose, others, rules);
 }
 
 }  // namespace
 
 void update_contacts(Scene& scene, double clearance, const SettleOptions& settled_by) {
-  const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
   Transaction transaction(scene);
-  for (const ObjectId id : scene.ids()) {
-    const Object& object = transaction.scene().at(id);
+  update_contacts(transaction, scene.ids(), clearance, settled_by);
+  transaction.commit();
+}
+
+void update_contacts(Transaction& transaction, const std::vector<ObjectId>& ids, double clearance,
+                     const SettleOptions& settled_by) {
+  const Scene& scene = transaction.scene();
+  const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
+  for (const ObjectId id : ids) {
+    const Object& object = scene.at(id);
     if (!object.placed) continue;
     const Neighbourhood others = holders(scene, id);
     const auto contacts = touching(body_of(object), others, rules.clearance);
@@ -169,8 +234,7 @@ void update_contacts(Scene& scene, double clearance, const SettleOptions& settle
         object.fixed ? ObjectState::Fixed : state_as_it_lies(scene, id, others, rules);
     commit_object(transaction, id, object.pose, state, contacts, rules);
   }
-  rate_again(transaction, scene.ids(), rules);
-  transaction.commit();
+  rate_again(transaction, ids, rules);
 }
 
 }  // namespace trivet

@@ -14,15 +14,27 @@ struct SceneCheck {
   struct PairFinding {
     std::string a, b;  // names; "floor"
     std::int64_t count = 0;
+    double depth = 0;           // metres that one has to be moved to be free; 0: they touch
+    Vec3 point = Vec3::Zero();  // world, where they meet
   };
   std::vector<PairFinding> crossings;          // pairs of faces, on the doubles
   std::vector<PairFinding> float32_crossings;  // on the exported positions
   std::vector<PairFinding> contained;          // components of a inside b
   std::vector<std::string> not_at_rest;        // names of free objects without equilibrium
-  double smallest_gap = kInfinity;             // metres, over all contacts; infinity: no contact
+  struct Hovering {
+    std::string name, above;  // of what it would fall onto: "floor", an object; empty: nothing
+    double height = 0;        // metres that it would fall; infinity over nothing
+  };
+  std::vector<Hovering> hovering;  // those of not_at_rest that nothing touches from below
+  /// Pairs that interpenetrate by at most kTouchingDepth clearances, as flush walls do: counted as
+  /// crossings, too, but no failure.
+  std::vector<PairFinding> touching;
+  double smallest_gap = kInfinity;  // metres, over all contacts; infinity: no contact
   std::int64_t interpenetrating_pairs() const;
   bool ok() const;
 };
+
+inline constexpr double kTouchingDepth = 0.5;
 
 /// @param num_threads  0: all cores. The result does not depend on it.
 /// @param settled_by  the rules by which the scene was settled: they say what counts as rest; its
@@ -34,5 +46,8 @@ SceneCheck check_scene(const Scene& scene, int num_threads = 0, double clearance
 /// @param clearance  metres; 0: default_clearance() of the scene.
 /// @param settled_by  the friction by which the scene was settled; its clearance is not used.
 void update_contacts(Scene& scene, double clearance = 0, const SettleOptions& settled_by = {});
+/// The same of those of these objects that are placed. @param ids  in the scene's list.
+void update_contacts(Transaction& transaction, const std::vector<ObjectId>& ids, double clearance,
+                     const SettleOptions& settled_by);
 
 }  // namespace trivet

@@ -14,18 +14,18 @@ GpuNotes notes_of(const BackendOptions& options) {
 }
 
 std::unique_ptr<CandidateFinder> gpu_stage(const BackendOptions& options, const GpuNotes& notes) {
-  std::string why;
+  Sentence why;
   try {
     if (!options.make_gpu_stage)
       throw Error(Error::Kind::Environment, "this build has no GPU support");
     std::unique_ptr<CandidateFinder> stage = options.make_gpu_stage(notes);
-    why = self_test(*stage);
-    if (why.empty()) return stage;
-    why = stage->name() + " fails its self-test: " + why;
+    const std::string wrong = self_test(*stage);
+    if (wrong.empty()) return stage;
+    why = say("%1 fails its self-test: %2", stage->name(), wrong);
   } catch (const Error& error) {
-    why = error.what();
+    why = error.sentence();
   }
-  notes.tell_lost(why + "; z-lists in software are used instead of the GPU");
+  notes.tell_lost(say("%1; z-lists in software are used instead of the GPU", why));
   return nullptr;
 }
 
@@ -71,7 +71,7 @@ Backend backend_from_name(const std::string& name) {
   if (name == "software") return Backend::Software;
   if (name == "bvh") return Backend::Bvh;
   throw Error(Error::Kind::BadInput,
-              "backend \"" + name + "\" is not accepted; accepted: auto, gpu, software, bvh");
+              "backend \"%1\" is not accepted; accepted: auto, gpu, software, bvh", name);
 }
 
 Confirmation confirmation_from_name(const std::string& name) {
@@ -79,7 +79,7 @@ Confirmation confirmation_from_name(const std::string& name) {
   if (name == "embree") return kConfirmAll;
   if (name == "off") return {.enabled = false};
   throw Error(Error::Kind::BadInput,
-              "confirmation \"" + name + "\" is not accepted; accepted: auto, embree, off");
+              "confirmation \"%1\" is not accepted; accepted: auto, embree, off", name);
 }
 
 std::string to_string(const Confirmation& confirmation) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/sentence.h"
 #include "core/candidates/self_test.h"
 #include "ops/detect/detector.h"
 #include "ops/detect/machine.h"
@@ -42,7 +43,7 @@ struct BackendOptions {
   /// the CPU if `allow_software` is false, as with Backend::Auto: then it throws Error.
   std::function<DropBracketFunction(bool allow_software)> make_gpu_brackets;
   /// Told, once, why another source answers than was asked for. May be empty.
-  std::function<void(const std::string&)> note;
+  std::function<void(const Sentence&)> note;
   /// Told when a GPU is lost, of queries or of places. Without, once_each(note). Detectors of
   /// several threads that have the same one tell a loss once together.
   std::optional<GpuNotes> gpu_notes;

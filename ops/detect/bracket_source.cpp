@@ -19,25 +19,26 @@ double machine_clock() {
 GpuBrackets::GpuBrackets(Make make, GpuNotes notes)
     : m_make(std::move(make)), m_notes(std::move(notes)) {}
 
-// What was lost is made again. Nothing: it is given up.
+// Makes a lost context again. nullopt: it is given up.
 std::optional<std::vector<DropBracket>> GpuBrackets::try_finding(const HeightMap& object,
                                                                  const HeightMap& scene,
                                                                  int columns, int rows) {
-  std::string why;
+  Sentence why;
   for (int tries = 0; m_make && tries < 2; ++tries) try {
       if (!m_gpu) m_gpu = m_make();
       m_was_made = true;
       auto out = m_gpu(object, scene, columns, rows);
-      if (!why.empty()) m_notes.tell_recovered(why + "; a new OpenGL context goes on");
+      if (!why.empty()) m_notes.tell_recovered(say(kGoesOn, why));
       return out;
     } catch (const Error& error) {
-      why = error.what();
+      why = error.sentence();
       m_gpu = {};
       if (!m_was_made) break;
     }
   if (m_make)
-    m_notes.tell_lost(why +
-                      (m_was_made ? kInsteadOfGpu : "; places are judged in software instead"));
+    m_notes.tell_lost(say(
+        m_was_made ? kInsteadOfGpu : TRIVET_SENTENCE("%1; places are judged in software instead"),
+        why));
   m_make = {};
   return std::nullopt;
 }

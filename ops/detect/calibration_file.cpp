@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/json.h"
 
 namespace trivet {
 namespace {
@@ -28,8 +29,8 @@ Json model_json(const CostModel& model) {
 double number_of(const Json& json, const char* name) {
   const double out = json.at(name).get<double>();
   if (!(out >= 0 && std::isfinite(out)))
-    throw Error(Error::Kind::BadInput, std::string("\"") + name + "\" is " + json.at(name).dump() +
-                                           "; accepted: numbers from 0");
+    throw Error(Error::Kind::BadInput, "\"%1\" is %2; accepted: numbers from 0", name,
+                json.at(name).dump());
   return out;
 }
 
@@ -90,32 +91,31 @@ std::string to_json(const Calibration& calibration) {
 
 Calibration calibration_from_json(const std::string& text) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = json_from_text<Json>(text, "backends.json");
     if (json.at("format") != kFormat)
-      throw Error(Error::Kind::BadInput,
-                  "\"format\" is " + json.at("format").dump() + "; accepted: 1");
+      throw Error(Error::Kind::BadInput, "\"format\" is %1; accepted: 1", json.at("format").dump());
     Calibration out;
     out.key = {json.at("version"), json.at("cpu"), json.at("hardware")};
     out.seconds = number_of(json, "seconds");
     for (const Json& source : json.at("sources")) out.sources.push_back(source_from(source));
     if (out.sources.empty() || out.sources.size() > kMostSources)
-      throw Error(Error::Kind::BadInput,
-                  "it has " + std::to_string(out.sources.size()) + " sources; accepted: 1 to 64");
+      throw Error(Error::Kind::BadInput, "it has %1 sources; accepted: 1 to 64",
+                  out.sources.size());
     return out;
-  } catch (const Json::exception& error) {
-    throw Error(Error::Kind::BadInput, error.what());
+  } catch (const Json::exception&) {
+    throw Error(Error::Kind::BadInput, "a value is missing, or of another kind");
   }
 }
 
 Calibration read_calibration(const std::string& path) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none))  // opening a pipe would wait
-    throw Error(Error::Kind::Environment, path + " is no regular file");
+    throw Error(Error::Kind::Environment, "%1 is no regular file", path);
   std::ifstream file(path, std::ios::binary);
   std::string text(kMostBytes, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.empty()) throw Error(Error::Kind::Environment, path + " cannot be read, or is empty");
+  if (text.empty()) throw Error(Error::Kind::Environment, "%1 cannot be read, or is empty", path);
   return calibration_from_json(text);
 }
 
@@ -124,7 +124,8 @@ void write_calibration(const Calibration& calibration, const std::string& path) 
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::filesystem::create_directories(folder, error);
   if (error)
-    throw Error(Error::Kind::Environment, folder.string() + " cannot be made: " + error.message());
+    throw Error(Error::Kind::Environment, "%1 cannot be made: %2", folder.string(),
+                error.message().c_str());
   write_file_atomically(path, to_json(calibration));
 }
 

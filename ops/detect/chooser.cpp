@@ -29,7 +29,7 @@ Triangles triangles_of(const FirstContactQuery& query) {
 }  // namespace
 
 BackendChooser::BackendChooser(std::shared_ptr<Machine> machine,
-                               std::function<void(const std::string&)> note, GpuNotes gpu_notes)
+                               std::function<void(const Sentence&)> note, GpuNotes gpu_notes)
     : m_machine(std::move(machine)), m_note(std::move(note)), m_gpu_notes(std::move(gpu_notes)) {}
 
 double BackendChooser::ms(const SourceCost& source, const QuerySize& size) const {
@@ -81,14 +81,14 @@ bool BackendChooser::make_ready(const SourceCost& source) {
     m_recalibrated = true;  // another renderer than the one that was measured
     m_calibration = m_machine->recalibrate(m_calibration);
   } catch (const Error& error) {
-    give_up(source.name, error.what());
+    give_up(source.name, error.sentence());
   }
   return false;
 }
 
-void BackendChooser::give_up(const std::string& name, const std::string& why) {
+void BackendChooser::give_up(const std::string& name, const Sentence& why) {
   m_given_up.insert(name);
-  const std::string text = why + "; auto goes on without " + name;
+  const Sentence text = say("%1; auto goes on without %2", why, name);
   if (name != Calibration::kSoftware)
     m_gpu_notes.tell_lost(text);
   else if (m_note)

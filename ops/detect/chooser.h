@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "core/base/sentence.h"
 #include "ops/detect/machine.h"
 
 namespace trivet {
@@ -19,8 +20,7 @@ class BackendChooser {
   /// @param note       told what is given up in software.
   /// @param gpu_notes  told what is given up on a GPU, and of losses.
   explicit BackendChooser(std::shared_ptr<Machine> machine,
-                          std::function<void(const std::string&)> note = {},
-                          GpuNotes gpu_notes = {});
+                          std::function<void(const Sentence&)> note = {}, GpuNotes gpu_notes = {});
 
   /// The stage to ask; null: BVHs. Valid until answered().
   CandidateFinder* stage_for(const FirstContactQuery& query);
@@ -43,10 +43,10 @@ class BackendChooser {
   const SourceCost* choose(const QuerySize& size, double new_triangles);
   bool make_ready(const SourceCost& source);
   CandidateFinder* use(const std::string& name);
-  void give_up(const std::string& name, const std::string& why);
+  void give_up(const std::string& name, const Sentence& why);
 
   std::shared_ptr<Machine> m_machine;
-  std::function<void(const std::string&)> m_note;
+  std::function<void(const Sentence&)> m_note;
   GpuNotes m_gpu_notes;
   std::shared_ptr<const Calibration> m_calibration;  // null: not asked for yet
   Stages m_ready;

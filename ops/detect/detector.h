@@ -37,7 +37,7 @@ class Detector {
   ~Detector();
 
   FirstContact first_contact(const FirstContactQuery& query);
-  /// Of a stage's proposals, from now on.
+  /// Sets how a stage's proposals are confirmed from now on.
   void set_confirmation(const Confirmation& confirmation) { m_confirmation = confirmation; }
   const Confirmation& confirmation() const { return m_confirmation; }
 

@@ -54,12 +54,12 @@ std::unique_ptr<CandidateFinder> Machine::make_stage(const std::string& name,
     auto stage = source.make(false, notes);
     const std::string wrong = self_test(*stage);
     if (wrong.empty()) return stage;
-    throw Error(Error::Kind::Environment, stage->name() + " fails its self-test: " + wrong);
+    throw Error(Error::Kind::Environment, "%1 fails its self-test: %2", stage->name(), wrong);
   }
-  throw Error(Error::Kind::Environment, "this build has no \"" + name + "\"");
+  throw Error(Error::Kind::Environment, "this build has no \"%1\"", name);
 }
 
-void Machine::tell(const std::string& note) const {
+void Machine::tell(const Sentence& note) const {
   if (m_options.note) m_options.note(note);
 }
 
@@ -67,14 +67,14 @@ void Machine::tell(const std::string& note) const {
 std::shared_ptr<const Calibration> Machine::read() const {
   std::error_code error;
   if (m_options.file.empty() || !std::filesystem::exists(m_options.file, error)) return nullptr;
-  std::string why = "it is of another version, processor or driver";
+  Sentence why = "it is of another version, processor or driver";
   try {
     auto found = std::make_shared<const Calibration>(read_calibration(m_options.file));
     if (found->key == key()) return found;
   } catch (const Error& damaged) {
-    why = damaged.what();
+    why = damaged.sentence();
   }
-  tell(m_options.file + " is not used: " + why + "; the backends are measured again");
+  tell(say("%1 is not used: %2; the backends are measured again", m_options.file, why));
   return nullptr;
 }
 
@@ -83,7 +83,7 @@ std::shared_ptr<const Calibration> Machine::measure() const {
   if (!m_options.file.empty()) try {
       write_calibration(*found, m_options.file);
     } catch (const Error& error) {
-      tell(std::string("the calibration of the backends cannot be kept: ") + error.what());
+      tell(say("the calibration of the backends cannot be kept: %1", error.sentence()));
     }
   return found;
 }

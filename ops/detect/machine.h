@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 
+#include "core/base/sentence.h"
 #include "ops/detect/calibration.h"
 
 namespace trivet {
@@ -16,7 +17,7 @@ struct MachineOptions {
   int num_threads = 0;  // of software z-lists; 0: all cores
   std::string file;     // where the calibration is kept; empty: nowhere
   /// Told, once, why the file is not used or cannot be written. May be empty.
-  std::function<void(const std::string&)> note;
+  std::function<void(const Sentence&)> note;
 };
 
 /// Thread-safe.
@@ -48,7 +49,7 @@ class Machine {
  private:
   std::shared_ptr<const Calibration> read() const;
   std::shared_ptr<const Calibration> measure() const;
-  void tell(const std::string& note) const;
+  void tell(const Sentence& note) const;
 
   MachineOptions m_options;
   std::mutex m_mutex;

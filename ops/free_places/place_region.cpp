@@ -19,6 +19,12 @@ double reach(const Body& body, const Vec2& point, const Vec2& direction) {
 
 }  // namespace
 
+std::vector<Vec2> region_of(const std::vector<Vec2>& corners) {
+  if (corners.size() != 2) return corners;
+  const Vec2 lower = corners[0].cwiseMin(corners[1]), upper = corners[0].cwiseMax(corners[1]);
+  return {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
+}
+
 bool is_convex_region(const std::vector<Vec2>& corners) {
   if (corners.size() < 3) return false;
   for (size_t i = 0; i < corners.size(); ++i) {

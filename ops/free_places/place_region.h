@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/contact/body.h"
 
 namespace trivet {
@@ -10,7 +11,10 @@ namespace trivet {
 /// True of at least 3 corners of a convex polygon, counter-clockwise; in words, what is accepted.
 bool is_convex_region(const std::vector<Vec2>& corners);
 inline constexpr const char* kConvexRegion =
-    "at least 3 corners [x, y] of a convex polygon, counter-clockwise";
+    TRIVET_SENTENCE("at least 3 corners [x, y] of a convex polygon, counter-clockwise");
+
+/// The corners of a region: of the rectangle, where two opposite ones are given.
+std::vector<Vec2> region_of(const std::vector<Vec2>& corners);
 
 /// A convex polygon of the plane, or all of it.
 class PlaceRegion {

@@ -68,7 +68,7 @@ class PlaceSearch {
     const HeightMap support = top_of_support(underside);
     const auto on = brackets(underside, support, m_columns, m_rows);
     HeightMap rest = top_of_others(underside);
-    // Of the others only lower bounds are asked for: nothing is met on any line.
+    // The others need only lower bounds: nothing is met on any line.
     std::fill(underside.sample.begin(), underside.sample.end(), static_cast<float>(kInfinity));
     if (!(m_keep > 0)) {
       sort_out(support, on, brackets(underside, rest, m_columns, m_rows));
@@ -143,7 +143,7 @@ class PlaceSearch {
     return grid;
   }
 
-  // Of the others, those that may be drawn on a grid.
+  // The other bodies that may be drawn on a grid.
   std::vector<Body> others_on(const MapGrid& grid) const {
     const Vec2 size = grid.pixel * Vec2(grid.width, grid.height);
     Aabb box{Vec3(grid.corner.x(), grid.corner.y(), -kInfinity),

@@ -7,6 +7,7 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
+#include "ops/operations/carriers.h"
 #include "ops/operations/leaning.h"
 #include "ops/settle/rest.h"
 
@@ -100,7 +101,7 @@ class GroupCommit {
   void touch(const ObjectContact& entry) {
     if (entry.with.is_floor()) return;
     const ObjectId with = entry.with.object();
-    if (!stands_on_its_own(m_scene.at(with)) || weighs_on(entry.contact)) add_partner(with);
+    if (!stands_on_its_own(m_scene.at(with)) || weighs_on(entry)) add_partner(with);
   }
 
   void add_partner(ObjectId id) {
@@ -241,6 +242,7 @@ void rate_again(Transaction& transaction, std::vector<ObjectId> ids, const RestR
       object.least_friction = rating.least_friction;
     });
   }
+  for (const ObjectId id : ids) link_carriers(transaction, id, rules);
 }
 
 void rate_left_alone(Transaction& transaction, ObjectId id, const RestRules& rules,

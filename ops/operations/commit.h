@@ -20,8 +20,9 @@ OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& ru
 void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, ObjectState state,
                    const std::vector<ContactsWith>& contacts, const RestRules& rules);
 
-/// Ratings of those of these that are placed, by links, poses and states alone: what an operation
-/// touched has then the rating that it gets where the scene is read from a file.
+/// Ratings of those of these that are placed, by links, poses and states alone, and who carries
+/// them (carriers.h): what an operation touched has then the rating that it gets where the scene is
+/// read from a file.
 void rate_again(Transaction& transaction, std::vector<ObjectId> ids, const RestRules& rules);
 
 /// Judges an object again when something that it touched is gone; if it is not at rest any more, it

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "ops/operations/move_parts.h"
-#include "ops/operations/push.h"
+#include "ops/operations/push_events.h"
 #include "ops/operations/whole.h"
 #include "ops/placement/contacts.h"
 

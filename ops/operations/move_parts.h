@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ops/operations/move_plan.h"
+#include "ops/operations/pick_up.h"
 #include "ops/operations/turn_axis.h"
 
 namespace trivet {

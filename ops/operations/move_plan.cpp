@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "ops/settle/rest.h"
 
 namespace trivet {
 namespace {
@@ -20,6 +21,12 @@ std::vector<Named> wedge(const MovingGroup& group, const std::vector<ContactsWit
     seen.push_back(c.with);
     out.push_back(named(group.scene(), c.with));
   }
+  return out;
+}
+
+Aabb box_of(const Scene& scene, ObjectId id, const std::vector<ObjectId>& together) {
+  Aabb out = scene.world_box(id);
+  for (const ObjectId other : together) out.extend(scene.world_box(other));
   return out;
 }
 
@@ -69,7 +76,8 @@ MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const MoveOptions& mov
 void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
                         const std::vector<PlacedBox>& started) {
   const Object& object = m_scene.at(id);
-  const ClearanceRange range = clearance_range(m_scene, m_is_put ? started.front().box : Aabb{});
+  const ClearanceRange range = clearance_range_near(
+      m_scene, m_is_put ? started.front().box : box_of(m_scene, id, together), started);
   const double clearance = options().clearance > 0 ? options().clearance : range.usual;
   m_group.emplace(m_scene, id, together, clearance, options(), m_run.detector);
   m_joint = !together.empty() && m_group->driven().size() > 1;
@@ -132,7 +140,20 @@ void MovePlanner::release() {
     end_settled(settle());
 }
 
-void MovePlanner::end_settled(const SettleOutcome& outcome) {
+// A pose that settling calls wedged is rated as `check` will: at the clearance of the scene, too.
+SettleOutcome::Status MovePlanner::rated(const SettleOutcome& outcome) const {
+  if (outcome.status != SettleOutcome::Status::Wedged || m_group->ids().size() > 1)
+    return outcome.status;
+  const double of_scene = default_clearance(m_scene, m_group->box());
+  for (const double clearance : {m_group->clearance(), of_scene})
+    if (rests_at(m_group->object(), m_group->pose(), m_group->outside(),
+                 rest_rules(options(), clearance)))
+      return SettleOutcome::Status::AtRest;
+  return outcome.status;
+}
+
+void MovePlanner::end_settled(SettleOutcome outcome) {
+  outcome.status = rated(outcome);
   m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
   if (interrupted()) return;
   if (const auto why = refuse_unsettled(*m_group, outcome, options())) {

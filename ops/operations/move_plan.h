@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "ops/operations/move_options.h"
 #include "ops/operations/moving_group.h"
 #include "ops/operations/operation_run.h"
-#include "ops/operations/operations.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/verify.h"
 
@@ -64,7 +64,7 @@ class MovePlanner {
   bool is_joint() const { return m_joint; }  // several objects in one hand
   /// The same in two steps: the group is where it settled, and may go back.
   SettleOutcome settle() { return m_group->settle(&m_run.interrupt); }
-  void end_settled(const SettleOutcome& outcome);
+  void end_settled(SettleOutcome outcome);
 
   /// Verifies where the group is. Once; the planner is empty afterwards.
   /// @param otherwise  state of the object when it does not rest.
@@ -76,6 +76,7 @@ class MovePlanner {
   void begin(ObjectId id, const std::vector<ObjectId>& together,
              const std::vector<PlacedBox>& started);
   std::optional<Refusal> refuse_start(bool free) const;
+  SettleOutcome::Status rated(const SettleOutcome& outcome) const;
   bool releases_each() const { return m_joint && m_released; }
   bool is_too_far();
   MovePlan plan();
@@ -88,14 +89,5 @@ class MovePlanner {
   std::optional<MovingGroup> m_group;
   bool m_is_put = false, m_joint = false, m_released = false, m_wedged = false;
 };
-
-// Plans of the operations.
-
-MovePlan plan(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const PushOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const TurnOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const PickUpOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const TranslateOperation& o, OperationRun& run);
-MovePlan plan(const Scene& scene, ObjectId id, const RotateOperation& o, OperationRun& run);
 
 }  // namespace trivet

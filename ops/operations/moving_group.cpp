@@ -37,7 +37,7 @@ class IdList {
 
 void append_loads(const Scene& scene, ObjectId id, IdList& ids) {
   for (const ObjectContact& entry : scene.at(id).contacts)
-    if (entry.with.is_object() && weighs_on(entry.contact) && !scene.at(entry.with.object()).fixed)
+    if (entry.with.is_object() && weighs_on(entry) && !scene.at(entry.with.object()).fixed)
       ids.add(entry.with.object());
 }
 

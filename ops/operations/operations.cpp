@@ -1,34 +1,47 @@
 #include "ops/operations/operations.h"
 
+#include <type_traits>
+#include <utility>
+
+#include "ops/operations/table.h"
+
 namespace trivet {
+namespace {
+
+template <size_t... kIndex>
+std::vector<Operation> kinds(std::index_sequence<kIndex...>) {
+  return {Operation(std::in_place_index<kIndex>)...};
+}
+
+}  // namespace
 
 const char* op_name(const Operation& operation) {
-  struct Name {
-    const char* operator()(const PutOperation&) { return "put"; }
-    const char* operator()(const PushOperation&) { return "push"; }
-    const char* operator()(const TurnOperation&) { return "turn"; }
-    const char* operator()(const PickUpOperation&) { return "pick_up"; }
-    const char* operator()(const TranslateOperation&) { return "translate"; }
-    const char* operator()(const RotateOperation&) { return "rotate"; }
-    const char* operator()(const AppendOperation&) { return "append"; }
-    const char* operator()(const DuplicateOperation&) { return "duplicate"; }
-    const char* operator()(const DeleteOperation&) { return "delete"; }
-    const char* operator()(const LockOperation& o) { return o.locked ? "lock" : "unlock"; }
-    const char* operator()(const FixOperation& o) { return o.fixed ? "fix" : "unfix"; }
-    const char* operator()(const MaterialOperation&) { return "material"; }
-    const char* operator()(const GroupOperation& o) {
-      return o.group.empty() ? "ungroup" : "group";
-    }
-    const char* operator()(const StandOperation&) { return "stand"; }
-    const char* operator()(const UnplaceOperation&) { return "unplace"; }
-    const char* operator()(const ArrangeOperation&) { return "arrange"; }
-    const char* operator()(const RenameOperation&) { return "rename"; }
-  };
-  return std::visit(Name{}, operation);
+  const OperationTable& table = table_of(operation);
+  return table.forms[table.form_of(data_of(operation))].op;
 }
 
 const std::string& object_name(const Operation& operation) {
   return std::visit([](const auto& o) -> const std::string& { return o.object; }, operation);
+}
+
+const OperationTable& table_of(const Operation& operation) {
+  return std::visit(
+      [](const auto& o) -> const OperationTable& { return table<std::decay_t<decltype(o)>>(); },
+      operation);
+}
+
+void* data_of(Operation& operation) {
+  return std::visit([](auto& o) -> void* { return &o; }, operation);
+}
+
+const void* data_of(const Operation& operation) {
+  return std::visit([](const auto& o) -> const void* { return &o; }, operation);
+}
+
+const std::vector<Operation>& all_kinds() {
+  static const std::vector<Operation> all =
+      kinds(std::make_index_sequence<std::variant_size_v<Operation>>());
+  return all;
 }
 
 }  // namespace trivet

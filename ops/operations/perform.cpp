@@ -2,14 +2,13 @@
 
 #include "core/contact/contact_memory.h"
 #include "ops/free_places/place_region.h"
-#include "ops/operations/arrange_problem.h"
 #include "ops/operations/commit.h"
-#include "ops/operations/edit.h"
-#include "ops/operations/put.h"
+#include "ops/operations/put_parts.h"
 #include "ops/operations/tries.h"
 #include "ops/operations/validate.h"
 #include "ops/operations/whole.h"
 #include "ops/placement/clearance.h"
+#include "ops/placement/depth.h"
 
 namespace trivet {
 namespace {
@@ -30,9 +29,11 @@ bool unbalances(const FixOperation& o) { return !o.fixed; }
 /// First contacts by which the whole may come to rest: fewer than for what is there already, as it
 /// costs less to put something elsewhere. With 300, bins of ten hold 1 to 2 %, heaps of 30 3 %
 /// more.
-constexpr std::int64_t kWholeQueriesOfPut = 120;
+constexpr Budget kBudgetOfPut{120};
+/// The same at the places that a PUT tries, all together.
+constexpr Budget kBudgetOfTrials{2400};
 
-// Of what is_judged_at_rest().
+// An object that came to rest may still stand badly, by is_judged_at_rest().
 std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const PlaceOptions& place) {
   const Object& object = scene.at(id);
   const Named name = named(scene, Support(id));
@@ -49,6 +50,30 @@ std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const Pl
   return std::nullopt;
 }
 
+/// A PUT takes a place only where its commit would be accepted.
+OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOperation& o,
+                            OperationRun& run, const Named& name) {
+  const bool is_judged = o.place && is_judged_at_rest(*o.place);
+  Budget trials = kBudgetOfTrials;
+  const auto refuse_place = [&](const MovePlan& plan) {
+    Transaction trial(transaction);  // taken back
+    const double clearance = plan.group ? plan.group->clearance() : 0;
+    const CommitVerdict verdict = try_commit(trial, plan, run, name, kBudgetOfPut.within(trials));
+    trials.first_contacts -= verdict.first_contacts;
+    if (!is_judged || verdict.refusal) return verdict.refusal;
+    rate_again(trial, {id}, rest_rules(run.options, clearance));
+    return refuse_to_stand(trial.scene(), id, *o.place);
+  };
+  TryCommit try_commit_there;
+  if (is_judged || keeps_whole_at_rest(run.options)) try_commit_there = refuse_place;
+  const auto put_from = [&](Transaction& inner, const PutOperation& move, Budget budget) {
+    return commit_at_rest(inner, plan_put(inner.scene(), id, move, run, try_commit_there), run,
+                          name, budget);
+  };
+  if (o.tries > 1 && !o.place) return put_by_tries(transaction, id, o, put_from, kBudgetOfPut);
+  return put_from(transaction, o, kBudgetOfPut);
+}
+
 template <class Any>
 OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o, OperationRun& run,
                             const RunContext& context) {
@@ -57,37 +82,40 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
     return o.problem->solve(transaction, run.options, context);
   } else if constexpr (Plannable<Any>) {
     const ContactMemory memory;  // what was tried is committed; what stays is judged again
-    if constexpr (std::is_same_v<Any, PutOperation>) {
-      run.whole_queries = kWholeQueriesOfPut;
-      const bool is_judged = o.place && is_judged_at_rest(*o.place);
-      if (is_judged || keeps_whole_at_rest(run.options))
-        run.refuse_commit = [&, is_judged](const MovePlan& plan) {
-          Transaction trial(transaction);  // taken back
-          const double clearance = plan.group ? plan.group->clearance() : 0;
-          run.is_trial = true;
-          const OperationResult result = commit_at_rest(trial, plan, run, name);
-          run.is_trial = false;
-          if (!is_judged || !result.ok()) return result.refusal;
-          rate_again(trial, {id}, rest_rules(run.options, clearance));
-          return refuse_to_stand(trial.scene(), id, *o.place);
-        };
-    }
-    const auto do_it = [&](Transaction& inner, const Any& move) {
-      return commit_at_rest(inner, plan(inner.scene(), id, move, run), run, name);
-    };
     if constexpr (std::is_same_v<Any, PutOperation>)
-      if (o.tries > 1 && !o.place) return put_by_tries(transaction, id, o, run, do_it);
-    return do_it(transaction, o);
+      return perform_put(transaction, id, o, run, name);
+    else
+      return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
   } else {
+    const Scene& scene = transaction.scene();
+    const Aabb place = scene.contains(id) ? scene.world_box(id) : Aabb{};
     OperationResult result = apply(transaction, o, run);
     if (!result.ok()) return result;
-    const double clearance = clearance_of(transaction.scene(), run.options);
+    const double clearance = clearance_near(scene, run.options, place);
     if (keeps_whole_at_rest(run.options) && unbalances(o))
       settle_whole(transaction, name, clearance, run, result);
     if (result.ok())
       rate_again(transaction, transaction.touched(), rest_rules(run.options, clearance));
     return result;
   }
+}
+
+// Adds the depth to refusals of poses that a user gave; ours are tried by the hundreds.
+void tell_depth(const Scene& scene, std::optional<ObjectId> id, const Operation& operation,
+                OperationResult& result) {
+  if (!id || !result.refusal) return;
+  Refusal& why = *result.refusal;
+  const bool is_exact_test =
+      why.cause == Refusal::Cause::Crossing || why.cause == Refusal::Cause::Inside ||
+      why.cause == Refusal::Cause::Float32Contact || why.cause == Refusal::Cause::BelowFloor ||
+      why.cause == Refusal::Cause::Float32BelowFloor;
+  if (!is_exact_test || why.at == Refusal::At::End) return;
+  Pose pose = scene.at(*id).pose;
+  const auto* const put = std::get_if<PutOperation>(&operation);
+  if (put && put->place) return;
+  if (put) pose = put->start;
+  if (const auto* const stand = std::get_if<StandOperation>(&operation)) pose = stand->pose;
+  add_depth(scene, {*id, pose}, why);
 }
 
 }  // namespace
@@ -107,7 +135,13 @@ OperationResult perform(Transaction& outer, const Operation& operation,
         return perform_one(inner, object.value_or(ObjectId{}), o, run, context);
       },
       operation);
-  if (result.ok()) inner.commit();
+  if (result.ok() && object && inner.scene().contains(*object))
+    for (const ObjectId id : unsound_supports(inner.scene(), *object))
+      result.unsound.push_back(inner.scene().at(id).name);
+  if (result.ok())
+    inner.commit();
+  else
+    tell_depth(inner.scene(), object, operation, result);
   return result;
 }
 

@@ -1,117 +1,27 @@
-// PUSH/PULL [Shinya 1995, 4.1, Fig. 4]: along the surface on which the object lies.
-//
-// Seen from above the object goes straight on; its height follows the contacts, which it keeps. The
-// loop goes from event to event, and each event is one row of this table:
-//
-//   state                          event                      next
-//   at the goal                    -                          stop: Reached
-//   contacts allow the direction   first contact ahead        note the obstacle, plan again
-//                                  a carrying contact ends    plan again
-//                                  steep rise or drop longer  back to where it began; from there it
-//                                  than step_up, step_down    is a wall, or stop: Edge
-//   a wall is in the way           no higher than step_up     climb it (Fig. 4c)
-//                                  higher, slide is on        along it
-//                                  else                       stop: Blocked or Step (Fig. 4b)
-//   no contact carries             no deeper than step_down   drop onto it (Fig. 4d)
-//                                  deeper                     stop: Edge (Fig. 4e)
-//   kMaxStalls events, no way      -                          stop: Blocked
-//
-// Departs from the paper, which goes by small steps of fixed length and corrects each afterwards:
-// no obstacle and no gap is too small to be seen. Surfaces steeper than 60 degrees count as steps.
-// Above is along PushOperation::normal: up for what lies, away from the wall for what hangs on it.
-// All thresholds are along it, and directions are in the plane across it; see push_axes.h.
-//
-// When the object is released at the end (PushOperation::settle) and would sink deeper than
-// step_down, it is pulled back to the last place on its way from which it does not; along other
-// surfaces it is just released.
+// PUSH/PULL [Shinya 1995, 4.1, Fig. 4]: along the surface on which the object lies. See
+// push_events.h for its states.
 #pragma once
 
-#include <optional>
-
-#include "ops/operations/move_plan.h"
-#include "ops/operations/slide_plan.h"
+#include "ops/operations/move_options.h"
 
 namespace trivet {
 
-/// A resumable push, for interactive drags, too. Nothing is committed here.
-///
-/// Invariants between events: the group is free of collision; m_way ends where it is; m_normals are
-/// those of m_group_contacts, then of m_obstacles, in this order, as contacts are numbered by
-/// SlidePlan; m_obstacles are what stopped the last motion and is not among m_group_contacts;
-/// m_steep is set while a steep surface is followed.
-class Push {
- public:
-  /// Refuses when nothing carries the object.
-  /// @param planner  not refused; outlives this. @param o  its thresholds; direction and distance
-  ///   are ignored.
-  Push(MovePlanner& planner, const PushOperation& o);
-
-  /// Pushes until the object's position is at `goal`, seen from above, or stopped; see
-  /// planner.result().
-  void push_to(const Vec2& goal);
-  /// Releases the object if that is asked for, and verifies where it is.
-  MovePlan finish();
-
- private:
-  using Place = MovingGroup::Place;
-  /// Stopped the last motion; kept for as long as the contacts do not show it.
-  struct Obstacle {
-    Vec3 normal, point;  // world
-    Support with;
-  };
-  /// A steep rise or drop that is being followed.
-  struct Steep {
-    Place start;
-    double z;
-    size_t way_length;  // of m_way
-  };
-  /// A place on the way: how far everything is from where it was at the start.
-  struct WayPoint {
-    Vec3 offset;
-    bool straight;  // from the one before
-  };
-  enum class Next { GoOn, Stop };
-  static constexpr int kMaxStalls = 12;  // events in a row without a way
-
-  // From the axes of the push to those of the world, and back.
-  Vec3 to_world(const Vec3& v) const { return m_is_level ? v : Vec3(m_axes.transpose() * v); }
-  Vec3 from_world(const Vec3& v) const { return m_is_level ? v : Vec3(m_axes * v); }
-  Vec3 position() const { return from_world(m_group.pose().translation); }
-  void find_contacts();
-  void note_way(bool straight);
-  std::optional<SettleOutcome> settled_from(const Vec3& offset);
-  bool holds_at(const Vec3& offset);
-  std::optional<Vec3> last_place_that_holds();
-  void release();
-  Vec2 way_left() const;
-  SlidePlan slide(const Vec3& direction) const;
-  double end_of(size_t contact, const Vec3& velocity) const;
-  Next event();
-  Next pass_wall(const SlidePlan& blocked, const Vec3& direction, double length);
-  Next go(const SlidePlan& plan, double length);
-  std::optional<double> steep_allowance(const SlidePlan& plan);
-  Next give_up_steep(const SlidePlan& plan);
-  std::optional<double> step_up(const Vec3& direction, const Vec3& wall, double highest);
-  bool step_down(const Vec3& direction);
-  Next stop(OperationResult::End end);
-  Next stop_blocked(size_t contact);
-
-  MovePlanner& m_planner;
-  MovingGroup& m_group;
-  const PushOperation& m_options;
-  bool m_is_level;
-  Mat3 m_axes;        // rows: two in the plane, the normal
-  double m_shortest;  // metres, a few clearances: shorter ways are none
-  Vec2 m_goal = Vec2::Zero();
-  std::vector<GroupContact> m_group_contacts;
-  std::optional<Vec3> m_found_at;  // the offset at which m_group_contacts were found
-  std::vector<Vec3> m_normals;     // of the touches, then of the obstacles; axes of the push
-  std::vector<Obstacle> m_obstacles;
-  std::optional<Steep> m_steep;
-  bool m_climb = true;  // steep surfaces may be tried
-  int m_num_stalls = 0;
-  bool m_is_separated = false;  // gaps were opened here
-  std::vector<WayPoint> m_way;
+/// Along the surface on which the object lies, or any other that it touches. "push"
+struct PushOperation : JointMoveOptions {
+  Vec2 direction = Vec2::UnitX();  // seen from above, of any length but zero
+  double distance = 0;             // metres along `direction`, seen from above
+  std::optional<Vec2> to;          // instead: target of the object's position, seen from above
+  double step_up = 0.01;           // metres; higher steps stop it
+  double step_down = 0.01;         // metres; from higher edges it is pulled back
+  bool slide = true;               // along walls; otherwise they stop it
+  bool settle = true;              // release it at the end; otherwise it is held
+  std::vector<Vec2> via = {};      // waypoints, as `to`
+  Vec3 normal = Vec3::UnitZ();     // of the surface, towards the object, of any length but zero:
+                                   // "above" is there; see push_axes() for the plane's two axes
 };
+
+template <>
+const OperationTable& table<PushOperation>();
+MovePlan plan(const Scene& scene, ObjectId id, const PushOperation& o, OperationRun& run);
 
 }  // namespace trivet

@@ -39,6 +39,8 @@ inline Mat3 push_axes(const Vec3& normal) {
 /// True if the axes are those of the world: the push is level.
 inline bool is_level(const Vec3& normal) { return is_vertical(normal) && normal.z() > 0; }
 
+inline Vec3 level(const Vec2& v) { return {v.x(), v.y(), 0}; }
+
 /// A point or vector of the world in these axes; its own bits where the push is level.
 inline Vec3 in_push_axes(const Vec3& normal, const Vec3& v) {
   return is_level(normal) ? v : Vec3(push_axes(normal) * v);

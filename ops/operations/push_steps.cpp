@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ops/operations/push.h"
+#include "ops/operations/push_axes.h"
+#include "ops/operations/push_events.h"
 
 namespace trivet {
 namespace {
@@ -41,13 +42,13 @@ Push::Next Push::give_up_steep(const SlidePlan& plan) {
 Push::Next Push::pass_wall(const SlidePlan& blocked, const Vec3& direction, double length) {
   const Vec3 wall = m_normals[blocked.blocker];
   if (++m_num_stalls > kMaxStalls) return stop_blocked(blocked.blocker);
-  if (m_options.step_up > 0 && step_up(direction, wall, m_options.step_up)) return Next::GoOn;
+  if (m_options.step_up > 0 && climb(direction, wall, m_options.step_up)) return Next::GoOn;
   if (m_options.slide)
     if (const auto along = slide_direction(m_normals, direction, blocked.blocker, m_climb)) {
       const SlidePlan aside = slide(*along);
       const double gain = length * along->dot(direction);
       if (gain > m_shortest && aside.kind == SlidePlan::Kind::Go) return go(aside, gain);
-      if (gain > m_shortest && aside.kind == SlidePlan::Kind::NoSupport && step_down(*along))
+      if (gain > m_shortest && aside.kind == SlidePlan::Kind::NoSupport && go_down(*along))
         return Next::GoOn;
     }
   return stop_blocked(blocked.blocker);
@@ -55,7 +56,7 @@ Push::Next Push::pass_wall(const SlidePlan& blocked, const Vec3& direction, doub
 
 // Up, a little forward, and down onto it. @return the rise; nothing: it is higher, and the object
 // is where it was.
-std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, double highest) {
+std::optional<double> Push::climb(const Vec3& direction, const Vec3& wall, double highest) {
   const Place before = m_group.here();
   const double z = position().z(), clearance = m_group.clearance();
   const auto give_up = [&]() -> std::optional<double> {
@@ -89,7 +90,7 @@ std::optional<double> Push::step_up(const Vec3& direction, const Vec3& wall, dou
   return rise;
 }
 
-bool Push::step_down(const Vec3& direction) {
+bool Push::go_down(const Vec3& direction) {
   const Place before = m_group.here();
   const double clearance = m_group.clearance();
   const double forward = std::min(kStepOn * clearance, way_left().norm());
@@ -112,6 +113,29 @@ bool Push::step_down(const Vec3& direction) {
   const bool stands_still = ahead.time < m_shortest && below.time < m_shortest;
   m_num_stalls = stands_still ? m_num_stalls + 1 : 0;
   return m_num_stalls <= kMaxStalls;
+}
+
+// A step is what could be climbed if it were allowed to: up to the object's own height.
+Push::Next Push::stop_blocked(size_t contact) {
+  const bool touch = contact < m_group_contacts.size();
+  const Support with =
+      touch ? m_group_contacts[contact].with : m_obstacles[contact - m_group_contacts.size()].with;
+  const Vec3 point = touch ? m_group_contacts[contact].point.point
+                           : m_obstacles[contact - m_group_contacts.size()].point;
+  m_planner.note_blocked(with, point);
+  const Vec2 left = way_left();
+  const Place here = m_group.here();
+  const size_t num_steps = m_planner.result().steps.size();
+  const Vec3 normal = m_axes.row(2).cwiseAbs();
+  const double height = 2 * m_group.bodies()[0].world_box.half_extent().dot(normal);
+  m_climb = true;  // if it were allowed to
+  if (left.norm() > m_shortest && height > m_options.step_up &&
+      climb(level(left.normalized()), m_normals[contact], height)) {
+    m_group.go_back(here);
+    m_planner.result().steps.resize(num_steps);
+    m_planner.result().end = OperationResult::End::Step;
+  }
+  return Next::Stop;
 }
 
 }  // namespace trivet

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "ops/operations/put_parts.h"
+#include "ops/operations/table.h"
 
 namespace trivet {
 namespace {
@@ -17,7 +19,89 @@ Pose clear_of_floor(const Scene& scene, const Object& object, Pose pose, double 
   return pose;
 }
 
+constexpr Accepts kAnywhere{Sort::Coordinates, -kMaxLength, kMaxLength, "metres", {"anywhere"}};
+constexpr Accepts kFriction{Sort::Number, kMinFriction, kMaxFriction, "", {}, kInfinity};
+constexpr Accepts kTries{Sort::Whole, 1, kMaxTriesOfPut};
+constexpr Accepts kSizes{Sort::Number, 0, kMaxWithin};
+
+std::optional<InvalidArgument> refuse_tries_of_place(const PutOperation& o) {
+  if (!o.place || o.tries == 1) return std::nullopt;
+  return InvalidArgument{"tries", std::to_string(o.tries), "1 where a place is searched for"};
+}
+
 }  // namespace
+
+template <>
+const OperationTable& table<PutOperation>() {
+  using P = PutOperation;
+  using R = Row<P>;
+  constexpr unsigned kOn = 0, kFrom = 1;
+  static const OperationTable rows = make_table<P>(
+      {{"put",
+        "Let an object fall where there is room, at a place where it comes to rest on one support "
+        "alone",
+        {"on", "at"},
+        {},
+        [](const P& o) { return o.place.has_value(); },
+        [](P& o) { o.place.emplace(); }},
+       {"put",
+        "Let an object fall from a position along gravity to the first contact, then settle",
+        {"position"}}},
+      {R("position", &P::start, &Pose::translation, kPoint,
+         "Position of the model's origin from which it falls")
+           .in({kFrom})
+           .needed(),
+       R("on", &P::place, &PlaceOptions::on, kSupportName,
+         "Object it is to lie on, or \"floor\": a free place there is searched")
+           .in({kOn})
+           .needed(),
+       R("at", &P::place, &PlaceOptions::near, kAnywhere,
+         "Anywhere, or the free place nearest to a point, by the centre of mass seen from above "
+         "when "
+         "it is let go. Gaps with less than a few hundredths of the object's width to spare may "
+         "not be "
+         "found")
+           .in({kOn})
+           .always_written(),
+       R("seed", &P::place, &PlaceOptions::seed, kSeed,
+         "Number that selects the place, for anywhere")
+           .in({kOn}),
+       R("keep", &P::place, &PlaceOptions::keep, kLength,
+         "Distance to everything but what it lies on and the floor")
+           .in({kOn}),
+       R("from", &P::place, &PlaceOptions::from, kHeight,
+         "Height z from which it falls, whatever is above; default: just above its support")
+           .in({kOn}),
+       R("region", &P::place, &PlaceOptions::region, kRegion,
+         "Region that holds its outline at rest, seen from above: two opposite corners of a "
+         "rectangle, "
+         "or corners of a convex polygon, counter-clockwise")
+           .in({kOn}),
+       R("least_margin", &P::place, &PlaceOptions::least_margin, kLength,
+         "Least distance of its centre of mass from where it would tip, seen from above, at rest; "
+         "other places are tried")
+           .in({kOn}),
+       R("most_friction", &P::place, &PlaceOptions::most_friction, kFriction,
+         "Largest Coulomb coefficient that it may need to stay there; other places are tried; "
+         "default: "
+         "any")
+           .in({kOn}),
+       R("rotation", &P::start, &Pose::rotation, kRotation, "Rotation at the start, quaternion")
+           .always_written(),
+       R("tries", &P::tries, kTries,
+         "Number of starts to try: where the object would topple or be wedged, it is turned about "
+         "the vertical, moved, and let "
+         "fall again, in the same container")
+           .in({kFrom}),
+       R("within", &P::within, kSizes,
+         "Largest distance of these starts from the position, in parts of the object's size")
+           .in({kFrom})},
+      refuse_tries_of_place,
+      TRIVET_SENTENCE("a place is missing; accepted: \"position\", from where it falls, or \"on\", "
+                      "an object or "
+                      "\"floor\", on which a place is found"));
+  return rows;
+}
 
 MovePlan plan_put_from_start(const Scene& scene, ObjectId id, const PutOperation& o,
                              OperationRun& run, const EndCondition& refuse_end) {
@@ -38,7 +122,12 @@ MovePlan plan_put_from_start(const Scene& scene, ObjectId id, const PutOperation
 }
 
 MovePlan plan(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run) {
-  return o.place ? plan_put_where_free(scene, id, o, run)
+  return plan_put(scene, id, o, run, {});
+}
+
+MovePlan plan_put(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run,
+                  const TryCommit& try_commit) {
+  return o.place ? plan_put_where_free(scene, id, o, run, try_commit)
                  : plan_put_from_start(scene, id, o, run, {});
 }
 

@@ -1,32 +1,42 @@
 // PUT: from a start pose down along gravity to the first contact, then settle [Shinya 1995, 4.1].
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <span>
+#include <cstdint>
 
-#include "ops/operations/move_plan.h"
+#include "core/base/types.h"
+#include "ops/operations/move_options.h"
 
 namespace trivet {
 
-/// Refuses where a group has settled; may be empty.
-using EndCondition = std::function<std::optional<Refusal>(const MovingGroup&)>;
+/// A free place on a support; see places.h.
+struct PlaceOptions {
+  std::string on;                 // the object it is to rest on, or "floor"
+  std::optional<Vec2> near;       // take the free place nearest to it, metres; nullopt: any place
+  std::uint64_t seed = 0;         // selects the place when `near` is empty
+  double keep = 0;                // distance to all but the support, metres
+  std::optional<double> from;     // height z of the start; nullopt: just above the support
+  std::vector<Vec2> region = {};  // that it comes to rest in, seen from above: corners of a convex
+                                  // polygon, counter-clockwise; none: anywhere
+  double least_margin = 0;        // metres of its centre of mass from where it tips, at rest
+  double most_friction = kInfinity;  // that it may need to stay there
+};
 
-/// A PUT from o.start.
-MovePlan plan_put_from_start(const Scene& scene, ObjectId id, const PutOperation& o,
-                             OperationRun& run, const EndCondition& refuse_end);
+/// From a start pose down along gravity to the first contact, then settle. "put"
+struct PutOperation : MoveOptions {
+  Pose start;                              // with a place: its rotation only
+  std::optional<PlaceOptions> place = {};  // search for a start from which it rests on this alone
+  /// Starts to try, without a place: where it would topple or be wedged, nearby ones; see tries.h.
+  /// 1: exactly from `start`.
+  int tries = 1;
+  double within = 0.5;  // of it, in parts of the object's size
+};
+/// Tries of a PUT that drops an object, where the user did not say how many.
+inline constexpr int kTriesOfDrop = 12;
+inline constexpr int kMaxTriesOfPut = 64;
+inline constexpr double kMaxWithin = 10;
 
-/// Does it ask for more than rest: for a region, a margin, or little friction?
-bool is_judged_at_rest(const PlaceOptions& place);
-
-/// A PUT that searches for its start: o.place is set.
-MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,
-                             OperationRun& run);
-
-/// Pose from which a PUT let its object go: if its place was searched for, above the end of the
-/// first fall. @param steps  of `result`, or more. @return nothing of other operations, or where no
-/// fall is.
-std::optional<Pose> start_of_put(const Operation& operation, const OperationResult& result,
-                                 std::span<const SettleStep> steps);
+template <>
+const OperationTable& table<PutOperation>();
+MovePlan plan(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run);
 
 }  // namespace trivet

@@ -7,7 +7,7 @@
 #include "ops/detect/detector.h"
 #include "ops/free_places/distance_query.h"
 #include "ops/free_places/exact_places.h"
-#include "ops/operations/put.h"
+#include "ops/operations/put_parts.h"
 #include "ops/placement/coarseness.h"
 
 namespace trivet {
@@ -20,11 +20,13 @@ constexpr size_t kMaxDoubtful = 1024;  // places at which the distance is measur
 /// Search for one object. Plans are pure: no trial touches the scene.
 class FreePlaceSearch {
  public:
-  FreePlaceSearch(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run)
+  FreePlaceSearch(const Scene& scene, ObjectId id, const PutOperation& o, OperationRun& run,
+                  const TryCommit& try_commit)
       : m_scene(scene),
         m_id(id),
         m_operation(o),
         m_run(run),
+        m_try_commit(try_commit),
         m_name(named(scene, Support(id))),
         m_on(named(scene, o.place->on)),
         m_carried(carried_with(scene, id)) {}
@@ -119,14 +121,16 @@ class FreePlaceSearch {
   }
 
   double clearance() const {
-    const double usual = clearance_of(m_scene, m_run.options);
+    const Support on = *m_on.support;
+    const double usual = clearance_near(m_scene, m_run.options,
+                                        on.is_object() ? m_scene.world_box(on.object()) : Aabb{});
     if (usual > 0) return usual;
     // The first object of the scene.
     const Object& object = m_scene.at(m_id);
     return default_clearance(m_scene, body_of(object, m_operation.start).world_box);
   }
 
-  // What is judged at rest changes slowly from place to place: where it is asked for, every six
+  // The verdict on rest changes slowly from place to place: where it is asked for, every six
   // failures double the way to the next place, up to 32 times.
   bool near_a_failure(const Pose& start, double spacing) const {
     const bool is_slow = is_judged_at_rest(*m_operation.place);
@@ -143,8 +147,8 @@ class FreePlaceSearch {
     put.start = start;
     MovePlan plan = plan_put_from_start(
         m_scene, m_id, put, m_run, [this](const MovingGroup& group) { return refuse_end(group); });
-    if (plan.result.ok() && m_run.refuse_commit)
-      if (auto why = m_run.refuse_commit(plan)) plan.result.refuse(std::move(*why));
+    if (plan.result.ok() && m_try_commit)
+      if (auto why = m_try_commit(plan)) plan.result.refuse(std::move(*why));
     return plan;
   }
 
@@ -238,6 +242,7 @@ class FreePlaceSearch {
   ObjectId m_id;
   const PutOperation& m_operation;
   OperationRun& m_run;
+  const TryCommit& m_try_commit;
   Named m_name, m_on;
   std::vector<ObjectId> m_carried;
   std::vector<Vec2> m_failures;
@@ -252,8 +257,8 @@ bool is_judged_at_rest(const PlaceOptions& place) {
 }
 
 MovePlan plan_put_where_free(const Scene& scene, ObjectId id, const PutOperation& o,
-                             OperationRun& run) {
-  return FreePlaceSearch(scene, id, o, run).plan();
+                             OperationRun& run, const TryCommit& try_commit) {
+  return FreePlaceSearch(scene, id, o, run, try_commit).plan();
 }
 
 }  // namespace trivet

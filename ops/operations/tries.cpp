@@ -15,7 +15,7 @@ constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
 constexpr int kStartsOfTry = 2;             // looked at for each try: some interpenetrate
 /// First contacts by which the whole may come to rest in a try, and in the last; see whole.h. More
 /// are seldom worth the time that another start takes.
-constexpr std::int64_t kQueriesOfTry = 40, kQueriesOfLast = 600;
+constexpr Budget kBudgetOfTry{40}, kBudgetOfLast{600};
 
 // Between half a turn either way.
 double wrapped_deg(double deg) { return std::remainder(deg, 360); }
@@ -44,12 +44,10 @@ bool starts_blocked(const OperationResult& result) {
 /// The starts after the first.
 class Tries {
  public:
-  Tries(Transaction& transaction, ObjectId id, const PutOperation& o, OperationRun& run,
-        const PutFrom& put)
+  Tries(Transaction& transaction, ObjectId id, const PutOperation& o, const PutFrom& put)
       : m_transaction(transaction),
         m_id(id),
         m_operation(o),
-        m_run(run),
         m_put(put),
         m_container(transaction.scene(), carried_with(transaction.scene(), id), centre(o.start),
                     size_of(object())) {}
@@ -60,8 +58,7 @@ class Tries {
       const StartTried start = start_to_try(object(), m_operation, n);
       if (!m_container.holds(centre(start.start))) continue;
       const bool is_last = num_tries + 1 == m_operation.tries;
-      m_run.whole_queries = is_last ? kQueriesOfLast : kQueriesOfTry;
-      OperationResult result = try_from(start);
+      OperationResult result = try_from(start, is_last ? kBudgetOfLast : kBudgetOfTry);
       const bool is_over = result.ok() || result.status != OperationResult::Status::Refused;
       if (is_over) return result;
       num_tries += !starts_blocked(result);
@@ -77,11 +74,11 @@ class Tries {
   const Object& object() const { return m_transaction.scene().at(m_id); }
   Vec3 centre(const Pose& pose) const { return centre_at(object(), pose); }
 
-  OperationResult try_from(const StartTried& start) {
+  OperationResult try_from(const StartTried& start, Budget budget) {
     PutOperation put = m_operation;
     put.start = start.start;
     Transaction inner(m_transaction);
-    OperationResult result = m_put(inner, put);
+    OperationResult result = m_put(inner, put, budget);
     if (!result.ok()) return result;
     if (!m_container.holds(inner.scene().at(m_id).centre_of_mass()))
       return refused({Refusal::Cause::LeavesRegion, {named(inner.scene(), Support(m_id))}});
@@ -93,7 +90,6 @@ class Tries {
   Transaction& m_transaction;
   const ObjectId m_id;
   const PutOperation& m_operation;
-  OperationRun& m_run;
   const PutFrom& m_put;
   const Container m_container;
 };
@@ -115,18 +111,18 @@ StartTried start_to_try(const Object& object, const PutOperation& o, int number)
 }
 
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
-                             OperationRun& run, const PutFrom& put) {
+                             const PutFrom& put, Budget budget) {
   OperationResult first;
   {
     Transaction inner(transaction);
-    first = put(inner, o);
+    first = put(inner, o, budget);
     if (first.ok()) {
       first.tried = StartTried{1, 0, 0, o.start};
       inner.commit();
     }
   }
   if (!may_do_better_nearby(first)) return first;
-  return Tries(transaction, id, o, run, put).go_on(std::move(first));
+  return Tries(transaction, id, o, put).go_on(std::move(first));
 }
 
 }  // namespace trivet

@@ -9,9 +9,11 @@
 //                            first that is done and ends in the container is taken
 #pragma once
 
+#include <functional>
+
 #include "core/scene/transaction.h"
-#include "ops/operations/operation_run.h"
-#include "ops/operations/operations.h"
+#include "ops/operations/put.h"
+#include "ops/operations/whole.h"
 
 namespace trivet {
 
@@ -19,11 +21,12 @@ namespace trivet {
 StartTried start_to_try(const Object& object, const PutOperation& o, int number);
 
 /// A PUT of which each start is an operation of its own.
-using PutFrom = std::function<OperationResult(Transaction&, const PutOperation&)>;
+using PutFrom = std::function<OperationResult(Transaction&, const PutOperation&, Budget)>;
 
 /// The first start from which `put` is done. Otherwise the refusal of the one that was asked for,
 /// with the number of tries. @param o  without a place, with more than one try.
+/// @param budget  of the first start.
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
-                             OperationRun& run, const PutFrom& put);
+                             const PutFrom& put, Budget budget);
 
 }  // namespace trivet

@@ -1,5 +1,7 @@
-// TURN/TILT [Shinya 1995, 4.1, Fig. 5]: the contact that is held gives the axis.
+#include "ops/operations/turn.h"
+
 #include "ops/operations/move_parts.h"
+#include "ops/operations/table.h"
 
 namespace trivet {
 namespace {
@@ -14,7 +16,43 @@ const ObjectContact* held_contact(const Scene& scene, const Object& object,
   return best;
 }
 
+constexpr Accepts kAbout{Sort::Word, 0, 0, "", {"normal", "line", "point"}};
+
 }  // namespace
+
+template <>
+const OperationTable& table<TurnOperation>() {
+  using P = TurnOperation;
+  using R = Row<P>;
+  constexpr unsigned kLinePoint = 0, kNormal = 1;
+  static const OperationTable rows = make_table<P>(
+      {{"turn",
+        "Turn an object about the line of a contact (of an area the edge nearest to the point), "
+        "or about an axis through a contact point; it stops at collision",
+        {"about"},
+        {"line", "point"},
+        [](const P& o) { return o.about != P::About::Normal; },
+        [](P& o) { o.about = P::About::Line; }},
+       {"turn",
+        "Turn an object about the normal of a contact, which stays; it stops at collision"}},
+      {R("about", &P::about, kAbout, "Part of the contact that is held").always_written(),
+       R("with", &P::with, kSupportName,
+         "Partner of the contact, \"floor\" too; default: the main support"),
+       R("centre", &P::centre, kPoint, "A point on the axis; default: the contact's centre")
+           .in({kNormal}),
+       R("point", &P::point, kPoint,
+         "The line or point nearest to it is held; default: the contact's "
+         "centre")
+           .in({kLinePoint}),
+       R("axis", &P::axis, kDirection,
+         "Axis through a point, default: the contact's normal; or direction along a line, default: "
+         "in "
+         "which the object's centre rises")
+           .in({kLinePoint}),
+       R("angle_deg", &P::angle_deg, kAngle, "Angle, right-handed about the axis").needed(),
+       R("settle", &P::settle, kFlag, "Release the object at the end, so that it settles")});
+  return rows;
+}
 
 std::optional<TurnAxis> axis_or_refusal(MovePlanner& planner, const TurnOperation& o) {
   const Scene& scene = planner.scene();

@@ -16,8 +16,8 @@ double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   return (p - a - t * d).squaredNorm();
 }
 
-// Of the two directions of a line that which is asked for, or in which the centre of mass rises;
-// where it stands over the line, that towards x (then y, then z).
+// Takes, of the two directions of a line, the one that is asked for, or in which the centre of mass
+// rises; where it stands over the line, that towards x (then y, then z).
 Vec3 chosen_direction(const Vec3& along, const Vec3& line, const Vec3& centre, double size,
                       const std::optional<Vec3>& wanted) {
   double sign = wanted ? along.dot(*wanted) : along.cross(centre - line).z();
@@ -32,7 +32,7 @@ Vec3 chosen_direction(const Vec3& along, const Vec3& line, const Vec3& centre, d
 
 bool holds_more(const ObjectContact& a, const ObjectContact& b) {
   const auto rank = [](const ObjectContact& entry) {
-    return std::make_tuple(holds_up(entry.contact), entry.contact.type, entry.contact.normal.z());
+    return std::make_tuple(holds_up(entry), entry.contact.type, entry.contact.normal.z());
   };
   return rank(a) > rank(b);
 }

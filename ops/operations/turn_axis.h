@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/scene/scene.h"
-#include "ops/operations/operations.h"
+#include "ops/operations/turn.h"
 
 namespace trivet {
 

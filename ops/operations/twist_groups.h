@@ -14,7 +14,7 @@ struct BeginningMotion {
   std::vector<Twist> twists;
   double duration = 0;  // seconds of the step, in which contacts may use up their room
 
-  /// Of a body's surface, about: |velocity| + |turning| size / 2.
+  /// Speed of a body's surface, about: |velocity| + |turning| size / 2.
   double speed(size_t body) const {
     return twists[body].velocity.norm() + 0.5 * bodies[body].size * twists[body].turning.norm();
   }

@@ -1,14 +1,16 @@
 #include "ops/operations/validate.h"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
-#include "core/base/limits.h"
 #include "core/scene/materials.h"
 #include "ops/free_places/place_region.h"
 
 namespace trivet {
 namespace {
+
+using Found = std::optional<InvalidArgument>;
 
 constexpr double kUnitTolerance = 1e-9;  // of a quaternion's squared length
 
@@ -21,152 +23,105 @@ std::string shown(const Values& values) {
   return out.str();
 }
 
-/// Collects the first complaint.
-class Checker {
- public:
-  void range(const char* key, double value, double lower, double upper) {
-    if (value >= lower && value <= upper) return;
-    std::ostringstream shown, accepted;
-    shown << value;
-    accepted << "a number from " << lower << " to " << upper;
-    complain(key, shown.str(), accepted.str());
-  }
+Found refuse_number(const char* key, double value, double lower, double upper) {
+  if (value >= lower && value <= upper) return std::nullopt;
+  return InvalidArgument{key, in_english(figure(value)),
+                         say("a number from %1 to %2", figure(lower), figure(upper))};
+}
 
-  template <class Vec>
-  void vector(const char* key, const Vec& v) {
-    if ((v.array().abs() <= kMaxLength).all()) return;
-    std::ostringstream accepted;
-    accepted << v.size() << " numbers from " << -kMaxLength << " to " << kMaxLength;
-    complain(key, shown(v), accepted.str());
-  }
+template <class Vec>
+Found refuse_components(const char* key, const Vec& v, const Accepts& accepts) {
+  if ((v.array() >= accepts.lower && v.array() <= accepts.upper).all()) return std::nullopt;
+  return InvalidArgument{
+      key, shown(v),
+      say("%1 numbers from %2 to %3", v.size(), figure(accepts.lower), figure(accepts.upper))};
+}
 
+template <class Vec>
+Found refuse_vector(const char* key, const Vec& v, const Accepts& accepts) {
+  if (auto found = refuse_components(key, v, accepts)) return found;
+  if (accepts.sort != Sort::Direction || v.cwiseAbs().maxCoeff() >= kMinDirectionComponent)
+    return std::nullopt;
+  return InvalidArgument{key, shown(v), "a direction whose length is not zero"};
+}
+
+Found refuse_rotation(const char* key, const Rotation& q) {
+  const double squared = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  if (std::abs(squared - 1) <= kUnitTolerance) return std::nullopt;
+  return InvalidArgument{key, shown(std::array{q.w, q.x, q.y, q.z}),
+                         "a quaternion [w, x, y, z] of length 1"};
+}
+
+Found refuse_material(const PhysicsMaterial& m) {
+  if (auto found = refuse_number("friction", m.friction, kMinFriction, kMaxFriction)) return found;
+  if (auto found = refuse_number("density", m.density, kMinDensity, kMaxDensity)) return found;
+  if (auto found = refuse_number("restitution", m.restitution, 0, kMaxRestitution)) return found;
+  if (m.name.empty() || is_preset(m)) return std::nullopt;
+  return InvalidArgument{"material", "\"" + m.name + "\"",
+                         "no name, or a preset's with its numbers"};
+}
+
+/// Checks one value of a field; names are left to the scene.
+struct Check {
+  const Field& field;
+
+  Found operator()(const double* v) const { return number(*v); }
+  Found operator()(const int* v) const { return number(*v); }
+  Found operator()(const std::uint64_t* v) const { return number(static_cast<double>(*v)); }
+  Found operator()(const Rotation* v) const { return refuse_rotation(field.key, *v); }
+  Found operator()(const PhysicsMaterial* v) const { return refuse_material(*v); }
+  Found operator()(const Vec2* v) const { return vector(*v); }
+  Found operator()(const Vec3* v) const { return vector(*v); }
+  template <class T>
+  Found operator()(const std::optional<T>* v) const {
+    if constexpr (!std::is_same_v<T, std::string>)
+      if (*v) return (*this)(&**v);
+    return std::nullopt;
+  }
   template <class Vec>
-  void direction(const char* key, const Vec& v) {
-    if (!(v.array().abs() <= kMaxDirectionComponent).all()) {
-      std::ostringstream accepted;
-      accepted << v.size() << " numbers from " << -kMaxDirectionComponent << " to "
-               << kMaxDirectionComponent;
-      complain(key, shown(v), accepted.str());
-    } else if (v.cwiseAbs().maxCoeff() < kMinDirectionComponent) {
-      complain(key, shown(v), "a direction whose length is not zero");
+  Found operator()(const std::vector<Vec>* v) const {
+    if constexpr (!std::is_same_v<Vec, std::string>) {
+      for (const Vec& one : *v)
+        if (auto found = vector(one)) return found;
+      if constexpr (std::is_same_v<Vec, Vec2>)
+        if (field.accepts.sort == Sort::Region && !v->empty() && !is_convex_region(*v))
+          return InvalidArgument{field.key, std::to_string(v->size()) + " corners", kConvexRegion};
     }
+    return std::nullopt;
   }
-
-  void region(const char* key, const std::vector<Vec2>& corners) {
-    for (const Vec2& corner : corners) vector(key, corner);
-    if (!is_convex_region(corners))
-      complain(key, std::to_string(corners.size()) + " corners", kConvexRegion);
-  }
-
-  void rotation(const char* key, const Rotation& q) {
-    const double squared = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    if (std::abs(squared - 1) <= kUnitTolerance) return;
-    complain(key, shown(std::array{q.w, q.x, q.y, q.z}), "a quaternion [w, x, y, z] of length 1");
-  }
-
-  void pose(const Pose& pose) {
-    vector("position", pose.translation);
-    rotation("rotation", pose.rotation);
-  }
-
-  void material(const PhysicsMaterial& m) {
-    range("friction", m.friction, kMinFriction, kMaxFriction);
-    range("density", m.density, kMinDensity, kMaxDensity);
-    range("restitution", m.restitution, 0, kMaxRestitution);
-    if (!m.name.empty() && !is_preset(m))
-      complain("material", "\"" + m.name + "\"", "no name, or a preset's with its numbers");
-  }
-
-  void complain(const char* key, std::string value, std::string accepted) {
-    if (!m_found) m_found = InvalidArgument{key, std::move(value), std::move(accepted)};
-  }
-
-  std::optional<InvalidArgument> take() { return std::move(m_found); }
+  Found operator()(const bool*) const { return std::nullopt; }
+  Found operator()(const std::string*) const { return std::nullopt; }
+  Found operator()(const WordSlot&) const { return std::nullopt; }
 
  private:
-  std::optional<InvalidArgument> m_found;
-};
-
-void check(const PutOperation& o, Checker& checker) {
-  checker.range("tries", o.tries, 1, o.place ? 1 : kMaxTriesOfPut);
-  checker.range("within", o.within, 0, kMaxWithin);
-  if (!o.place) return checker.pose(o.start);
-  checker.rotation("rotation", o.start.rotation);
-  if (o.place->near) checker.vector("at", *o.place->near);
-  checker.range("seed", static_cast<double>(o.place->seed), 0, static_cast<double>(kMaxSeed));
-  checker.range("keep", o.place->keep, 0, kMaxLength);
-  checker.range("least_margin", o.place->least_margin, 0, kMaxLength);
-  if (o.place->most_friction < kInfinity)
-    checker.range("most_friction", o.place->most_friction, kMinFriction, kMaxFriction);
-  if (!o.place->region.empty()) checker.region("region", o.place->region);
-  if (o.place->from) checker.range("from", *o.place->from, -kMaxLength, kMaxLength);
-}
-
-void check(const PushOperation& o, Checker& checker) {
-  if (o.to) {
-    checker.vector("to", *o.to);
-    for (const Vec2& waypoint : o.via) checker.vector("via", waypoint);
-  } else {
-    checker.direction("direction", o.direction);
-    checker.range("distance", o.distance, 0, kMaxLength);
+  Found number(double v) const {
+    if (field.accepts.none == v) return std::nullopt;
+    return refuse_number(field.key, v, field.accepts.lower, field.accepts.upper);
   }
-  checker.direction("normal", o.normal);
-  checker.range("step_up", o.step_up, 0, kMaxLength);
-  checker.range("step_down", o.step_down, 0, kMaxLength);
-}
-
-void check(const TurnOperation& o, Checker& checker) {
-  if (o.point) checker.vector("point", *o.point);
-  if (o.centre) checker.vector("centre", *o.centre);
-  if (o.axis) checker.direction("axis", *o.axis);
-  checker.range("angle_deg", o.angle_deg, -kMaxAngleDeg, kMaxAngleDeg);
-}
-
-void check(const PickUpOperation& o, Checker& checker) {
-  checker.range("distance", o.distance, 0, kMaxLength);
-}
-
-void check(const TranslateOperation& o, Checker& checker) {
-  checker.vector("by", o.by);
-  for (const Vec3& waypoint : o.via) checker.vector("via", waypoint);
-}
-
-void check(const RotateOperation& o, Checker& checker) {
-  checker.direction("axis", o.axis);
-  checker.range("angle_deg", o.angle_deg, -kMaxAngleDeg, kMaxAngleDeg);
-  if (o.centre) checker.vector("centre", *o.centre);
-}
-
-void check(const AppendOperation& o, Checker& checker) {
-  checker.range("scale", o.scale, kMinScale, kMaxScale);
-  if (o.material) checker.material(*o.material);
-}
-
-void check(const MaterialOperation& o, Checker& checker) { checker.material(o.material); }
-
-void check(const StandOperation& o, Checker& checker) { checker.pose(o.pose); }
-
-void check(const ArrangeOperation& o, Checker& checker) {
-  if (!o.problem) checker.complain("problem", "nothing", "a problem of arranging");
-}
-
-template <class Other>
-void check(const Other&, Checker&) {}
+  template <class Vec>
+  Found vector(const Vec& v) const {
+    return refuse_vector(field.key, v, field.accepts);
+  }
+};
 
 }  // namespace
 
-std::optional<InvalidArgument> find_invalid_argument(const Operation& operation) {
-  Checker checker;
-  std::visit([&](const auto& o) { check(o, checker); }, operation);
-  return checker.take();
+Found find_invalid_argument(const Operation& operation) {
+  const OperationTable& table = table_of(operation);
+  void* const data = const_cast<void*>(data_of(operation));  // slots are only read here
+  const size_t form = table.form_of(data);
+  for (const Field& field : table.fields) {
+    if (!field.is_in(form)) continue;
+    if (auto found = std::visit(Check{field}, field.slot(data))) return found;
+  }
+  return table.rule ? table.rule(data) : std::nullopt;
 }
 
 std::optional<Refusal> validate(const Operation& operation) {
   const auto found = find_invalid_argument(operation);
   if (!found) return std::nullopt;
   Refusal why{Refusal::Cause::InvalidArgument};
-  why.detail = std::string(op_name(operation)) + ": " + found->key + ": " + found->value +
-               " is not accepted; accepted: " + found->accepted;
+  why.detail = say("%1: %2", std::string(op_name(operation)), in_words(*found));
   return why;
 }
 

@@ -26,7 +26,7 @@ constexpr int kMaxProgramObjects = 200;
 class Whole {
  public:
   Whole(Transaction& transaction, const Named& object, double clearance, OperationRun& run,
-        OperationResult& result)
+        OperationResult& result, Budget budget, Purpose purpose)
       : m_transaction(transaction),
         m_scene(transaction.scene()),
         m_object(object),
@@ -34,8 +34,10 @@ class Whole {
         m_run(run),
         m_result(result),
         m_rules(rest_rules(run.options, clearance)),
-        m_queries_left(run.is_trial ? std::min(run.whole_queries, run.trial_queries)
-                                    : run.whole_queries) {}
+        m_queries_left(budget.first_contacts),
+        m_is_trial(purpose == Purpose::Trial) {}
+
+  Budget budget_left() const { return {m_queries_left}; }
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
@@ -49,7 +51,7 @@ class Whole {
     }
     if (stopped()) return;
     if (!verdict.stands) return refuse(verdict);
-    if (!m_run.is_trial) note_who_gave_way();
+    if (!m_is_trial) note_who_gave_way();
   }
 
  private:
@@ -61,7 +63,7 @@ class Whole {
     const std::vector<ObjectId> changed = touched();
     PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
                                       m_clearance, kMaxProgramObjects);
-    if (!verdict.stands || m_run.is_trial) return verdict;
+    if (!verdict.stands || m_is_trial) return verdict;
     judge_each();
     std::vector<std::string> names = m_result.unsupported;
     std::sort(names.begin(), names.end());
@@ -139,10 +141,7 @@ class Whole {
     return moved;
   }
 
-  void count(std::int64_t queries) {
-    m_queries_left -= queries;
-    if (m_run.is_trial) m_run.trial_queries -= queries;
-  }
+  void count(std::int64_t queries) { m_queries_left -= queries; }
 
   double height(ObjectId id) const { return m_scene.at(id).centre_of_mass().z(); }
 
@@ -266,31 +265,54 @@ class Whole {
   const RestRules m_rules;
   const ContactMemory m_memory;  // what stays where it is, is judged again and again
   std::int64_t m_queries_left;
+  const bool m_is_trial;
   std::map<std::uint32_t, Placement> m_before;  // by slot
 };
 
-}  // namespace
+/// A commit in which the whole comes to rest.
+struct WholeCommit {
+  OperationResult result;
+  Budget left;
+};
 
-void settle_whole(Transaction& transaction, const Named& object, double clearance,
-                  OperationRun& run, OperationResult& result) {
-  Whole(transaction, object, clearance, run, result).settle();
-}
-
-OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, OperationRun& run,
-                               const Named& object) {
+WholeCommit commit_whole(Transaction& transaction, MovePlan plan, OperationRun& run,
+                         const Named& object, Budget budget, Purpose purpose) {
   const double clearance = plan.group ? plan.group->clearance() : 0;
   const char* const op = plan.op;
   const bool settles = keeps_whole_at_rest(run.options) && plan.changes_scene && !plan.is_free;
-  const bool changes = plan.changes_scene;
-  OperationResult result = commit(transaction, std::move(plan), run);
-  if (settles && result.ok()) {
-    settle_whole(transaction, object, clearance, run, result);
-    if (run.interrupt.reason()) run.interrupt.refuse(op, object, result);
+  WholeCommit out{commit(transaction, std::move(plan), run), budget};
+  if (settles && out.result.ok()) {
+    out.left = settle_whole(transaction, object, clearance, run, out.result, budget, purpose);
+    if (run.interrupt.reason()) run.interrupt.refuse(op, object, out.result);
   }
-  if (changes && result.ok() && !run.is_trial)
+  return out;
+}
+
+}  // namespace
+
+Budget settle_whole(Transaction& transaction, const Named& object, double clearance,
+                    OperationRun& run, OperationResult& result, Budget budget, Purpose purpose) {
+  Whole whole(transaction, object, clearance, run, result, budget, purpose);
+  whole.settle();
+  return whole.budget_left();
+}
+
+OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, OperationRun& run,
+                               const Named& object, Budget budget) {
+  const double clearance = plan.group ? plan.group->clearance() : 0;
+  const bool changes = plan.changes_scene;
+  OperationResult result =
+      commit_whole(transaction, std::move(plan), run, object, budget, Purpose::Commit).result;
+  if (changes && result.ok())
     rate_again(transaction, transaction.touched(), rest_rules(run.options, clearance));
   result.milliseconds = run.stopwatch.milliseconds();
   return result;
+}
+
+CommitVerdict try_commit(Transaction& trial, MovePlan plan, OperationRun& run, const Named& object,
+                         Budget budget) {
+  WholeCommit tried = commit_whole(trial, std::move(plan), run, object, budget, Purpose::Trial);
+  return {std::move(tried.result.refusal), budget.first_contacts - tried.left.first_contacts};
 }
 
 }  // namespace trivet

@@ -9,20 +9,51 @@
 //     nothing moves, or too often -> refused: Topples
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
 #include "core/scene/transaction.h"
 #include "ops/operations/move_plan.h"
 
 namespace trivet {
 
+/// First contacts by which the whole may come to rest: a bound of time that is the same on every
+/// machine.
+struct Budget {
+  std::int64_t first_contacts = 300;
+
+  /// The smaller of both.
+  Budget within(const Budget& other) const {
+    return {std::min(first_contacts, other.first_contacts)};
+  }
+};
+
+/// Purpose of settling the whole: to stay, or to be taken back, where ratings and names of who gave
+/// way are of no use.
+enum class Purpose { Commit, Trial };
+
 /// Settles the parts of the scene that were touched within `transaction`; adds to result.gave_way,
 /// and refuses when they do not come to rest: the transaction is then to be rolled back. Objects
 /// held by a hand count as fixed. Every motion is exact and lowers the energy of all.
 /// @param object  of the operation.
-void settle_whole(Transaction& transaction, const Named& object, double clearance,
-                  OperationRun& run, OperationResult& result);
+/// @return what is left of the budget.
+Budget settle_whole(Transaction& transaction, const Named& object, double clearance,
+                    OperationRun& run, OperationResult& result, Budget budget = {},
+                    Purpose purpose = Purpose::Commit);
 
 /// commit(), and settle_whole() if the options ask for it.
 OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, OperationRun& run,
-                               const Named& object);
+                               const Named& object, Budget budget = {});
+
+/// Verdict of commit_at_rest() on a plan, and the cost of the trial.
+struct CommitVerdict {
+  std::optional<Refusal> refusal;  // nullopt: the plan can be committed
+  std::int64_t first_contacts = 0;
+};
+
+/// Commits a plan within `trial`, which the caller then rolls back.
+CommitVerdict try_commit(Transaction& trial, MovePlan plan, OperationRun& run, const Named& object,
+                         Budget budget);
 
 }  // namespace trivet

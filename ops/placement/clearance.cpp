@@ -1,6 +1,7 @@
 #include "ops/placement/clearance.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "core/base/tunables.h"
 #include "core/model/exported_floats.h"
@@ -9,13 +10,19 @@
 namespace trivet {
 namespace {
 
-ClearanceRange range_in(const Aabb& box) {
-  const double reach = box.max_abs_coordinate();
+double size_in(const Aabb& box) {
   const Vec3 origin = export_origin(box);
   const Aabb exported{box.lower - origin, box.upper - origin};
-  const double size = std::max(box.diagonal(), exported.max_abs_coordinate());
-  const double rounding = kSmallestClearance * std::max(size, reach);
-  return {std::max(kRelativeClearance * size, rounding), rounding,
+  return std::max(box.diagonal(), exported.max_abs_coordinate());
+}
+
+// Sizes up to which the usual clearance follows those of boxes.
+double followed(const SceneExtent& extent) { return std::max(kClearanceReach, extent.coarse_size); }
+
+ClearanceRange range_in(const SceneExtent& extent) {
+  const double size = size_in(extent.box);
+  const double rounding = kSmallestClearance * std::max(size, extent.box.max_abs_coordinate());
+  return {std::max(kRelativeClearance * std::min(size, followed(extent)), rounding), rounding,
           std::max(kLargestClearance * size, rounding)};
 }
 
@@ -31,15 +38,35 @@ std::vector<PlacedBox> boxes_of(const Scene& scene, std::span<const Placement> m
   return out;
 }
 
-/// The scene with `moved` where they are to be.
-SceneExtent extent_with(const Scene& scene, std::span<const PlacedBox> moved) {
-  SceneExtent out = scene.extent_without(ids_of(moved));
+SceneExtent united(SceneExtent out, const Scene& scene, std::span<const PlacedBox> moved) {
   for (const PlacedBox& m : moved) {
-    out.box.extend(m.box);
-    const double size = size_of(scene.at(m.id));
-    if (size > 0) out.smallest_diagonal = std::min(out.smallest_diagonal, size);
+    const Object& object = scene.at(m.id);
+    const double size = size_of(object);
+    out.unite({m.box, size > 0 ? size : kInfinity, 0, coarse_size(object)});
   }
   return out;
+}
+
+/// The scene with `moved` where they are to be.
+SceneExtent extent_with(const Scene& scene, std::span<const PlacedBox> moved) {
+  return united(scene.extent_without(ids_of(moved)), scene, moved);
+}
+
+/// A number that messages, which have four digits, print as it is: not below `value` if `up`, else
+/// not above it.
+double four_digits(double value, bool up) {
+  const auto rounded = [](double x) {
+    char text[32];
+    std::to_chars_result end =
+        std::to_chars(text, text + sizeof text, x, std::chars_format::scientific, 3);
+    double out = x;
+    std::from_chars(text, end.ptr, out);
+    return out;
+  };
+  const double near = rounded(value);
+  if (up ? near >= value : near <= value) return near;
+  constexpr double kNextDigit = 1e-3;
+  return rounded(value * (up ? 1 + kNextDigit : 1 - kNextDigit));
 }
 
 /// Culprits of a scene that is too coarse, for the message: a pass over all objects.
@@ -66,10 +93,34 @@ struct Culprits {
 
 }  // namespace
 
+ClearanceRange clearance_range_near(const Scene& scene, const Aabb& place,
+                                    std::span<const PlacedBox> moved) {
+  const SceneExtent all = united(scene.extent_without({}), scene, moved);
+  if (place.empty()) return range_in(all);
+  const auto within = [&](double distance) {
+    return united(scene.extent_near(place, distance), scene, moved);
+  };
+  ClearanceRange out = range_in(within(kClearanceReach));
+  constexpr double kLeastShare = 1.0 / 1024;
+  for (double share = 0.5; share >= kLeastShare; share *= 0.5) {
+    if (kRelativeClearance * share * followed(all) <= out.usual) break;
+    const SceneExtent wider = within((2 - share) * kClearanceReach);
+    const double size = std::min(size_in(wider.box), share * followed(wider));
+    out.usual = std::max(out.usual, kRelativeClearance * size);
+  }
+  return out;
+}
+
+double clearance_near(const Scene& scene, const SettleOptions& options, const Aabb& place,
+                      std::span<const PlacedBox> moved) {
+  return options.clearance > 0 ? options.clearance
+                               : clearance_range_near(scene, place, moved).usual;
+}
+
 ClearanceRange clearance_range(const Scene& scene, const Aabb& extra) {
-  Aabb box = scene.box();
-  box.extend(extra);
-  return range_in(box);
+  SceneExtent extent = scene.extent_without({});
+  extent.box.extend(extra);
+  return range_in(extent);
 }
 
 double default_clearance(const Scene& scene, const Aabb& extra) {
@@ -82,7 +133,9 @@ double clearance_of(const Scene& scene, const SettleOptions& options, const Aabb
 
 Aabb expected_box(const Scene& scene, const Object& object, const Pose& start) {
   Aabb box = body_of(object, start).world_box;
-  const Aabb placed = scene.box();
+  Aabb column = box;
+  column.lower.z() = -kInfinity, column.upper.z() = kInfinity;
+  const Aabb placed = scene.extent_near(column, kClearanceReach).box;
   const double base = placed.empty() ? 0.0 : placed.lower.z();
   const double top = placed.empty() ? 0.0 : placed.upper.z();
   const double height = box.upper.z() - box.lower.z();
@@ -93,10 +146,11 @@ Aabb expected_box(const Scene& scene, const Object& object, const Pose& start) {
 
 std::optional<Refusal> refuse_clearance(double clearance, const ClearanceRange& accepted) {
   if (clearance >= accepted.smallest && clearance <= accepted.largest) return std::nullopt;
-  return Refusal{
-      Refusal::Cause::InvalidClearance,
-      {},
-      {{"clearance", clearance}, {"smallest", accepted.smallest}, {"largest", accepted.largest}}};
+  return Refusal{Refusal::Cause::InvalidClearance,
+                 {},
+                 {{"clearance", clearance},
+                  {"smallest", four_digits(accepted.smallest, true)},
+                  {"largest", four_digits(accepted.largest, false)}}};
 }
 
 Vec3 origin_with(const Scene& scene, std::span<const Placement> moved) {
@@ -107,7 +161,7 @@ std::optional<Refusal> refuse_too_coarse(const Scene& scene, std::span<const Pla
                                          double clearance) {
   const SceneExtent extent = extent_with(scene, moved);
   const double accepted = kCoarsestClearance * extent.smallest_diagonal;
-  const ClearanceRange range = range_in(extent.box);
+  const ClearanceRange range = range_in(extent);
   const double usual = range.usual;
   if (usual <= accepted || (clearance > 0 && clearance <= accepted)) return std::nullopt;
   const Culprits culprits(scene, moved);

@@ -6,7 +6,7 @@
 namespace trivet {
 
 /// Default clearance, of the smallest object's diagonal, beyond which a scene is refused: there
-/// kHoverTolerance is an eighth of that object, and all its faces soon are in contact with all that
+/// kBalanceTolerance is a third of that object, and all its faces soon are in contact with all that
 /// are near. Larger takes minutes for nothing; smaller refuses a cup of 10 cm on a floor of 1 km.
 inline constexpr double kCoarsestClearance = 1.0 / 64;
 
@@ -16,7 +16,8 @@ inline constexpr double kCoarsestClearance = 1.0 / 64;
 inline double largest_distance(double smallest_diagonal, double clearance) {
   const double accepted = kCoarsestClearance * smallest_diagonal;
   if (clearance > 0 && clearance <= accepted) return clearance / kSmallestClearance;
-  return accepted / kRelativeClearance;
+  const bool follows = accepted < kRelativeClearance * kClearanceReach;
+  return accepted / (follows ? kRelativeClearance : kSmallestClearance);
 }
 
 }  // namespace trivet

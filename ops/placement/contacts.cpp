@@ -67,7 +67,7 @@ std::vector<ContactsWith> linked_contacts(const Object& object) {
   std::vector<ContactsWith> out;
   out.reserve(object.contacts.size());
   for (const ObjectContact& entry : object.contacts)
-    out.push_back({entry.with, entry.contact.points});
+    if (!entry.across_gap) out.push_back({entry.with, entry.contact.points});
   return out;
 }
 

@@ -30,7 +30,7 @@ std::vector<ObjectContact> object_contacts_of(const Object& object, const Pose& 
                                               const std::vector<ContactsWith>& contacts,
                                               double clearance);
 
-/// Contacts that the scene's links keep; those at one place are one.
+/// Contacts that the scene's links keep, without those across gaps; those at one place are one.
 std::vector<ContactsWith> linked_contacts(const Object& object);
 
 }  // namespace trivet

@@ -24,10 +24,10 @@ struct InterferingFaces {
 /// as when two fine meshes lie in each other; which of them may depend on the shape of the trees.
 inline constexpr int kMostFacePairs = 1 << 16;
 
-/// Of objects that are where `moved` says: the faces that have a point in common with those of
-/// another placed object, by the exact test of check_scene(), and those that reach below the floor.
-/// On the doubles; of what crosses nothing on these, on the exported floats. What moves is not
-/// tested among itself. An object that is wholly inside another has none.
+/// Finds, for objects that are where `moved` says, the faces that have a point in common with those
+/// of another placed object, by the exact test of check_scene(), and those that reach below the
+/// floor. On the doubles; of what crosses nothing on these, on the exported floats. What moves is
+/// not tested among itself. An object that is wholly inside another has none.
 InterferingFaces crossing_faces(const Scene& scene, std::span<const Placement> moved,
                                 int limit = kMostFacePairs);
 
@@ -37,9 +37,9 @@ struct Blockage {
   Vec3 at = Vec3::Zero();
 };
 
-/// Of objects that were stopped where `moved` says: the faces that are within `tolerance` of faces
-/// of what stopped them, in about the same direction as those that are nearest to where it did, and
-/// look there; so what an object lies on is not shown beside what it runs into.
+/// Finds, for objects that were stopped where `moved` says, the faces that are within `tolerance`
+/// of faces of what stopped them, in about the same direction as those that are nearest to where it
+/// did, and look there; so what an object lies on is not shown beside what it runs into.
 /// @param tolerance  metres: kContactTolerance clearances, as for contacts.
 InterferingFaces blocking_faces(const Scene& scene, std::span<const Placement> moved,
                                 const Blockage& blockage, double tolerance,

@@ -106,12 +106,13 @@ ObjectInWorld in_world(const Object& object, const Pose& pose, const Vec3& origi
   const Affine& world = body.world_from_object;
   out.box = body.world_box;
   const double spread = object.scale * object.shape->box.max_abs_coordinate();
-  const Aabb exported{out.box.lower - origin, out.box.upper - origin};
-  const double slack = kFloatSlack * std::max(exported.max_abs_coordinate(), spread);
   const Affine near = relative_to(origin, world);
+  const ExportedPlacement placement({object.name, object.model, near, {}}, object.shape->box);
+  const Vec3 place = origin + placement.place();
+  const Aabb exported{out.box.lower - place, out.box.upper - place};
+  const double slack = kFloatSlack * std::max(exported.max_abs_coordinate(), spread);
   out.doubles = {object.shape.get(), nullptr, world, 0, {}};
-  out.floats = {object.shape.get(), nullptr, near, slack,
-                ExportedPlacement({object.name, object.model, near, {}}, object.shape->box)};
+  out.floats = {object.shape.get(), nullptr, near, slack, placement};
   out.box.lower -= Vec3::Constant(slack);
   out.box.upper += Vec3::Constant(slack);
   return out;

@@ -1,12 +1,14 @@
 #include "ops/session/dialogue.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/io/json.h"
 #include "core/io/model_folder.h"
 #include "ops/base/refusal.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/report/queries.h"
 
 namespace trivet {
@@ -43,6 +45,16 @@ Dialogue::Answer answer_of(const OrderedJson& json) {
           json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace)};
 }
 
+void check_texts(const JsonPlace& place, size_t max_bytes) {
+  const nlohmann::json& value = place.value();
+  if (value.is_string() && value.get_ref<const std::string&>().size() > max_bytes)
+    place.fail(say("the text is too long; accepted: up to %1 bytes", max_bytes));
+  if (value.is_array())
+    for (const JsonPlace& item : place.items()) check_texts(item, max_bytes);
+  if (value.is_object())
+    for (const auto& item : value.items()) check_texts(place.at(item.key().c_str()), max_bytes);
+}
+
 // Rules that hold for the session's steps.
 SettleOptions settle_of(const OpenedSession& opened, const SettleOptions& asked) {
   SettleOptions settle = with_rules(asked, opened.rules);
@@ -55,8 +67,8 @@ SettleOptions settle_of(const OpenedSession& opened, const SettleOptions& asked)
 bool is_cancel_line(const std::string& line) {
   constexpr size_t kLongest = 400;  // longer lines are not worth parsing twice
   if (line.size() > kLongest) return false;
-  auto document = nlohmann::json::parse(line, nullptr, false);
-  if (document.is_object()) document.erase("id");
+  auto document = json_if_valid<nlohmann::json>(line);
+  if (document && document->is_object()) document->erase("id");
   return document == nlohmann::json{{"cancel", true}};
 }
 
@@ -67,6 +79,7 @@ Dialogue::Dialogue(OpenedSession& opened, DialogueOptions options)
       m_told(opened.session.scene()),
       m_state(opened.session.scene()) {
   m_options.settle = settle_of(opened, m_options.settle);
+  m_session.limit_history(m_options.max_states);
   m_session.on_event([this](const SessionEvent& event) {
     m_changed = event.changed;
     m_state.update(m_session.scene(), event.changed);
@@ -101,11 +114,17 @@ OrderedJson Dialogue::answered(const std::string& line) {
 }
 
 OrderedJson Dialogue::done(const nlohmann::json& document, const JsonPlace& place) {
-  if (place.find("op")) return perform({read(place)});
+  if (m_options.max_text_bytes > 0) check_texts(place, m_options.max_text_bytes);
+  if (place.find("op")) {
+    const std::vector<Operation> operations{read(place)};
+    check_room(operations, place);
+    return perform(operations);
+  }
   if (document.size() != 1) place.refuse(kAccepted);
   if (const auto operations = place.find("do")) return perform(read_all(*operations));
-  if (is_asked(place, "undo")) return step(m_session.undo(), "there is nothing to undo");
-  if (is_asked(place, "redo")) return step(m_session.redo(), "there is nothing to redo");
+  if (is_asked(place, "undo")) return undo();
+  if (is_asked(place, "redo"))
+    return m_session.redo() ? state() : refused("there is nothing to redo");
   if (is_asked(place, "cancel")) return state();  // cancelled when it was read
   if (const auto file = place.find("save")) return save(*file);
   if (const auto what = place.find("query")) return query(*what);
@@ -127,13 +146,28 @@ std::vector<Operation> Dialogue::read_all(const JsonPlace& place) const {
   std::vector<Operation> operations;
   for (const JsonPlace& item : place.items()) operations.push_back(read(item));
   if (operations.empty()) place.refuse("an array of at least one operation");
+  check_room(operations, place);
   return operations;
+}
+
+// Before anything is done: objects that the same line deletes count, too.
+void Dialogue::check_room(const std::vector<Operation>& operations, const JsonPlace& place) const {
+  if (m_options.max_objects == 0) return;
+  const auto num_new = static_cast<size_t>(
+      std::count_if(operations.begin(), operations.end(), [](const Operation& o) {
+        return std::holds_alternative<AppendOperation>(o) ||
+               std::holds_alternative<DuplicateOperation>(o);
+      }));
+  const size_t there = m_session.scene().num_objects();
+  if (num_new > 0 && there + num_new > m_options.max_objects)
+    place.fail(say("the session has %1 objects, and %2 more are too many; accepted: up to %3",
+                   there, num_new, m_options.max_objects));
 }
 
 OrderedJson Dialogue::state() const {
   OrderedJson json = {{"status", "ok"}};
-  json["done"] = m_session.num_done();
-  json["steps"] = m_session.steps().size();
+  json["done"] = m_session.num_forgotten() + m_session.num_done();
+  json["steps"] = m_session.num_forgotten() + m_session.steps().size();
   json["state"] = hash_text(m_state.value(m_session.scene()));
   json["modified"] = m_session.is_modified();
   return json;
@@ -160,16 +194,21 @@ OrderedJson Dialogue::perform(const std::vector<Operation>& operations) {
   return json;
 }
 
-OrderedJson Dialogue::step(bool done, const char* otherwise) const {
-  return done ? state() : refused(otherwise);
+OrderedJson Dialogue::undo() {
+  if (m_session.undo()) return state();
+  const size_t forgotten = m_session.num_forgotten();
+  if (forgotten == 0) return refused("there is nothing to undo");
+  return refused("the first " + std::to_string(forgotten) +
+                 " steps cannot be undone any more: this session keeps " +
+                 std::to_string(m_options.max_states) + " states of objects");
 }
 
 OrderedJson Dialogue::save(const JsonPlace& file) {
   if (m_options.own_files)
     file.fail("this server writes no files; it answers with a scene's bytes");
   if (fs::path(file.text()).extension() != ".glb")
-    throw Error(Error::Kind::BadInput,
-                file.text() + ": cannot be saved; accepted: a file name ending in .glb");
+    throw Error(Error::Kind::BadInput, "%1: cannot be saved; accepted: a file name ending in .glb",
+                file.text());
   save_session(m_opened, m_options.version, file.text());
   return state();
 }

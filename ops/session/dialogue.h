@@ -22,6 +22,9 @@ struct DialogueOptions {
   std::string source;      // of the lines, for messages: "standard input"
   bool own_files = false;  // clients are not trusted with files: nothing is saved, and models are
                            // read from the folder of the start file and below it
+  size_t max_states = 0;   // Session::limit_history(); 0: any number
+  size_t max_objects = 0;  // that a line may make of the scene; 0: any number
+  size_t max_text_bytes = 0;  // of a name or another text in a line; 0: any number
 };
 
 /// True if the line asks that all unfinished lines before it are cancelled.
@@ -53,11 +56,12 @@ class Dialogue {
   OrderedJson answered(const std::string& line);
   OrderedJson done(const nlohmann::json& document, const JsonPlace& place);
   OrderedJson perform(const std::vector<Operation>& operations);
-  OrderedJson step(bool done, const char* otherwise) const;
+  OrderedJson undo();
   OrderedJson save(const JsonPlace& file);
   OrderedJson query(const JsonPlace& what) const;
   OrderedJson object(const std::string& name) const;
   OrderedJson objects() const;
+  void check_room(const std::vector<Operation>& operations, const JsonPlace& place) const;
   Operation read(const JsonPlace& place) const;
   std::vector<Operation> read_all(const JsonPlace& place) const;
 

@@ -19,6 +19,11 @@ JournalJson settle_json(const SettleOptions& options);  // options that are not 
 SettleOptions read_settle(const JsonPlace& place);
 std::uint64_t read_state(const JsonPlace& place);
 
+JournalJson poses_json(const RecordedPoses& poses);
+RecordedPoses read_poses(const JsonPlace& place);
+JournalJson models_json(const RecordedModels& models);
+RecordedModels read_models(const JsonPlace& place);
+
 JournalJson start_json(const JournalStart& start);
 JournalStart read_start(const JsonPlace& place);
 JournalRecord read_record(const JsonPlace& place);

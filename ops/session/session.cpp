@@ -5,10 +5,12 @@
 #include "core/base/make_room.h"
 #include "core/scene/fingerprint.h"
 #include "core/scene/transaction.h"
+#include "ops/files/layout/named_objects.h"
 #include "ops/operations/live_move.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 #include "ops/session/journal.h"
+#include "ops/session/recorded_step.h"
 
 namespace trivet {
 namespace {
@@ -24,6 +26,24 @@ std::string name_of(const std::vector<Operation>& operations) {
   name.append(" \"").append(object_name(first)).append("\"");
   if (!same) name.append(" and ").append(op_name(operations.back()));
   return name;
+}
+
+// The objects in their poses, without operations.
+Layout layout_as_it_is(const Scene& scene, const Layout& layout) {
+  const NamedObjects objects = objects_in(scene, layout);
+  Layout out = layout;
+  out.objects.clear();
+  out.operations.clear();
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    const LayoutObject* const known = objects.find(object.name);
+    if (!known) continue;
+    out.objects.push_back(*known);
+    out.objects.back().pose = object.placed ? std::optional(object.pose) : std::nullopt;
+    out.objects.back().fixed = object.fixed;
+    out.objects.back().material = object.material;
+  }
+  return out;
 }
 
 bool by_slot_and_age(ObjectId a, ObjectId b) {
@@ -52,6 +72,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 // Leaves the scene as it was unless the operation was done.
 OperationResult Session::run(SessionStep step, const std::function<Results(Transaction&)>& work) {
   OperationResult result;
+  forget_oldest();
   {
     Transaction transaction(m_scene);
     step.results = work(transaction);
@@ -76,12 +97,12 @@ void Session::keep(Transaction& transaction, SessionStep& step) {
   make_room(m_steps, m_position + 1);
   make_room(m_done, m_position + 1);
   std::vector<ObjectId> changed_aside = changed_aside_without_undone();
-  if (m_journal) m_journal->append_step(step);
+  if (m_journal) m_journal->append_step(step, m_scene, done.touched);
   done.change = transaction.commit();
   forget_undone(std::move(changed_aside));
   m_steps.push_back(std::move(step));
   m_done.push_back(std::move(done));
-  ++m_position;
+  m_num_states += num_states(m_position++);
 }
 
 OperationResult Session::perform(const Operation& operation, const SettleOptions& options,
@@ -89,12 +110,25 @@ OperationResult Session::perform(const Operation& operation, const SettleOptions
   return perform_all({operation}, options, context);
 }
 
-OperationResult Session::perform_all(const std::vector<Operation>& operations,
-                                     const SettleOptions& options, const RunContext& context) {
-  std::vector<Operation> loaded = operations;
-  for (Operation& operation : loaded)
+std::vector<Operation> Session::with_models(std::vector<Operation> operations) const {
+  for (Operation& operation : operations)
     if (auto* const append = std::get_if<AppendOperation>(&operation))
       load_model(m_scene, m_models, *append);
+  return operations;
+}
+
+void Session::repeat(const std::vector<Operation>& operations, const SettleOptions& options,
+                     const RecordedPoses& poses) {
+  const std::vector<Operation> loaded = with_models(operations);
+  run({name_of(operations), loaded, options, 0}, [&](Transaction& transaction) {
+    repeat_recorded(transaction, loaded, poses, options);
+    return Results(loaded.size());
+  });
+}
+
+OperationResult Session::perform_all(const std::vector<Operation>& operations,
+                                     const SettleOptions& options, const RunContext& context) {
+  const std::vector<Operation> loaded = with_models(operations);
   return run({name_of(operations), loaded, options, 0}, [&](Transaction& transaction) {
     Results results;
     for (const Operation& operation : loaded) {
@@ -126,8 +160,44 @@ std::vector<ObjectId> Session::changed_aside_without_undone() const {
 void Session::forget_undone(std::vector<ObjectId> changed_aside) noexcept {
   m_changed_aside = std::move(changed_aside);
   m_saved = std::min(m_saved, m_position);
+  for (size_t i = m_position; i < m_done.size(); ++i) m_num_states -= num_states(i);
   m_steps.erase(m_steps.begin() + static_cast<long>(m_position), m_steps.end());
   m_done.erase(m_done.begin() + static_cast<long>(m_position), m_done.end());
+}
+
+// By an eighth of the limit at a time: each time costs as much as all steps that stay.
+void Session::forget_oldest() {
+  if (m_max_states == 0 || m_num_states <= m_max_states) return;
+  const size_t wanted = m_max_states - m_max_states / 8;
+  size_t states = m_num_states, count = 0;
+  while (count + 1 < m_position && states > wanted) states -= num_states(count++);
+  if (count > 0) forget_first(count);
+}
+
+void Session::forget_first(size_t count) {
+  Layout layout = m_layout;
+  std::vector<ObjectId> changed_aside = m_changed_aside;
+  size_t states = 0;
+  for (size_t i = 0; i < count; ++i) {
+    const std::vector<Operation>& operations = m_steps[i].operations;
+    layout.operations.insert(layout.operations.end(), operations.begin(), operations.end());
+    if (i >= m_saved) changed_aside = united(std::move(changed_aside), m_done[i].touched);
+    states += num_states(i);
+  }
+  const NamedObjects objects = objects_after(layout);
+  layout.objects.clear();
+  layout.operations.clear();
+  for (const std::string& name : objects.names()) layout.objects.push_back(*objects.find(name));
+  // From here on nothing fails.
+  m_first_clearance = m_done[count - 1].largest_clearance;
+  m_layout = std::move(layout);
+  m_changed_aside = std::move(changed_aside);
+  m_steps.erase(m_steps.begin(), m_steps.begin() + static_cast<long>(count));
+  m_done.erase(m_done.begin(), m_done.begin() + static_cast<long>(count));
+  m_position -= count;
+  m_saved -= std::min(m_saved, count);
+  m_num_states -= states;
+  m_num_forgotten += count;
 }
 
 void Session::step_over(size_t step, SessionEvent::Kind kind) {
@@ -162,7 +232,7 @@ Layout Session::layout() const {
   for (size_t i = 0; i < m_position; ++i)
     out.operations.insert(out.operations.end(), m_steps[i].operations.begin(),
                           m_steps[i].operations.end());
-  return out;
+  return m_num_forgotten > 0 ? layout_as_it_is(m_scene, out) : out;
 }
 
 void Session::mark_saved(const std::string& file) {

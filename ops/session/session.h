@@ -15,6 +15,7 @@
 #include "ops/files/layout/layout.h"
 #include "ops/files/layout/load.h"
 #include "ops/operations/operations.h"
+#include "ops/session/recorded.h"
 
 namespace trivet {
 
@@ -64,6 +65,11 @@ class Session {
   OperationResult perform_all(const std::vector<Operation>& operations,
                               const SettleOptions& options = {}, const RunContext& context = {});
 
+  /// A step whose outcome is known: as perform_all(), but nothing is computed, and these objects
+  /// get their poses. See recorded_step.h. @throws Error  as perform().
+  void repeat(const std::vector<Operation>& operations, const SettleOptions& options,
+              const RecordedPoses& poses);
+
   /// An interactive move; see ops/operations/live_move.h. While it lives, this session is neither
   /// moved nor are its other non-const functions called, but for finish().
   LiveMove begin_live(const Operation& operation, const SettleOptions& options = {},
@@ -77,16 +83,24 @@ class Session {
   bool can_undo() const { return m_position > 0; }
   bool can_redo() const { return m_position < m_steps.size(); }
 
-  /// All steps, those that can be redone last; the first num_done() of them are done.
+  /// All steps that are not forgotten, those that can be redone last; the first num_done() of them
+  /// are done.
   const std::vector<SessionStep>& steps() const { return m_steps; }
   size_t num_done() const { return m_position; }
 
-  /// Layout that gives this scene: the first one and the operations done since.
+  /// Largest number of states of objects that the steps keep for undo; the oldest steps are
+  /// forgotten until these fit, but never the last one. For sessions without a journal. 0: any
+  /// number.
+  void limit_history(size_t max_states) { m_max_states = max_states; }
+  size_t num_forgotten() const { return m_num_forgotten; }
+
+  /// Layout that gives this scene: the first one and the operations done since; once steps were
+  /// forgotten, the objects in their poses.
   Layout layout() const;
-  /// Of the layout. No step: neither undone nor in the journal.
+  /// Sets the looks of the layout. This is no step: neither undone nor in the journal.
   void set_looks(SceneLooks looks) { m_layout.looks = std::move(looks); }
 
-  /// What is to be arranged, kept with the layout (Layout::arrange); neither a step nor in the
+  /// Problem to be arranged, kept with the layout (Layout::arrange); neither a step nor in the
   /// journal.
   const std::string& arrange() const { return m_layout.arrange; }
   void set_arrange(std::string text) { m_layout.arrange = std::move(text); }
@@ -118,8 +132,12 @@ class Session {
     std::vector<ObjectId> touched;  // before and after it
     double largest_clearance = 0;   // from the start up to this step
   };
+  size_t num_states(size_t step) const { return 1 + m_done[step].touched.size(); }
+  void forget_oldest();
+  void forget_first(size_t count);
 
   using Results = std::vector<OperationResult>;
+  std::vector<Operation> with_models(std::vector<Operation> operations) const;
   OperationResult run(SessionStep step, const std::function<Results(Transaction&)>& work);
   void keep(Transaction& transaction, SessionStep& step);
   std::vector<ObjectId> changed_aside_without_undone() const;
@@ -133,6 +151,7 @@ class Session {
   std::vector<SessionStep> m_steps;
   std::vector<Done> m_done;  // of each step
   size_t m_position = 0;
+  size_t m_max_states = 0, m_num_states = 0, m_num_forgotten = 0;
   double m_first_clearance = 0;           // the default one at the start
   std::string m_saved_arrange;            // Layout::arrange then
   size_t m_saved = 0;                     // how many steps were done when it was saved

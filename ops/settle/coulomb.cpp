@@ -56,7 +56,7 @@ class CoulombSolver {
   }
 
  private:
-  // What one body of a contact has to do with it, in the contact's frame.
+  // Role of one body in a contact, in the contact's frame.
   struct Side {
     Index body = CoulombContact::kGround;
     Mat3 velocity_by_force, velocity_by_turning, turning_by_force;

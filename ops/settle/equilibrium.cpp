@@ -76,8 +76,8 @@ struct Weight {
     return best;
   }
 
-  // How fast the cost falls, to first order, as the friction of all contacts grows: each pushes as
-  // hard as before, and rubs in the direction that pays best at these prices.
+  // Rate at which the cost falls, to first order, as the friction of all contacts grows: each
+  // pushes as hard as before, and rubs in the direction that pays best at these prices.
   double gain_of_friction(const std::vector<FrictionContact>& contacts,
                           const LinearProgram::Solution& solution) const {
     double sum = 0;
@@ -199,7 +199,7 @@ std::vector<Point> farthest(const std::vector<Point>& points, size_t limit) {
   return out;
 }
 
-// Of points with one normal, those whose feet on the plane are the hull's corners.
+// Among points with one normal, keeps those whose feet on the plane are the hull's corners.
 template <class Point>
 std::vector<Point> hull_points(const std::vector<Point>& points) {
   if (points.size() < 4) return points;

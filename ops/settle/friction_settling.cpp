@@ -5,6 +5,7 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
+#include "core/scene/scene.h"
 #include "ops/settle/friction_candidates.h"
 #include "ops/settle/settling_body.h"
 
@@ -18,7 +19,7 @@ constexpr int kMaxSmallSteps = 60;      // accepted in all, when nothing better 
 constexpr double kClosing = 2 * kBalanceTolerance;  // clearances that closing gaps may move it
 constexpr double kLongestSlide = 4;                 // steps, where the contact goes on
 constexpr double kScrewSteps[] = {1, 0.2};          // parts of a step
-/// Of what may be missing with perfect friction: marginal rest is none in other programs.
+/// Part of the tolerance of perfect friction: marginal rest is none in other programs.
 constexpr double kTolerated = 0.3;
 constexpr size_t kMaxMotions = 1000;  // creeping
 
@@ -104,15 +105,17 @@ class FrictionSettling {
     if (friction_margin(m_close, object().centre) >= kRestMargin * object().size)
       return Hold::Firmly;
     if (balances(m_close)) return none_topples(m_close) ? Hold::Firmly : Hold::No;
+    if (!lies_on_something()) return Hold::No;
     const std::vector<FrictionContact> near = m_body.friction_points(kBalanceTolerance);
-    const bool touches = std::any_of(near.begin(), near.end(), [&](const FrictionContact& c) {
-      return c.gap <= kHoverTolerance * clearance();
-    });
-    if (!touches || are_the_same(near, m_close) || !balances(near) ||
-        !none_topples(m_close.empty() ? near : m_close))
-      return Hold::No;
+    if (are_the_same(near, m_close) || !balances(near) || !none_topples(m_close)) return Hold::No;
     if (!m_held_at) m_held_at = {m_body.here(), object().centre};
     return Hold::Nearly;
+  }
+
+  // An object that merely hovers is held by nothing, however near that is.
+  bool lies_on_something() const {
+    return std::any_of(m_close.begin(), m_close.end(),
+                       [](const FrictionContact& c) { return c.normal.z() > kSupportNormalZ; });
   }
 
   // Held by contacts that are near it may close their gaps, but not go on from there.

@@ -13,6 +13,8 @@
 namespace trivet {
 namespace {
 
+constexpr int kMotionsOfStuck = 8;  // that a wedged object may make to close gaps
+
 Vec3 centre_at(const Object& object, const Pose& pose) {
   return body_of(object, pose).world_from_object.apply(object.shape->mass.centre);
 }
@@ -20,6 +22,32 @@ Vec3 centre_at(const Object& object, const Pose& pose) {
 double own_margin(const Scene& scene, const Object& object, const Pose& pose,
                   const std::vector<ContactsWith>& contacts, const RestRules& rules) {
   return tipping_margin(scene, object, centre_at(object, pose), contacts, rules);
+}
+
+SettleProblem problem_at(const Object& object, const Pose& pose, const Neighbourhood& others,
+                         const RestRules& rules) {
+  SettleProblem problem;
+  problem.shape = object.shape.get();
+  problem.up = object.up;
+  problem.scale = object.scale;
+  problem.friction = object.material.friction;
+  problem.start = pose;
+  problem.others = &others;
+  problem.clearance = rules.clearance;
+  problem.options.perfect_friction = rules.perfect_friction;
+  return problem;
+}
+
+// Lets it go: whether it gets no farther than closing gaps takes.
+bool is_stuck(SettleProblem problem, const Vec3& centre_of_shape) {
+  problem.options.max_motions = kMotionsOfStuck;
+  const SettleOutcome outcome = settle(problem);
+  if (outcome.status != SettleOutcome::Status::Wedged) return false;
+  const auto centre = [&](const Pose& pose) {
+    return world_from_object(pose, problem.up, problem.scale).apply(centre_of_shape);
+  };
+  return (centre(outcome.pose) - centre(problem.start)).norm() <=
+         kBalanceTolerance * problem.clearance;
 }
 
 }  // namespace
@@ -49,16 +77,16 @@ RestRules rest_rules(const SettleOptions& options, double clearance) {
 
 bool rests_at(const Object& object, const Pose& pose, const Neighbourhood& others,
               const RestRules& rules) {
-  SettleProblem problem;
-  problem.shape = object.shape.get();
-  problem.up = object.up;
-  problem.scale = object.scale;
-  problem.friction = object.material.friction;
-  problem.start = pose;
-  problem.others = &others;
-  problem.clearance = rules.clearance;
-  problem.options.perfect_friction = rules.perfect_friction;
-  return is_at_rest(problem);
+  return is_at_rest(problem_at(object, pose, others, rules));
+}
+
+ObjectState state_at(const Object& object, const Pose& pose, const Neighbourhood& others,
+                     const RestRules& rules) {
+  const SettleProblem problem = problem_at(object, pose, others, rules);
+  if (is_at_rest(problem)) return ObjectState::Stable;
+  const bool touches = !touching(body_of(object, pose), others, rules.clearance).empty();
+  return touches && is_stuck(problem, object.shape->mass.centre) ? ObjectState::Wedged
+                                                                 : ObjectState::Unsupported;
 }
 
 Neighbourhood holders(const Scene& scene, ObjectId id) {
@@ -76,11 +104,12 @@ RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
   };
   RestRating out{own_margin(scene, object, pose, contacts, rules),
                  least(contacts, kContactTolerance * rules.clearance)};
-  if (rules.perfect_friction || out.least_friction < kInfinity) return out;
+  if (rules.perfect_friction || out.least_friction <= object.material.friction) return out;
   const double distance = kBalanceTolerance * rules.clearance;
-  out.least_friction = least(contacts_with(body_of(object, pose), Neighbourhood(scene, id),
-                                           distance, kFootSlack * rules.clearance),
-                             distance);
+  const double of_near = least(contacts_with(body_of(object, pose), Neighbourhood(scene, id),
+                                             distance, kFootSlack * rules.clearance),
+                               distance);
+  out.least_friction = std::min(out.least_friction, of_near);
   return out;
 }
 

@@ -21,6 +21,12 @@ RestRules rest_rules(const SettleOptions& options, double clearance);
 bool rests_at(const Object& object, const Pose& pose, const Neighbourhood& others,
               const RestRules& rules);
 
+/// State of a free object at `pose`, by this alone: Stable where it rests; Wedged where it touches
+/// something, does not rest, and no motion lowers it by more than the contacts' tolerance;
+/// otherwise Unsupported: it would move, or nothing touches it.
+ObjectState state_at(const Object& object, const Pose& pose, const Neighbourhood& others,
+                     const RestRules& rules);
+
 /// Neighbours that may hold an object where the scene has it: all but those that it passes through.
 Neighbourhood holders(const Scene& scene, ObjectId id);
 
@@ -39,9 +45,9 @@ double tipping_margin(const Scene& scene, const Object& object, const Vec3& cent
 struct RestRating {
   double stability_margin = 0, least_friction = 0;
 };
-/// With finite friction an object that its contacts do not hold may be held by nearer ones together
-/// with those within kBalanceTolerance clearances, as in settling: then they give the least
-/// friction.
+/// With finite friction an object that its contacts do not hold at its material's may be held by
+/// them together with those within kBalanceTolerance clearances, as in settling: then these give
+/// the least friction.
 RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
                      const std::vector<ContactsWith>& contacts, const RestRules& rules);
 /// Rating of an object that contacts do not hold: no friction is enough, and none is looked for.

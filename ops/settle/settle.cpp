@@ -144,11 +144,20 @@ class Settling {
     return Outcome::Stuck;
   }
 
+  // Gaps of more than two clearances count where something closer holds the object up: what merely
+  // hovers is held by nothing.
   bool balance(const std::vector<ContactPoint>& near) const {
-    const bool touches = std::any_of(near.begin(), near.end(), [&](const ContactPoint& c) {
-      return c.gap <= kHoverTolerance * clearance();
+    std::vector<ContactPoint> close = near;
+    std::erase_if(close,
+                  [&](const ContactPoint& c) { return c.gap > kContactTolerance * clearance(); });
+    const bool lies = std::any_of(close.begin(), close.end(), [](const ContactPoint& c) {
+      return c.normal.z() > kSupportNormalZ;
     });
-    return touches && trivet::is_balanced(near, object().centre, object().size, clearance());
+    return is_balanced(lies ? near : close);
+  }
+
+  bool is_balanced(const std::vector<ContactPoint>& contacts) const {
+    return trivet::is_balanced(contacts, object().centre, object().size, clearance());
   }
 
   const SettleProblem& m_problem;

@@ -13,10 +13,10 @@ namespace trivet {
 
 SettleOutcome settle(const SettleProblem& problem);
 
-/// True if an object at `problem.start` is held there: something is within kHoverTolerance, the
-/// centre is inside the hull of the contacts that carry, or forces balance and no motion would
-/// lower it by more than the contacts' tolerance (a cone on its tip is balanced, but does not
-/// rest).
+/// True if an object at `problem.start` is held there: the centre is inside the hull of the
+/// contacts that carry, or forces balance and no motion would lower it by more than the contacts'
+/// tolerance (a cone on its tip is balanced, but does not rest). Contacts up to kBalanceTolerance
+/// clearances count only where one within kContactTolerance holds it up: what hovers does not rest.
 bool is_at_rest(const SettleProblem& problem);
 
 }  // namespace trivet

@@ -22,7 +22,8 @@ class SettlingBody {
   void update();
   /// Centre of mass, size; with loads that weigh, of all together.
   const SettlingObject& object() const { return m_object; }
-  /// Of a mass of 1, about the centre; a little is added, so that lines and points have some.
+  /// Inertia for a mass of 1, about the centre; a little is added, so that lines and points have
+  /// some.
   Mat3 inertia_per_mass() const;
   /// Contacts of all bodies within `num_clearances`; those at one place are one.
   std::vector<ContactPoint> points(double num_clearances) const;

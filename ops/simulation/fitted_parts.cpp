@@ -117,7 +117,7 @@ class PartFitter {
     return overlaps(of_a.box, of_b.box) && penetration_depth(of_a, of_b) > m_limit(a, b);
   }
 
-  // What is only thickness goes first, then the larger part gives way; last a solid, as its parts
+  // Thickness goes first, then the larger part gives way; last a solid, as its parts
   // are hollow.
   bool refine_one(size_t a, size_t b, const Pair& pair) {
     const HullTree::Node &of_a = tree(a).node(pair.a), &of_b = tree(b).node(pair.b);

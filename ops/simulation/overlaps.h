@@ -7,7 +7,8 @@
 
 namespace trivet {
 
-/// Of every two bodies that are not both fixed, and of each free body and the floor; deepest first.
+/// Overlaps of every two bodies that are not both fixed, and of each free body and the floor;
+/// deepest first.
 /// @param limit  of two bodies, metres; of the floor: of a body twice.
 std::vector<PartOverlap> part_overlaps(const SimulationScene& scene,
                                        const std::function<double(size_t, size_t)>& limit);

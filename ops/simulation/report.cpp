@@ -49,7 +49,7 @@ std::string simulation_json(const SimulationExport& done, const SimulationOption
                                 {"depth", o.depth},
                                 {"allowed", o.allowed},
                                 {"part_pairs", o.num_part_pairs}});
-  json["notes"] = done.notes;
+  json["notes"] = in_english(done.notes);
   if (simulated) json["simulated"] = simulated_json(*simulated);
   return readable_json(json);
 }
@@ -62,7 +62,7 @@ std::string simulation_text(const SimulationExport& done) {
     ++num_renamed;
     out << "\"" << body.name << "\" is called " << body.file_name << "\n";
   }
-  for (const std::string& note : done.notes) out << note << "\n";
+  for (const Sentence& note : done.notes) out << in_english(note) << "\n";
   for (const PartOverlap& o : done.overlaps)
     out << "overlap: \"" << o.a << "\" and \"" << o.b << "\": " << short_number(o.depth)
         << " m deep\n";

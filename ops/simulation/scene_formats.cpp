@@ -48,7 +48,7 @@ void write_in_any_format(const Scene& scene, const Layout& layout, const SceneFi
     for (const SceneFormat& known : scene_formats())
       for (const std::string& extension : known.extensions)
         accepted.append(accepted.empty() ? "" : ", ").append(extension);
-    bad_input(path + ": has no extension of a format; accepted: " + accepted);
+    bad_input("%1: has no extension of a format; accepted: %2", path, accepted);
   }
   switch (format->kind) {
     case SceneFormat::Kind::Scene:

@@ -27,10 +27,13 @@ bool can_simulate();
 /// Why not.
 std::string no_simulator();
 
-/// Loads the MJCF file of an export and lets it go, in MuJoCo, in this process.
+/// Loads the MJCF file of an export and lets it go, in MuJoCo, in this process. A simulator of
+/// version 2 gets the same scene in its own dialect, from a file that is removed again.
+/// @param files  the scene was written with.
 /// @throws Error (BadInput): a build or a machine without it, another format or a file that MuJoCo
 /// refuses.
-SimulatedScene simulate(const SimulationExport& done, double seconds);
+SimulatedScene simulate(const SimulationExport& done, double seconds,
+                        const SimulationFileOptions& files = {});
 
 /// True if all stayed: no object moved by more than kStays metres, and no warning.
 bool stays(const SimulatedScene& simulated);

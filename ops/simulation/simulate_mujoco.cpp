@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "core/base/error.h"
@@ -70,7 +71,8 @@ class MujocoRun {
     *m_mujoco.user_warning = [](const char*) {};  // else it writes a file to the working directory
     char why[1000] = "";
     m_model.reset(m_mujoco.load(path.c_str(), nullptr, why, sizeof why));
-    if (!m_model) throw Error(Error::Kind::BadInput, path + ": MuJoCo does not accept it: " + why);
+    if (!m_model)
+      throw Error(Error::Kind::BadInput, "%1: MuJoCo does not accept it: %2", path, why);
     m_data.reset(m_mujoco.make_data(m_model.get()));
     m_mujoco.forward(m_model.get(), m_data.get());
   }
@@ -113,6 +115,35 @@ SimulatedObject moved_between(const SimulationModel& model, const std::string& n
   return out;
 }
 
+/// The scene file that this simulator reads: the one that was written, or one beside it.
+class ReadableFile {
+ public:
+  ReadableFile(const SimulationExport& done, SimulationFileOptions files)
+      : m_path(done.files.at(0)) {
+    const bool is_old = mujoco().version()[0] == '2';
+    if (!is_old || files.mujoco == kOldestMujoco) return;
+    const std::filesystem::path file(m_path);
+    if (files.mesh_folder.empty()) files.mesh_folder = file.stem().string() + "_meshes";
+    files.mujoco = kOldestMujoco;
+    m_path = (file.parent_path() / ("." + file.stem().string() + ".mujoco2.xml")).string();
+    m_is_own = true;
+    SimulationScene scene = done.scene;
+    write_simulation(scene, m_path, files);
+  }
+  ~ReadableFile() {
+    std::error_code ignored;
+    if (m_is_own) std::filesystem::remove(m_path, ignored);
+  }
+  ReadableFile(const ReadableFile&) = delete;
+  ReadableFile& operator=(const ReadableFile&) = delete;
+
+  const std::string& path() const { return m_path; }
+
+ private:
+  std::string m_path;
+  bool m_is_own = false;
+};
+
 }  // namespace
 
 bool can_simulate() { return Mujoco::get() != nullptr; }
@@ -122,9 +153,10 @@ std::string no_simulator() {
          " (Debian: libmujoco" TRIVET_MUJOCO_VERSION ")";
 }
 
-SimulatedScene simulate(const SimulationExport& done, double seconds) {
-  const std::string& path = done.files.at(0);
-  MujocoRun run(path);
+SimulatedScene simulate(const SimulationExport& done, double seconds,
+                        const SimulationFileOptions& files) {
+  const ReadableFile file(done, files);
+  MujocoRun run(file.path());
   std::vector<Affine> before;
   for (const SimulationBody& body : done.scene.bodies) before.push_back(run.pose(body));
   run.run(seconds);

@@ -76,7 +76,7 @@ class SceneMaker {
     body.mass = weight_of(object, m_options.density.value_or(object.material.density)) / kGravity;
     if (!(body.mass > 0))
       throw Error(Error::Kind::BadInput,
-                  "\"" + object.name + "\" has no size and so no mass; it cannot be simulated");
+                  "\"%1\" has no size and so no mass; it cannot be simulated", object.name);
     body.centre = link_from_object.apply(properties.centre);
     Mat3 covariance =
         link_from_object.linear * properties.covariance * link_from_object.linear.transpose();
@@ -95,16 +95,15 @@ class SceneMaker {
   void add_notes(ObjectId id) {
     const Object& object = m_scene.at(id);
     if (object.state != ObjectState::Fixed && object.state != ObjectState::Stable)
-      m_out.notes.push_back("\"" + object.name + "\" is " + to_string(object.state) +
-                            ": it will move");
+      m_out.notes.push_back(
+          say("\"%1\" is %2: it will move", object.name, to_string(object.state)));
     double friction = kInfinity;
     for (const ObjectContact& entry : object.contacts)
       friction = std::min(friction,
                           m_options.friction.value_or(friction_between(m_scene, id, entry.with)));
     if (!object.fixed && object.least_friction > friction)
-      m_out.notes.push_back("\"" + object.name + "\" needs friction " +
-                            short_number(object.least_friction) + ", its contacts have " +
-                            short_number(friction) + ": it will move");
+      m_out.notes.push_back(say("\"%1\" needs friction %2, its contacts have %3: it will move",
+                                object.name, figure(object.least_friction), figure(friction)));
   }
 
   size_t model_of(const Object& object) {
@@ -145,8 +144,8 @@ class SceneMaker {
       SimulationModel& model = m_out.scene.models[i];
       ConvexParts parts = convex_parts(in_frame(m_shapes[i]->mesh, model.link_from_object),
                                        m_shapes[i]->adjacency, part_rule(m_options.collision));
-      for (const std::string& note : parts.notes)
-        m_out.notes.push_back("\"" + model.model->path + "\": " + note);
+      for (const Sentence& note : parts.notes)
+        m_out.notes.push_back(say("\"%1\": %2", model.model->path, note));
       set_parts(model, std::move(parts.parts));
     }
   }
@@ -189,8 +188,9 @@ void use_meshes(SimulationExport& done) {
   for (const size_t i : models) {
     SimulationModel& model = done.scene.models[i];
     model.parts.clear();
-    done.notes.push_back("\"" + model.model->path +
-                         "\": its triangles collide, as no convex parts leave room for others");
+    done.notes.push_back(
+        say("\"%1\": its triangles collide, as no convex parts leave room for others",
+            model.model->path));
   }
   std::erase_if(done.overlaps, is_too_deep);
 }
@@ -200,14 +200,16 @@ void refuse_overlaps(const SimulationExport& done, const std::string& path,
   const auto num = std::count_if(done.overlaps.begin(), done.overlaps.end(), is_too_deep);
   if (num == 0) return;
   const PartOverlap& o = *std::find_if(done.overlaps.begin(), done.overlaps.end(), is_too_deep);
-  throw Error(Error::Kind::BadInput,
-              path + ": convex parts of \"" + o.a + "\" and \"" + o.b + "\" overlap by " +
-                  short_number(o.depth) + " metres, more than " + short_number(o.allowed) +
-                  (num > 1 ? ", and of " + std::to_string(num - 1) + " more pairs" : "") +
-                  ": a simulator would push them apart; accepted: " +
-                  (options.collision == CollisionRule::Fitted ? "" : "--collision fitted, ") +
-                  "--max-overlap from " + short_number(done.overlaps.front().depth) +
-                  (is_mjcf(path) ? "" : ", --collision mesh"));
+  const Sentence more = num > 1
+                            ? say("more than %1, and of %2 more pairs", figure(o.allowed), num - 1)
+                            : say("more than %1", figure(o.allowed));
+  throw Error(
+      Error::Kind::BadInput,
+      "%1: convex parts of \"%2\" and \"%3\" overlap by %4 metres, %5: a simulator would push "
+      "them apart; accepted: %6--max-overlap from %7%8",
+      path, o.a, o.b, figure(o.depth), more,
+      std::string(options.collision == CollisionRule::Fitted ? "" : "--collision fitted, "),
+      figure(done.overlaps.front().depth), std::string(is_mjcf(path) ? "" : ", --collision mesh"));
 }
 
 }  // namespace
@@ -227,8 +229,8 @@ CollisionRule collision_rule_from_name(const std::string& name) {
   const auto it = std::find(names.begin(), names.end(), name);
   if (it == names.end())
     throw Error(Error::Kind::BadInput,
-                "\"" + name +
-                    "\" is not accepted; accepted: fitted, hull, components, decomposition, mesh");
+                "\"%1\" is not accepted; accepted: fitted, hull, components, decomposition, mesh",
+                name);
   return static_cast<CollisionRule>(it - names.begin());
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/io/simulators/simulation_scene.h"
 #include "core/scene/scene.h"
 
@@ -50,7 +51,7 @@ inline constexpr double kMaxPartOverlap = 1e-4;
 struct SimulationExport {
   SimulationScene scene;
   std::vector<PartOverlap> overlaps;  // deepest first
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
   std::vector<std::string> files;  // the scene file first
 };
 

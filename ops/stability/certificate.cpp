@@ -29,7 +29,7 @@ std::vector<double> shares_of_segment(const std::vector<Vec2>& hull, const Vec2&
   return {1 - t, t};
 }
 
-// Of a polygon with a target inside, or outside by rounding.
+// Shares of the corners of a polygon with a target inside, or outside by rounding.
 std::vector<double> shares_of_polygon(const std::vector<Vec2>& hull, const Vec2& p) {
   const size_t n = hull.size();
   std::vector<double> out(n, 0.0);

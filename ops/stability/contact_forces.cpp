@@ -240,7 +240,7 @@ class ForceProgram {
 
 namespace {
 
-// Of each pair the best of those that would lower the cost. @return whether there are any.
+// Takes the best candidate of each pair that would lower the cost. @return whether there are any.
 template <class Gain>
 bool join_best(FreeBodies& part, const Gain& gain) {
   std::vector<double> gains;
@@ -301,7 +301,7 @@ double shift_margin(const FreeBodies& part, double clearance) {
   for (const Vec2& way : {Vec2(1, 0), Vec2(d, d), Vec2(0, 1), Vec2(-d, d), Vec2(-1, 0),
                           Vec2(-d, -d), Vec2(0, -1), Vec2(d, -d)})
     shifts.push_back(program.shift(Vec3(way.x(), way.y(), 0), largest));
-  // Those that may be worst are solved anew, so that the bits do not depend on the others.
+  // Shifts that may be worst are solved anew, so that the bits do not depend on the others.
   const std::vector<double> nearly = program.objectives_with(shifts);
   double worst = -kInfinity;
   for (const double objective : nearly) worst = std::max(worst, objective);

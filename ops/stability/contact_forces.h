@@ -34,9 +34,9 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1)
 /// part of the time. False: contact_forces() knows.
 bool quickly_balanced(const FreeBodies& part, double clearance, double factor = 1);
 
-/// How far all weights may be shifted together, sideways, in the worst of 8 directions, while
-/// nothing is missing. @return metres, at most the largest body's size; negative: something is
-/// missing without any shift.
+/// Distance by which all weights may be shifted together, sideways, in the worst of 8 directions,
+/// while nothing is missing. @return metres, at most the largest body's size; negative: something
+/// is missing without any shift.
 double shift_margin(const FreeBodies& part, double clearance);
 
 }  // namespace trivet

@@ -16,7 +16,7 @@ namespace trivet {
 namespace {
 
 constexpr size_t kPairContacts = 12;  // points of one pair that the linear program gets
-// Of a model that is one point: the program's numbers are in parts of them.
+// Least weight, for a model that is one point: the program's numbers are in parts of them.
 constexpr double kLeastWeight = 1e-15;  // newtons
 constexpr double kLeastSize = 1e-9;     // metres
 
@@ -77,6 +77,7 @@ FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
   const BodyIndex index(ids);
   for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
     for (const ObjectContact& entry : scene.at(ids[i]).contacts) {
+      if (entry.across_gap) continue;
       const Index from = index.find(entry.with);
       if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
       const double of_pair = friction.value_or(friction_between(scene, ids[i], entry.with));

@@ -15,7 +15,7 @@ struct FreeBody {
   Vec3 centre;        // of mass
   double weight = 0;  // newtons
   double size = 0;    // diagonal, metres
-  /// Of what presses on it and is no body itself: newtons, and about the centre.
+  /// Load of what presses on it and is no body itself: newtons, and about the centre.
   Vec3 load = Vec3::Zero(), load_torque = Vec3::Zero();
 };
 
@@ -35,11 +35,12 @@ struct FreeBodies {
   /// Further ones of the same pairs, which matter seldom: contact_forces() looks at them where
   /// `touches` do not do.
   std::vector<BodyContact> more;
-  /// Of near_bodies(): objects that are neither bodies nor ground, and touch some; sorted by slot.
+  /// For near_bodies(): objects that are neither bodies nor ground, and touch some; sorted by slot.
   std::vector<ObjectId> left_out;
 };
 
-/// All placed objects that are not fixed, with the contacts of the scene's links.
+/// All placed objects that are not fixed, with the contacts of the scene's links, but for those
+/// across gaps.
 /// @param friction  of all contacts; none: friction_between() each pair.
 FreeBodies free_bodies(const Scene& scene, std::optional<double> friction = {});
 

@@ -149,7 +149,7 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
   };
   const auto add_partners = [&](ObjectId id) {
     for (const ObjectContact& entry : scene.at(id).contacts)
-      if (entry.with.is_object()) add(entry.with.object());
+      if (entry.with.is_object() && !entry.across_gap) add(entry.with.object());
   };
   for (const ObjectId id : seeds) add(id);
   // Neighbours of a seed that stands still may have been unbalanced by it.

@@ -101,7 +101,7 @@ class StabilityCheck {
     }
   }
 
-  // Of what does not topple.
+  // Sets the margin of a body that does not topple.
   void set_margin(size_t i, double margin) {
     m_out.objects[i].margin = margin;
     m_out.objects[i].marginal = margin < kMarginalShift * m_all.bodies[i].size;
@@ -123,7 +123,7 @@ class StabilityCheck {
     return near_part(m_scene, std::move(ids), m_clearance, is_fixed, m_options.friction);
   }
 
-  // Of bodies of a part: which of m_all.
+  // Indices in m_all of a part's bodies.
   std::vector<Index> members_of(const FreeBodies& part) const {
     std::map<std::uint32_t, Index> index_of;
     for (size_t i = 0; i < m_all.bodies.size(); ++i)
@@ -137,7 +137,7 @@ class StabilityCheck {
     return static_cast<int>(part.bodies.size()) <= m_options.max_program_objects;
   }
 
-  // Of a part that holds: whether it does with a little less friction, too.
+  // Judges a part that holds with a little less friction, too.
   void judge_reserve(FreeBodies part) {
     if (is_small(part)) {
       if (quickly_balanced(part, m_clearance, kMarginalFriction)) return;
@@ -234,6 +234,24 @@ Stability stability_of_part(const Scene& scene, ObjectId object, const Stability
   std::vector<ObjectId> ids;
   if (of.placed && !of.fixed) ids = judged_with(scene, object, options);
   return StabilityCheck(scene, options, linked_bodies(scene, ids, options.friction)).run();
+}
+
+std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& stability) {
+  std::vector<CarriedBy> out;
+  if (!stability.stable()) return out;
+  for (auto f = stability.forces.begin(); f != stability.forces.end();) {
+    const ObjectId on = f->on;
+    std::vector<std::pair<Support, double>> upward;
+    for (; f != stability.forces.end() && f->on == on; ++f) {
+      auto at = std::find_if(upward.begin(), upward.end(),
+                             [&](const auto& sum) { return sum.first == f->from; });
+      if (at == upward.end()) at = upward.insert(at, {f->from, 0});
+      at->second += f->force.z();
+    }
+    for (const auto& [from, force] : upward)
+      if (force > kCarriedPart * weight_of(scene.at(on))) out.push_back({on, from});
+  }
+  return out;
 }
 
 double weight_of(const Object& object, double density) {

@@ -31,7 +31,7 @@ struct ContactForce {
   Vec3 point, force;
 };
 
-/// Of a body, at one moment.
+/// Motion of a body at one moment.
 struct VirtualMotion {
   Vec3 velocity = Vec3::Zero();  // of the centre of mass
   Vec3 spin = Vec3::Zero();      // right-handed
@@ -42,7 +42,7 @@ struct ObjectStability {
   double weight = 0;      // newtons
   bool topples = false;   // moves when the scene is let go
   bool marginal = false;  // does not topple, but see Stability::Status
-  /// Of what topples: which way, of the motion that proves it. Metres and radians for each metre of
+  /// Direction of toppling, from the motion that proves it. Metres and radians for each metre of
   /// the fastest object of its part, |velocity| + |spin| size / 2. What slides lifts off in it by
   /// the friction angle: a certificate, not what would be seen.
   VirtualMotion motion = {};
@@ -85,6 +85,16 @@ Stability stability(const Scene& scene, const StabilityOptions& options = {});
 /// whatever else there is.
 Stability stability_of_part(const Scene& scene, ObjectId object,
                             const StabilityOptions& options = {});
+
+/// An object and a partner whose forces bear more than kCarriedPart of its weight.
+struct CarriedBy {
+  ObjectId object;
+  Support by;
+};
+/// By the forces of a verdict that says the scene is stable, in the order of its objects; else
+/// none.
+std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& stability);
+inline constexpr double kCarriedPart = 0.01;
 
 inline constexpr double kMarginalFriction = 0.99, kMarginalShift = 1e-3;
 inline constexpr double kGravity = 9.80665;  // m/s^2

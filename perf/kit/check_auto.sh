@@ -1,5 +1,5 @@
-# What `auto` takes, beside what was measured: sourced by run.sh. Uses kit, out, work, hardware, say.
-# shellcheck shell=bash disable=SC2154
+# Compares the choice of `auto` with what was measured: sourced by run.sh. Uses kit, out, work,
+# hardware, say. shellcheck shell=bash disable=SC2154
 
 columns=(1K 15K 150K 1.5M)
 declare -A taken expected  # by "kind column": a source; by "kind column source": milliseconds
@@ -84,7 +84,7 @@ slab_layout() {  # FOLDER N PUTS
   } >"$1/layout.json"
 }
 
-# Whether the GPU is twice as fast as BVHs.
+# True if the GPU is twice as fast as BVHs.
 gpu_wins() {  # COLUMN
   local kind name half
   for kind in fall turn; do

@@ -54,7 +54,7 @@ struct ImageBox {
 };
 ImageBox image_box(const Triangle& camera_frame, const PinholeCamera& camera);
 
-/// Nothing: the triangle covers no pixel of the window, is seen edge-on or is not finite.
+/// nullopt: the triangle covers no pixel of the window, is seen edge-on or is not finite.
 std::optional<FaceView> view_face(const Triangle& camera_frame, const PinholeCamera& camera,
                                   const PixelRange& window);
 

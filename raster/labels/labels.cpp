@@ -20,7 +20,7 @@ struct SeenFace {
   int y0, y1;
 };
 
-// What is nearest in a pixel so far.
+// Nearest face of a pixel so far.
 struct NearestFace {
   double depth = kInfinity;
   std::uint32_t object = 0, face = 0;
@@ -179,8 +179,8 @@ Labels render_labels(const PictureScene& scene, const PinholeCamera& camera,
   check_camera(camera);
   check_poses(scene);
   if (scene.objects.size() > kMaxLabelledObjects)
-    bad_input("labelled images of " + std::to_string(scene.objects.size()) +
-              " objects; accepted: up to " + std::to_string(kMaxLabelledObjects));
+    bad_input("labelled images of %1 objects; accepted: up to %2", scene.objects.size(),
+              kMaxLabelledObjects);
   return LabelRenderer(scene, camera, options).render();
 }
 

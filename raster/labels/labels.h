@@ -26,8 +26,8 @@ struct ObjectLabel {
   // an object cut by the picture's edge has parts that cannot be seen.
   std::int64_t num_on_canvas = 0;
   LabelBox visible_box;  // of those pixels' centres, whole numbers; empty if there are none
-  // Of all of the object in front of the camera, whether hidden or beside the picture; cut off at
-  // the canvas. Empty: it is behind the camera.
+  // Box of all of the object in front of the camera, whether hidden or beside the picture; cut off
+  // at the canvas. Empty: it is behind the camera.
   LabelBox whole_box;
 
   /// num_visible / num_on_canvas; 0 if it covers no pixel's centre.
@@ -50,10 +50,10 @@ struct LabelOptions {
   bool visibility = true;  // num_alone and num_on_canvas; else they are 0
 };
 
-/// What the ray through each pixel's centre meets first: the same as of trying every face, in
-/// double, edges belonging to both their faces. Of several at one depth the object and the face of
-/// the smallest index. Faces have two sides, materials count as opaque; the floor is seen from
-/// above only. By rasterising with the rays' own arithmetic: no face is missed, none is
+/// Labels of what the ray through each pixel's centre meets first: the same as of trying every
+/// face, in double, edges belonging to both their faces. Of several at one depth the object and the
+/// face of the smallest index. Faces have two sides, materials count as opaque; the floor is seen
+/// from above only. By rasterising with the rays' own arithmetic: no face is missed, none is
 /// approximated. The same bits for any number of threads of the current arena, and, for the same
 /// camera, on any machine.
 /// @throws Error (BadInput) for a bad camera, poses that are not finite, or too many objects.
@@ -61,7 +61,7 @@ struct LabelOptions {
 Labels render_labels(const PictureScene& scene, const PinholeCamera& camera,
                      const LabelOptions& options = {});
 
-/// Whether each pixel would show the object if it were alone, as in ObjectLabel::num_alone.
+/// For each pixel, true if it would show the object if it were alone, as in ObjectLabel::num_alone.
 std::vector<bool> object_silhouette(const PictureScene& scene, std::size_t object,
                                     const PinholeCamera& camera);
 

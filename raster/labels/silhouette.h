@@ -48,7 +48,7 @@ class Silhouette {
   std::vector<std::uint64_t> m_bits;
 };
 
-/// Of the window, the pixels whose centre the object covers.
+/// Pixels of the window whose centre the object covers.
 Silhouette draw_silhouette(const SeenObject& object, const PinholeCamera& camera,
                            const PixelRange& window);
 

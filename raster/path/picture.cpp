@@ -75,11 +75,10 @@ Image trace_picture(const PictureScene& scene, const PinholeCamera& camera,
   check_picture(scene, options);
   check_camera(camera);
   if (path.bounces < 0 || path.bounces > 64)
-    bad_input("paths of " + std::to_string(path.bounces) + " bounces; accepted: 0 to 64");
+    bad_input("paths of %1 bounces; accepted: 0 to 64", path.bounces);
   if (camera.width != options.width || camera.height != options.height)
-    bad_input("a camera of " + std::to_string(camera.width) + " x " +
-              std::to_string(camera.height) + " pixels for a picture of " +
-              std::to_string(options.width) + " x " + std::to_string(options.height));
+    bad_input("a camera of %1 x %2 pixels for a picture of %3 x %4", camera.width, camera.height,
+              options.width, options.height);
   const SumImage sums = PathTracer(scene, camera, options, path).trace();
   return develop(path.filter ? filtered(sums) : unfiltered(sums), options);
 }

@@ -76,7 +76,7 @@ Vec3f glass_colour(const PathMaterial& m) {
   return left.cwiseMax(0.01f);
 }
 
-/// Of light through one face, on a straight way.
+/// Light passed through one face, on a straight way.
 Vec3f passed_by(const PathMaterial& m) {
   if (m.finish == Finish::Thin) return Vec3f::Constant(1 - m.alpha);
   if (m.finish == Finish::Glass) return kInterfaceLoss * glass_colour(m).cwiseSqrt();
@@ -95,7 +95,7 @@ PathScene::PathScene(const PictureScene& scene, const PictureFrame& frame) {
   m_rays.commit();
 }
 
-// What the finish alone lets through; see passed_at() for what varies over a face.
+// Light that the finish alone lets through; see passed_at() for what varies over a face.
 void PathScene::add_mesh(const PictureMesh& given) {
   const DrawnMesh mesh(given, texture_bytes_left(m_texture_bytes));
   Mesh& out = m_meshes.emplace_back();
@@ -162,7 +162,7 @@ void PathScene::add_instance(const PictureObject& object, std::size_t mesh,
   m_instances.push_back(instance);
 }
 
-// How far the smooth surface is above a point of its triangle: towards the planes of the corners'
+// Height of the smooth surface above a point of its triangle: towards the planes of the corners'
 // normals, as far as the point is below them. @see [Hanika 2021]
 float PathScene::bulge(const Instance& instance, const Mesh& mesh, std::uint32_t face,
                        const std::array<float, 3>& weights, float side) {
@@ -178,7 +178,7 @@ float PathScene::bulge(const Instance& instance, const Mesh& mesh, std::uint32_t
   return height > kMaxBulge ? kMaxBulge * kMaxBulge / height : height;
 }
 
-// What textures and colours of corners change. The smooth normal of the object's frame is that
+// Changes by textures and colours of corners. The smooth normal of the object's frame is that
 // before it faces the ray.
 void PathScene::apply_look(const Instance& instance, const FaceLook& look, const Vec3f& smooth,
                            SurfacePoint& out) {

@@ -25,7 +25,7 @@ struct PathMaterial {
   float index = 1.5f;              // of refraction, of glass
 };
 
-/// What a ray meets, picture frame.
+/// Point where a ray meets a surface, picture frame.
 struct SurfacePoint {
   Vec3f position;
   Vec3f face;    // unit normal of the face, towards where the ray came from

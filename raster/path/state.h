@@ -24,7 +24,7 @@ struct PathTracer::Path {
   // Light of the key lamp if nothing is in the way.
   bool asks_key = false, asks_first = false;
   Vec3f key_from, key_direction, key_matt, key_bright;
-  // Of this sample.
+  // Values of this sample.
   float coverage = 0;
   Vec3f albedo = Vec3f::Zero(), sum_matt = Vec3f::Zero(), sum_bright = Vec3f::Zero();
   Vec3f normal = Vec3f::Zero(), position = Vec3f::Zero();

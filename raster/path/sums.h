@@ -1,4 +1,4 @@
-// What rays bring to each pixel, and what guides the filter. Private.
+// Sums of the light that rays bring to each pixel, and the guides of the filter. Private.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace trivet {
 
-/// Of one pixel, over its samples. "Matt" is light by way of the diffuse reflection of what is seen
-/// first, "bright" all other.
+/// Sums of one pixel, over its samples. "Matt" is light by way of the diffuse reflection of what is
+/// seen first, "bright" all other.
 struct PixelSums {
   Vec3f matt = Vec3f::Zero(), bright = Vec3f::Zero();  // radiance
   Vec3f albedo = Vec3f::Zero();                        // of the diffuse reflection

@@ -23,7 +23,7 @@ inline Vec3f diffuse_albedo(const PathMaterial& m) { return m.base * (1 - m.meta
 /// Off the face, so that a ray does not meet it again.
 Vec3f lifted(const SurfacePoint& at, const Vec3f& direction);
 
-/// How a path goes on.
+/// Continuation of a path.
 struct NextRay {
   enum class Kind { Matt, Bright, Through };
   Kind kind;
@@ -32,7 +32,7 @@ struct NextRay {
   bool enters = false;    // glass
 };
 
-/// Nothing: the path ends. @param choice  between kinds. @param at_random  within one.
+/// nullopt: the path ends. @param choice  between kinds. @param at_random  within one.
 std::optional<NextRay> next_ray(const SurfacePoint& at, const Vec3f& to_eye, Sampler::Pair choice,
                                 Sampler::Pair at_random);
 

@@ -41,7 +41,7 @@ class FaceLook {
   /// To the right, up and off the surface as seen in the image of normals; unit.
   Vec3f mapped_normal() const;
   const SurfaceFinish& finish() const { return m_finish; }
-  /// Of SurfaceLook::tangents.
+  /// Tangent of SurfaceLook::tangents.
   const Eigen::Vector4f& tangent() const { return m_look.tangents[m_at.face]; }
 
  private:

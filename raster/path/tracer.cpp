@@ -70,7 +70,7 @@ Vec3f PathTracer::key_light(Sampler::Pair u) const {
 Vec3f PathTracer::sky(const Vec3f& direction, bool mirrored) const {
   if (direction.z() < 0 && !m_has_floor) return Vec3f::Constant(kDimGround);
   const Vec3f light = m_sky_horizon + m_sky_slope * std::max(direction.z(), 0.0f);
-  // What mirrors see is no dark studio: a room would have walls that the key light lights.
+  // Mirrors see no dark studio: a room would have walls that the key light lights.
   return mirrored ? Vec3f(light * float(0.75 / (1 - kKeyShare))) : light;
 }
 
@@ -121,7 +121,7 @@ void PathTracer::leave(Path& path) const {
     path.add(path.weight.cwiseProduct(sky(path.direction, path.kind == NextRay::Kind::Bright)));
 }
 
-// What is seen first; or the floor behind glass, which fades into the background.
+// Notes the first surface that is seen; or the floor behind glass, which fades into the background.
 void PathTracer::note(Path& path, const SurfacePoint& at, bool on_floor) const {
   const float coverage = on_floor ? floor_coverage(at.position) : 1;
   if (path.has_seen) {
@@ -201,7 +201,7 @@ void PathTracer::advance(Path& path, const RayPacket& rays, const HitPacket& hit
   path.on = path.has_seen;
   if (!path.on) return;
   if (path.num_bounces > m_path.bounces) {
-    // Nothing is traced from here: lit as the surroundings are.
+    // Paths end here: the point is lit as the surroundings are.
     const Vec3f dim = kFromNeighbours * diffuse_albedo(at.material);
     path.add(path.weight.cwiseProduct(dim.cwiseProduct(sky(Vec3f::UnitZ(), false))));
     path.on = false;

@@ -21,7 +21,7 @@ constexpr double kSmallestPixel =
 constexpr double kEdgeOn = 1e-9;  // sine of the angle to a face seen edge-on
 constexpr size_t kEntriesBetweenChecks = 1 << 16;
 
-void require(bool holds, const std::string& text) {
+void require(bool holds, const Sentence& text) {
   if (!holds) throw Error(Error::Kind::BadInput, text);
 }
 
@@ -34,18 +34,18 @@ std::string number(double x) {
 void check(const ProjectionOptions& o) {
   const double length = o.direction.norm();
   require(length > 0 && length < kInfinity,
-          "direction of z-lists is " + number(o.direction.x()) + " " + number(o.direction.y()) +
-              " " + number(o.direction.z()) + "; accepted: finite and not 0 0 0");
+          say("direction of z-lists is %1 %2 %3; accepted: finite and not 0 0 0",
+              number(o.direction.x()), number(o.direction.y()), number(o.direction.z())));
   require(o.resolution >= 1 && o.resolution <= kLargestCompleteResolution,
-          "resolution of z-lists is " + std::to_string(o.resolution) + "; accepted: 1 to " +
-              std::to_string(kLargestCompleteResolution));
-  require(o.num_threads >= 0, "number of threads of z-lists is " + std::to_string(o.num_threads) +
-                                  "; accepted: 0 (all) or more");
+          say("resolution of z-lists is %1; accepted: 1 to %2", o.resolution,
+              kLargestCompleteResolution));
+  require(o.num_threads >= 0,
+          say("number of threads of z-lists is %1; accepted: 0 (all) or more", o.num_threads));
   if (!o.region) return;
   const Vec2 size = o.region->upper - o.region->lower;
   require(size.minCoeff() > 0 && size.maxCoeff() < kInfinity,
-          "region of z-lists is " + number(size.x()) + " m wide and " + number(size.y()) +
-              " m high; accepted: above 0");
+          say("region of z-lists is %1 m wide and %2 m high; accepted: above 0", number(size.x()),
+              number(size.y())));
 }
 
 // Looking along `direction` with the head up.
@@ -86,9 +86,9 @@ void set_window(const Aabb& extent, const ProjectionOptions& options, Projection
   const Vec2 size = upper - lower;
   out.pixel = size.maxCoeff() / options.resolution;
   if (options.region)
-    require(out.pixel >= least, "region of z-lists has pixels of " + number(out.pixel) +
-                                    " m; accepted: " + number(least) +
-                                    " m or more, for coordinates of this size");
+    require(out.pixel >= least, say("region of z-lists has pixels of %1 m; accepted: %2 m or more, "
+                                    "for coordinates of this size",
+                                    number(out.pixel), number(least)));
   out.pixel = std::max(out.pixel, least);
   const auto count = [&](double length) {
     return std::clamp(static_cast<int>(std::ceil(length / out.pixel - 1e-9)), 1,
@@ -223,8 +223,7 @@ CompleteZLists::CompleteZLists(std::span<const Body> bodies, const ProjectionOpt
   set_window(extent, options, m_projection);
   const size_t num_pixels = size_t(m_projection.width) * m_projection.height;
   require(num_pixels * sizeof(m_ends[0]) <= options.most_bytes,
-          size_text() + " need more than the " + std::to_string(options.most_bytes >> 20) +
-              " MiB allowed");
+          say("%1 need more than the %2 MiB allowed", size_text(), options.most_bytes >> 20));
   draw(options.most_bytes, threads);
   for_each_part(num_pixels, threads, [&](size_t, size_t first, size_t last) {
     for (size_t i = first; i < last; ++i)
@@ -241,11 +240,9 @@ void CompleteZLists::draw(size_t most_bytes, int num_threads) {
   std::atomic<size_t> total = 0;
   draw_all<CountSink>(layer, view, num_threads,
                       [&] { return CountSink(m_ends, view.width, total, most); });
-  require(total <= most, size_text() + " have more than " + std::to_string(most) +
-                             " entries, the most that fit into the " +
-                             std::to_string(most_bytes >> 20) +
-                             " MiB allowed; take fewer pixels or a smaller "
-                             "region");
+  require(total <= most, say("%1 have more than %2 entries, the most that fit into the %3 MiB "
+                             "allowed; take fewer pixels or a smaller region",
+                             size_text(), most, most_bytes >> 20));
   // Items of a pixel start where those of the previous one end; storing advances each start to its
   // end.
   std::uint64_t start = 0;

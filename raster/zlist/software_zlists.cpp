@@ -14,18 +14,17 @@ namespace {
 constexpr int kLargestResolution = 4096;
 
 SoftwareZListOptions checked(SoftwareZListOptions options) {
-  const auto require = [](bool holds, const std::string& text) {
+  const auto require = [](bool holds, const Sentence& text) {
     if (!holds) throw Error(Error::Kind::BadInput, text);
   };
   require(options.resolution >= 0 && options.resolution <= kLargestResolution,
-          "resolution of z-lists is " + std::to_string(options.resolution) +
-              "; accepted: 0 (automatic) to " + std::to_string(kLargestResolution));
-  require(options.num_threads >= 0, "number of threads of z-lists is " +
-                                        std::to_string(options.num_threads) +
-                                        "; accepted: 0 (all) or more");
+          say("resolution of z-lists is %1; accepted: 0 (automatic) to %2", options.resolution,
+              kLargestResolution));
   require(
-      options.zoom_levels >= 0 && options.zoom_levels <= 4,
-      "zoom levels of z-lists are " + std::to_string(options.zoom_levels) + "; accepted: 0 to 4");
+      options.num_threads >= 0,
+      say("number of threads of z-lists is %1; accepted: 0 (all) or more", options.num_threads));
+  require(options.zoom_levels >= 0 && options.zoom_levels <= 4,
+          say("zoom levels of z-lists are %1; accepted: 0 to 4", options.zoom_levels));
   if (options.num_threads == 0)
     options.num_threads = std::max(1, tbb::this_task_arena::max_concurrency());
   return options;

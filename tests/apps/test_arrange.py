@@ -207,7 +207,7 @@ class Arrange(Case):
         at = self.positions(self.read_json("a.json"))
         self.assertAlmostEqual(at["mug_1"][2], 0.45, places=3)
         self.assertAlmostEqual(at["mug_2"][2], 0.15, places=3)
-        # Beside the object: the same problem.
+        # The same problem, given beside the object.
         self.problem(on)
         document = self.read_json("problem.json")
         document["objects"][0]["surfaces"] = {"low": "bottom", "middle": -2}

@@ -1,9 +1,10 @@
 """Bad models and layouts: a clear message, status 2, no output, no crash."""
 import json
 import struct
+import subprocess
 import unittest
 
-from program import SLAB, Case, box_obj, main, put, random_bytes
+from program import PROGRAM, SLAB, Case, box_obj, main, put, random_bytes
 
 BOX = box_obj(0.05, 0.05, 0.05)
 
@@ -149,6 +150,45 @@ class BadLayouts(Case):
         self.write("huge.obj", box_obj(1e6, 1e6, 1e6))
         layout = self.layout([{"name": "a", "model": "huge.obj", "scale": 1e12}])
         self.refused("run", layout, "-o", "s.glb", says=['/objects/0: "a" reaches', "accepted: up to"])
+
+
+class DeepNesting(Case):
+    """200,000 levels in every file of JSON: a sentence, not the end of the stack."""
+
+    def refuse(self, *arguments, status=2):
+        out, err = self.trivet(*arguments, status=status)
+        self.assertIn("nested too deep", out + err)
+        self.assertLess(len(out + err), 1000)
+
+    def test_all_readers(self):
+        for kind, text in (("array", "[" * 200_000), ("object", '{"a":' * 200_000), ("whole", "[" * 200_000 + "]" * 200_000)):
+            layout = self.write("l.json", '{"trivet": 1, "objects": ' + text)
+            self.refuse("run", layout, "-o", "s.glb")
+            self.refuse("check", layout)
+            self.refuse("arrange", layout, "-o", "s.glb")
+            self.refuse("session", layout, "--journal", "j")
+            self.refuse("serve", layout)
+            self.refuse("batch", self.write("r.json", '{"trivet_recipe": 1, "objects": ' + text), "--count", 1, "--out", "b")
+            self.refuse("info", self.write("m.gltf", '{"asset": ' + text))
+            length = (len(text) + 3) // 4 * 4
+            glb = struct.pack("<4sIII4s", b"glTF", 2, 20 + length, length, b"JSON") + text.encode().ljust(length)
+            self.refuse("info", self.write("m.glb", glb))
+            self.refuse("check", "m.glb")
+            self.trivet("run", self.layout([SLAB]), "-o", "s.glb")
+            self.refuse("render", "s.glb", "--cameras", self.write("c.json", text), "--ids", "i_{}.png")
+            # A line of a journal that cannot be read is damaged.
+            self.refused("replay", self.write("j", text + "\n"), "-o", "t.glb", says="is no journal")
+            out, _ = self.session_of("s.glb", text)
+            self.assertIn("nested too deep", out)
+            self.write("b/run.json", text)
+            for verb in (("status", "b"), ("merge", "b", "-o", "m.csv")):
+                self.refuse("batch", *verb)
+
+    def session_of(self, scene, line):
+        result = subprocess.run([PROGRAM, "session", scene], cwd=self.folder, input=line + "\n", text=True, capture_output=True,
+                                timeout=100)
+        self.assertEqual(result.returncode, 0)
+        return result.stdout, result.stderr
 
 
 class BadScenes(Case):

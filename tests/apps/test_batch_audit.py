@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import random
+import re
 
 from batches import EFFORT, BatchCase
 from program import main
@@ -74,6 +75,44 @@ class Audit(BatchCase):
         self.assertIn("0 findings", self.trivet("batch", "verify", "out", "--sample", 0)[0])
         self.assertIn("scene 0 made again has other poses",
                       self.trivet("batch", "verify", "out", "--sample", 1, status=1)[0])
+
+    def test_damage_of_any_kind_is_told_as_damage(self):
+        """Never a crash, and no words of libraries: status 0 to 2, and verify finds it."""
+        for out_format in ("tar", "poses", "dir"):
+            self.batch(out_format, "--format", out_format, count=10)
+            units = sorted(name for name in self.files() if name.startswith(out_format + "/") and "/models/" not in name)
+            generator = random.Random(5)
+            for i in range(int(60 * EFFORT) or 6):
+                name, kind = generator.choice(units), i % 6
+                whole = self.read(name)
+                self.write(name, self.damaged(bytearray(whole), kind, generator))
+                for command in (("status", out_format), ("verify", out_format, "--sample", 0), ("merge", out_format, "-o", "m.jsonl"),
+                                ("materialise", out_format, 3, "-o", "3.glb")):
+                    out, err = self.trivet("batch", *command, status=(0, 1, 2))
+                    for word in ("json.exception", "unexpected: ", "std::", "basic_"):
+                        self.assertNotIn(word, out + err, (name, kind, command))
+                    if command[0] == "verify" and self.read(name) != whole:
+                        self.assertNotIn(" 0 findings", out, (name, kind))
+                self.write(name, whole)
+
+    def damaged(self, content, kind, generator):
+        at = generator.randrange(len(content))
+        if kind == 0:
+            content[at] ^= 1 << generator.randrange(8)
+        elif kind == 1:
+            del content[at:]
+        elif kind == 2:  # a value of another kind
+            values = list(re.finditer(rb'"[a-z_]+": ?', bytes(content)))
+            if values:
+                at = generator.choice(values).end()
+                content[at:at + 1] = generator.choice((b"null", b'"x"', b"{}", b"-1", b"1e400"))
+        elif kind == 3:
+            content[0:0] = b"[" * 200_000
+        elif kind == 4:
+            content[at:at] = b'{"a":' * 100_000
+        else:
+            del content[:]
+        return bytes(content)
 
     def test_another_run_is_refused(self):
         self.batch("out", count=10)

@@ -43,7 +43,8 @@ class InputsStay(Case):
                      "--report", "m.bin", says=("m.bin", "named by", "m.gltf"))
         self.refused("run", self.layout([{**SLAB, "model": "m.obj"}]), "-o", "s.glb",
                      "--report", "m.mtl", says=("m.mtl", "named by", "m.obj"))
-        # What an export writes beside itself: n.gltf has named n.bin, which the model names too.
+        # Files that an export writes beside itself: n.gltf has named n.bin, which the model names
+        # too.
         for name in ("n.gltf", "other.gltf"):
             self.write(name, self.read("m.gltf").replace(b"m.bin", b"n.bin"))
         shutil.copy(self.path("m.bin"), self.path("n.bin"))
@@ -94,10 +95,10 @@ class InputsStay(Case):
     def test_a_start_that_is_called_like_its_copy(self):
         self.trivet("run", self.layout([SLAB]), "-o", "s.glb")
         os.rename(self.path("s.glb"), self.path("j.start"))
-        before = self.read("j.start")
-        self.session([{"op": "unfix", "object": "slab"}], "j.start", "--journal", "j")
-        self.assertEqual(self.read("j.start"), before)
-        self.trivet("replay", "j", "-o", "t.glb")
+        self.refused("session", "j.start", "--journal", "j", says="would be replaced by the journal's copy")
+        self.write("j.start", "of the user")
+        self.refused("session", self.layout([SLAB]), "--journal", "j", says="is there already")
+        self.assertNotIn("j", self.files())
 
 
 class ClosedStreams(Case):
@@ -239,7 +240,7 @@ class FullDisks(Case):
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # write() fails, as on a full disk
             resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
         result = subprocess.run([PROGRAM, *arguments], cwd=self.folder, preexec_fn=set_limit,
-                                restore_signals=False, capture_output=True, timeout=100)
+                                restore_signals=False, capture_output=True, timeout=100, stdin=subprocess.DEVNULL)
         self.assertEqual(result.returncode, 3, result.stderr)
         self.assertIn(b"File too large", result.stderr)
         self.assertNotIn(b"temporary", result.stderr)
@@ -259,6 +260,39 @@ class FullDisks(Case):
         self.trivet("run", layout, "-o", "a.obj")
         self.write("a.mtl", self.read("a.mtl") + b"# changed\n")
         self.no_room(2000, "run", layout, "-o", "a.obj")
+
+    def test_data_sets_and_labels_of_several_views(self):
+        views = ("--dome", 3, "--width", 64, "--height", 48, "--samples", 1)
+        self.trivet("render", "slab.obj", "--coco", "c", *views)
+        size = max(len(self.read(n)) for n in self.files() if n.startswith("c/"))
+        shutil.rmtree(self.path("c"))
+        for form in ("--coco", "--bop"):
+            self.no_room(size // 2, "render", "slab.obj", form, "new/set", *map(str, views))
+        os.mkdir(self.path("old"))
+        self.write("old/mine", "mine")
+        self.no_room(size - 1, "render", "slab.obj", "--coco", "old", *map(str, views))
+        self.no_room(size - 1, "render", "slab.obj", "--ids", "ids_{}.png", "--boxes", "b_{}.json", "--coco", "old",
+                     *map(str, views))
+
+    def test_journals(self):
+        """No room for the copy of the start, for the first line, for a model."""
+        self.write("grid.obj", grid_obj(30))
+        layout = self.layout([{**SLAB, "model": "grid.obj"}] + [
+            {"name": "n%d" % i, "model": "cube.obj", "fixed": True, "position": [i, 0, 1], "rotation": [3, 1, 1, 2]} for i in range(30)])
+        self.assertEqual(self.run_session(layout), 0)
+        start, line = len(self.read("j.start")), len(self.read("j"))
+        self.assertLess(start, line)
+        model = max(os.path.getsize(self.path(name)) for name in self.files() if name.startswith("j.models/"))
+        self.assertLess(line, model)
+        for name in [name for name in self.files() if name.startswith("j")]:
+            os.remove(self.path(name))
+        os.rmdir(self.path("j.models"))
+        for limit in (start - 1, line - 1, model - 1):
+            self.no_room(limit, "session", layout, "--journal", "j", "--keep-models")
+
+    def run_session(self, layout):
+        return subprocess.run([PROGRAM, "session", layout, "--journal", "j", "--keep-models"], cwd=self.folder, stdin=subprocess.DEVNULL,
+                              capture_output=True, timeout=100).returncode
 
     def test_a_scene_and_its_report(self):
         layout = self.two_cubes()

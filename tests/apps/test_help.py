@@ -56,7 +56,7 @@ class Layout(HelpCase):
         text = " ".join(self.help("put").split())
         self.assertIn("(default: 1 0 0 0)", text)
         self.assertIn("--up y|z", text)
-        self.assertIn("from which it falls, metres (required)", text)
+        self.assertIn("from which it falls (metres)", text)
         self.assertIn("--backend auto|gpu|software|bvh", text)
         for verb in self.verbs():
             self.assertNotRegex(self.help(verb), r"default: .*\(default:|TEXT=|\{false\}|\[\]")

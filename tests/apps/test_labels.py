@@ -214,7 +214,7 @@ class Labels(Case):
         found = {o["name"]: (o["class"], o.get("attributes")) for o in self.read_json("b.json")["objects"]}
         die = ("die", {"colour": "red", "sides": 6})
         self.assertEqual(found, {"slab": ("table", None), "uno": die, "one": die, "two": ("stone", {"sides": 1})})
-        # What was refused is no part of what made the scene, so that more can be done with it.
+        # A refused operation is no part of what made the scene, so that more can be done with it.
         self.trivet("push", "t.glb", "two", "--direction", -1, 0, "--distance", 0.01, "-o", "u.glb")
         self.trivet("check", "u.glb")
 

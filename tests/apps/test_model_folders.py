@@ -97,6 +97,25 @@ class ModelsSeeTheirFolder(Case):
             self.trivet("run", self.layout([{**SLAB, "model": "m/a.gltf"}]), "-o", "s.glb")
             self.assertNotIn(SECRET.encode(), self.read("s.glb"))
 
+    def test_batches_store_nothing_from_elsewhere(self):
+        self.write("m/own.mtl", "newmtl own\nKd 0 1 0\nmap_Kd link.png\nmap_Ks up/secret.png\n")
+        os.mkdir(self.path("m/below"))
+        self.write("m/below/b.mtl", "newmtl below\nKd 0 0 1\n")
+        os.symlink("below/b.mtl", self.path("m/inside.mtl"))
+        self.write("m/cube.obj", b"mtllib own.mtl\nmtllib link.mtl\nmtllib up/secret.mtl\nmtllib inside.mtl\n"
+                                 b"mtllib ../secret.mtl\n" + self.read("cube.obj"))
+        self.write("r.json", json.dumps({
+            "trivet_recipe": 1, "objects": [SLAB],
+            "groups": [{"name": "box", "models": [{"model": "m/cube.obj"}], "count": 1, "on": "slab"}]}))
+        self.trivet("batch", "r.json", "--count", 2, "--out", "out", "--quiet", status=(0, 1))
+        stored = [name for name in self.files() if name.startswith("out/models/")]
+        self.assertEqual(sorted(os.path.basename(name) for name in stored), ["cube.obj", "inside.mtl", "own.mtl", "slab.obj"])
+        for name in self.files():
+            if name.startswith("out/"):
+                self.assertNotIn(SECRET.encode(), self.read(name), name)
+                self.assertFalse(os.path.islink(self.path(name)), name)
+        self.trivet("batch", "verify", "out")
+
     def test_pipes_are_no_files_of_a_model(self):
         os.mkfifo(self.path("m/fifo.bin"))
         self.gltf("fifo.bin")

@@ -126,7 +126,7 @@ class Moves(Case):
 
     def test_wrong_usage(self):
         for arguments, says in (
-                (("push", "s.glb", "a"), "--direction X Y --distance D, or --to X Y"),
+                (("push", "s.glb", "a"), "accepted: --to, or --direction and --distance"),
                 (("push", "s.glb", "a", "--direction", 0, 0, "--distance", 1),
                  "a direction whose length is not zero"),
                 (("push", "s.glb", "c", "--to", 0, 0), 'there is no object "c"'),

@@ -173,7 +173,124 @@ class Scenes(Served):
         self.refused("serve", "--recipe", "none.json", says="none.json")
 
 
+class Names(Served):
+    """Requests for other hosts and of pages; how a body's length is told; HEAD."""
+
+    def raw(self, server, text):
+        """Status line and headers in small letters, and what follows."""
+        with server.socket() as client:
+            client.settimeout(20)
+            client.sendall(text.encode())
+            client.shutdown(1)
+            answer = b""
+            while block := client.recv(1 << 16):
+                answer += block
+        head, _, body = answer.partition(b"\r\n\r\n")
+        return head.decode().lower(), body
+
+    def status(self, server, text):
+        return int(self.raw(server, text)[0].split()[1])
+
+    def test_only_its_own_names(self):
+        with self.server("--host", "Scenes.example") as server:
+            port = server.address.rsplit(":", 1)[1]
+            for host, status in (("localhost", 200), ("LOCALHOST:1", 200), ("127.0.0.1:" + port, 200), ("[::1]:5", 200),
+                                 ("scenes.example", 200), ("evil.test", 421), ("localhost.evil.test", 421),
+                                 ("localhost.", 421), ("127.0.0.1.evil.test", 421), ("", 421), ("0.0.0.0", 421),
+                                 ("2130706433", 421), ("evil.test:" + port, 421), ("localhost@evil.test", 421)):
+                self.assertEqual(self.status(server, "GET /metrics HTTP/1.1\r\nHost: %s\r\n\r\n" % host), status, host)
+            self.assertEqual(self.status(server, "GET / HTTP/1.1\r\n\r\n"), 400)
+            self.assertEqual(self.status(server, "GET / HTTP/1.1\r\nHost: localhost\r\nHost: evil.test\r\n\r\n"), 400)
+            self.assertEqual(server.ask("GET", "/metrics")[1].decode().count("trivet_requests_refused_total 11"), 1)
+        with self.server("--socket", "s.sock") as server:
+            self.assertEqual(server.ask("GET", "/", Host="any.name")[0], 200)
+
+    def test_pages_of_browsers(self):
+        with self.server() as server:
+            session = server.open()
+            for headers, status in (({"Origin": "http://localhost:3000"}, 403), ({"Origin": "null"}, 403),
+                                    ({"Sec-Fetch-Site": "cross-site"}, 403), ({"sec-fetch-site": "same-site"}, 403),
+                                    ({"Sec-Fetch-Site": "anything"}, 403), ({"Sec-Fetch-Site": "none"}, 200),
+                                    ({"Sec-Fetch-Site": "same-origin"}, 200)):
+                for method, path in (("GET", "/"), ("GET", session + "/scene.glb"), ("POST", session)):
+                    body = {"query": "a"} if method == "POST" else None
+                    self.assertEqual(server.ask(method, path, body, **headers)[0], status, headers)
+            self.assertEqual(server.ask("DELETE", session, **{"Sec-Fetch-Site": "cross-site"})[0], 403)
+            self.assertEqual(server.ask("DELETE", session)[0], 200)
+
+    def test_how_long_a_body_is(self):
+        start = "POST /sessions HTTP/1.1\r\nHost: localhost\r\n"
+        with self.server() as server:
+            for fields, body, status in (
+                    ("Content-Length: 2\r\n", "{}", 201),
+                    ("Transfer-Encoding: chunked\r\n", "2\r\n{}\r\n0\r\n\r\n", 201),
+                    ("Transfer-Encoding: Chunked\r\n", "2\r\n{}\r\n0\r\n\r\n", 201),
+                    ("Transfer-Encoding: gzip\r\n", "", 501),
+                    ("Transfer-Encoding: identity\r\n", "", 501),
+                    ("Transfer-Encoding: gzip, chunked\r\n", "0\r\n\r\n", 501),
+                    ("Transfer-Encoding: chunked, chunked\r\n", "0\r\n\r\n", 501),
+                    ("Transfer-Encoding: xchunked\r\n", "0\r\n\r\n", 501),
+                    ("Transfer-Encoding: gzip\r\nTransfer-Encoding: chunked\r\n", "0\r\n\r\n", 501),
+                    ("Content-Length: 5\r\nTransfer-Encoding: chunked\r\n", "0\r\n\r\n", 400),
+                    ("Transfer-Encoding: chunked\r\nContent-Length: 5\r\n", "0\r\n\r\n", 400),
+                    ("Transfer-Encoding: identity\r\nContent-Length: 0\r\n", "", 400),
+                    ("Content-Length: 2\r\nContent-Length: 3\r\n", "{}", 400),
+                    ("Content-Length: -1\r\n", "", 400)):
+                # Bytes behind a refused body are no request.
+                head, rest = self.raw(server, start + fields + "\r\n" + body + "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n")
+                self.assertEqual(int(head.split()[1]), status, fields)
+                self.assertEqual(b"ok\n" in rest, status == 201, fields)
+
+    def test_head_has_no_body(self):
+        with self.server() as server:
+            connection = server.connect()
+            for path in ("/", "/healthz", "/metrics", server.open() + "/scene.glb", "/nothing"):
+                status, body = server.ask("GET", path)
+                connection.request("HEAD", path)
+                answer = connection.getresponse()
+                self.assertEqual((answer.status, answer.read()), (status, b""))
+                if path != "/metrics":
+                    self.assertEqual(int(answer.getheader("Content-Length")),
+                                     len(body) if isinstance(body, bytes) else len(json.dumps(body, separators=(",", ":"))) + 1)
+            self.assertEqual(server.ask("GET", "/healthz", connection=connection), (200, b"ok\n"))
+            connection.close()
+
+
 class Limits(Served):
+    def test_a_session_forgets_its_oldest_steps(self):
+        with self.server("--max-states", 40) as server:
+            session = server.open()
+            for i in range(60):
+                status, answer = server.ask("POST", session, put("b", 0.01 * (i % 7), 0.2, 1))
+                self.assertEqual((answer["status"], answer["done"], answer["steps"]), ("ok", i + 1, i + 1))
+            undone = 0
+            while (answer := server.ask("POST", session, {"undo": True})[1])["status"] == "ok":
+                undone += 1
+            self.assertTrue(5 < undone < 40, undone)
+            self.assertIn("cannot be undone any more: this session keeps 40 states of objects", answer["reason"])
+            for _ in range(undone):
+                self.assertEqual(server.ask("POST", session, {"redo": True})[1]["status"], "ok")
+            # Its scene still opens, and goes on.
+            self.write("s.glb", server.ask("GET", session + "/scene.glb")[1])
+        self.trivet("check", "s.glb")
+        self.trivet("put", "s.glb", "cube.obj", "--position", 0, 0.3, 1, "-o", "t.glb")
+
+    def test_objects_and_texts_are_limited(self):
+        with self.server("--max-objects", 5) as server:
+            session = server.open()
+            line = {"do": [{"op": "duplicate", "object": "a", "as": "c%d" % i} for i in range(3)]}
+            status, answer = server.ask("POST", session, line)
+            self.assertEqual((status, answer["status"]), (400, "error"))
+            self.assertIn("the session has 3 objects, and 3 more are too many; accepted: up to 5", answer["reason"])
+            line["do"].pop()
+            self.assertEqual(server.ask("POST", session, line)[1]["status"], "ok")
+            append = {"op": "append", "object": "d", "model": "cube.obj"}
+            self.assertEqual(server.ask("POST", session, append)[0], 400)
+            self.assertEqual(server.ask("POST", session, {"op": "delete", "object": "c0"})[0], 200)
+            self.assertEqual(server.ask("POST", session, append)[1]["status"], "ok")
+            long = {"op": "group", "object": "a", "group": "g" * 5000}
+            self.assertIn("the text is too long", server.ask("POST", session, long)[1]["reason"])
+
     def test_too_many_sessions_wait_until_one_is_idle(self):
         with self.server("--max-sessions", 2, "--idle-seconds", 2) as server:
             first, _ = server.open(), server.open()
@@ -186,7 +303,7 @@ class Limits(Served):
         with self.server("--request-seconds", 1, "--max-connections", 3) as server:
             slow = [server.socket() for _ in range(3)]
             for client in slow:
-                client.sendall(b"POST /sessions HTTP/1.1\r\nHost: x\r\n")
+                client.sendall(b"POST /sessions HTTP/1.1\r\nHost: localhost\r\n")
             start = time.monotonic()
             server.open()  # accepted when the slow ones are closed
             self.assertLess(time.monotonic() - start, 10)

@@ -156,7 +156,7 @@ class AssimpModels(unittest.TestCase):
                     message = answer["error"]["message"]
                     self.assertIn(os.path.basename(path), message)
                     self.assertEqual(answer["error"]["kind"], "bad input", message)
-                    kind = ("importer crashed" if "importer ended" in message else
+                    kind = ("importer crashed" if " stopped with " in message else
                             "too slow" if "longer than" in message else
                             "too large" if "memory" in message else "refused")
                     outcomes[kind] += 1

@@ -24,7 +24,7 @@ class Help(Case):
             self.assertEqual(self.trivet(verb, "--version")[0], self.trivet("--version")[0])
 
     def test_schema_prints_the_published_file(self):
-        with open(os.path.join(SOURCE_DIR, "ops/files/layout/layout.schema.json")) as file:
+        with open(os.path.join(os.path.dirname(PROGRAM), "layout.schema.json")) as file:
             self.assertEqual(self.trivet("schema")[0], file.read())
 
 
@@ -55,7 +55,7 @@ class WrongUsage(Case):
                 ((*run, "--clearance", "nan"), '"nan" is not accepted; accepted: numbers from 0'),
                 ((*run, "--max-motions", "0"), '"0" is not accepted'),
                 (("put", "s.glb", "cube.obj", "-o", "t.glb"),
-                 ["--position is required", 'in a layout also "on"']),
+                 ["put: a place is missing; accepted: --position", "or --on"]),
                 (("put", "s.glb", "cube.obj", "-o", "t.glb", "--position", "1", "2"), "--position"),
                 (("put", "s.glb", "cube.obj", "-o", "t.glb", "--position", "1", "2", "inf"),
                  '"inf" is not accepted; accepted: numbers from'),

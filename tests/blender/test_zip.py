@@ -21,8 +21,8 @@ def make(path):
 
 class Zip(unittest.TestCase):
     def test_has_the_version_of_the_project_in_both_places(self):
-        with open(os.path.join(ROOT, "CMakeLists.txt"), encoding="utf-8") as file:
-            version = re.search(r"project\(Trivet VERSION (\S+)", file.read()).group(1)
+        with open(os.path.join(ROOT, "include/trivet/version.h"), encoding="utf-8") as file:
+            version = ".".join(re.findall(r"#define TRIVET_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)", file.read()))
         with tempfile.TemporaryDirectory() as folder:
             make(os.path.join(folder, "t.zip"))
             with zipfile.ZipFile(os.path.join(folder, "t.zip")) as archive:

@@ -23,7 +23,7 @@ fail() {
 PATH="$PATH:/usr/sbin:/sbin" command -v debootstrap >/dev/null || skip "no debootstrap; .ci/install-packages.sh packages"
 unshare --mount --pid --fork true 2>/dev/null || skip "namespaces are not allowed"
 
-# Of .ci/packages.txt, what the libraries and their tests need.
+# Packages of .ci/packages.txt that the libraries and their tests need.
 packages="$(awk '$1 == "build" && $2 !~ /mesa|^ccache$|epoxy/ { print $2 }' "$source_dir/.ci/packages.txt" | paste -sd,)"
 bare_root trixie trixie "$packages,libgtest-dev"
 job="$work/job"

@@ -97,7 +97,8 @@ up() { # NODES CPUS
 
 pid_of() { cat "$FARM_DIR/$1.pid" 2>/dev/null || true; }
 
-# What jobs of node N started has SLURMD_NODENAME in its environment. Two calls of grep for all: jobs go on meanwhile.
+# Processes started by jobs of node N: each has SLURMD_NODENAME in its environment. Two calls of
+# grep for all: jobs go on meanwhile.
 job_processes() {
   local file
   for file in $(grep -lzxF "SLURMD_NODENAME=n$1" /proc/[0-9]*/environ 2>/dev/null |
@@ -132,7 +133,7 @@ down() {
   scancel --user="$(id -un)" 2>/dev/null || true
   for _ in $(seq 50); do [ -z "$(squeue -h -t R,CG 2>/dev/null)" ] && break; sleep 0.1; done
   local n p pids=""
-  # What a node that was cut off left, stopped perhaps.
+  # Processes left by a node that was cut off, stopped perhaps.
   for n in $(seq "$(grep -c ^NodeName= "$SLURM_CONF")"); do kill_node "$n"; done
   for p in "$FARM_DIR"/slurmd.*.pid "$FARM_DIR"/slurmctld.pid "$FARM_DIR"/munged.pid; do
     [ -s "$p" ] && pids="$pids $(cat "$p")"

@@ -47,7 +47,7 @@ cat >"$recipe" <<'END'
              "rotation": "any", "heap": {"radius": 0.1, "height": 0.5, "rise": 0.2}}]}
 END
 
-# What job files call is this program.
+# Job files call this program.
 mkdir bin
 ln -s "$trivet" bin/trivet
 export PATH="$work/bin:$PATH"
@@ -104,7 +104,7 @@ submit() { # OUT [OPTIONS OF SBATCH]
   print_job slurm "$1"
   sbatch --parsable --chdir="$work" --output="$work/$1.%a.txt" "${@:2}" slurm.sh
 }
-# How often tasks of a job began again.
+# Number of restarts of a job's tasks.
 restarts() { scontrol show job "$1" 2>/dev/null | sed -n 's/.*Restarts=\([0-9]*\).*/\1/p' | awk '{ n += $1 } END { print n + 0 }'; }
 begun_again() { [ "$(restarts "$1")" -gt 0 ]; }
 

@@ -32,6 +32,38 @@ def ply(binary):
         struct.pack("<Biii", 3, *f) for f in F)
 
 
+def rich_obj():
+    """What else OBJ files have: continued lines, negative ids, weights, colours, polygons, curves."""
+    return ("# c\nmtllib x.mtl y z.mtl\nv 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nv 0 1 0\nv .5 .25 0\n"
+            "vt 0 0 0\nvn 0 0 1\no a\ng b c\ns off\nusemtl m\nf 1/1 2/1 3/1 5 4/1 # five\n"
+            "f -5//1 \\\n-4//1 -3//1\nl 1 2 3\np 1\ncstype bezier\ncurv 0 1 1 2\nend\ncall q.obj\nf 5 1 2\n")
+
+
+def rich_ply(order):
+    """Doubles, a camera, colours of faces, coordinates of corners and strips."""
+    head = ("ply\nformat binary_%s_endian 1.0\ncomment TextureFile t.png\nelement camera 1\nproperty list uchar short v\n"
+            "element vertex 4\nproperty double x\nproperty double y\nproperty double z\nproperty float nx\n"
+            "property float ny\nproperty float nz\nelement face 2\nproperty list uchar uint vertex_index\n"
+            "property list uchar float texcoord\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+            "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" % ("little" if order == "<" else "big"))
+    return head.encode() + struct.pack(order + "Bhh", 2, 7, 8) + b"".join(
+        struct.pack(order + "dddfff", *v, 0, 0, 1) for v in V) + struct.pack(
+        order + "B4IB8f3B", 4, 0, 1, 2, 3, 8, *range(8), 1, 2, 3) + struct.pack(
+        order + "B3IB6f3B", 3, *F[0], 6, *range(6), 1, 2, 3) + struct.pack(order + "i6i", 6, 0, 1, 2, -1, 1, 3)
+
+
+def model_3mf():
+    """The XML of a 3MF; fuzz_import packs it."""
+    vertices = "".join('<vertex x="%g" y="%g" z="%g"/>\n' % v for v in V)
+    triangles = "".join('<triangle v1="%d" v2="%d" v3="%d" pid="1" p1="0"/>\n' % f for f in F)
+    return ('<?xml version="1.0" encoding="UTF-8"?>\n<model unit="inch" requiredextensions="p" xmlns:p="http://x/production/1">\n'
+            '<resources>\n<basematerials id="1"><base name="a" displaycolor="#FF8800"/></basematerials>\n'
+            '<object id="2" name="n"><mesh>\n<vertices>\n' + vertices + '</vertices><triangles>\n' + triangles +
+            '</triangles></mesh></object>\n<object id="3"><components>\n<component objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 5"/>\n'
+            '<component objectid="2" p:path="/3D/3dmodel.model"/>\n</components></object>\n</resources>\n'
+            '<build>\n<item objectid="3" transform="-1 0 0 0 1 0 0 0 1 0 0 0"/>\n</build></model>\n')
+
+
 def stl(binary):
     if binary:
         return b"x" * 80 + struct.pack("<I", 4) + b"".join(
@@ -163,7 +195,8 @@ def main():
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     made = {"t.obj": obj(), "ascii.ply": ply(False), "binary.ply": ply(True), "ascii.stl": stl(False),
-            "binary.stl": stl(True), "t.glb": glb(), "textured.glb": textured_glb(), "t.3ds": three_ds(), "t.fbx": fbx(),
+            "binary.stl": stl(True), "rich.obj": rich_obj(), "little.ply": rich_ply("<"), "big.ply": rich_ply(">"),
+            "t.3mf": model_3mf(), "t.glb": glb(), "textured.glb": textured_glb(), "t.3ds": three_ds(), "t.fbx": fbx(),
             "t.off": off(), "t.x3d": x3d()}
     for name, content in made.items():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())

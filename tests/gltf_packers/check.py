@@ -10,7 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# What a packer rounds positions to, as a share of the model's size.
+# Step to which a packer rounds positions, as a share of the model's size.
 BITS_14 = 1 / (2 ** 14 - 1)
 BITS_11 = 1 / (2 ** 11 - 1)
 PLAIN = 1e-6

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks Trivet's scenes in third-party programs.
-#   run.sh validator|three|usd|blender TRIVET WORK_FOLDER
+#   run.sh validator|three|usd|blender|mujoco TRIVET WORK_FOLDER
 # Generates models with every supported feature, lays them out with TRIVET, and BREAKFAST too; then
 # opens the scenes. Status 77: the third-party program is missing.
 set -euo pipefail
@@ -32,6 +32,17 @@ if [ "$job" = usd ]; then
   install_modules
   TRIVET_PROGRAM="$trivet" TRIVET_NODE_MODULES="$work/node_modules" \
     python3 -B "$here/../apps/test_export.py" Usd
+  exit
+fi
+if [ "$job" = mujoco ]; then
+  install_modules
+  scenes=()
+  for demo in spoon-saucer breakfast office1 office2; do
+    "$trivet" demo $demo -o "$work/$demo.glb" --quiet
+    "$trivet" export "$work/$demo.glb" -o "$work/$demo.xml" --quiet
+    scenes+=("$work/$demo.xml")
+  done
+  cd "$work" && node mujoco_rest.mjs 2 "${scenes[@]}"
   exit
 fi
 export PYTHONDONTWRITEBYTECODE=1

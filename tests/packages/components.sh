@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What a build installs, by component: every file belongs to one, and programs need no path of this machine.
+# Files that a build installs, by component: every file belongs to one, and programs need no path of
+# this machine.
 #   components.sh BUILD_DIR WORK_DIR
 set -euo pipefail
 build="$1" work="$2"

@@ -4,7 +4,7 @@
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile,bin] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
         [--backends software,gpu/compute] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
-        [--tries 3] [--solids 20x8] [--simulate 5 [--rest 95,99]] [--placed 98]
+        [--tries 3] [--starts 12] [--solids 20x8] [--simulate 5 [--rest 95,99]] [--placed 98]
 
 floor: every model in 5 random orientations, put onto the floor.
 pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
@@ -20,6 +20,7 @@ convex parts would overlap are not simulated, but named.
 the whole scene at rest, or is refused; the referee judges the whole scene, too.
 --tries: what a heap or a bin refuses is put again in the end, from another place above all, up to so
 many times in all; "placed" counts objects, "PUTs ok" PUTs.
+--starts: every PUT may try so many starts near its own ("tries" of layouts). The processor time of all runs is printed.
 --same-as, --threads and --backends run each layout again, by another build, with other numbers of
 threads or other sources of candidates: reports (apart from milliseconds, and what a backend says of
 itself) and scenes must be the same bytes. Without --referee, no other check is made.
@@ -33,6 +34,7 @@ import concurrent.futures
 import json
 import os
 import re
+import resource
 import statistics
 import subprocess
 import sys
@@ -167,6 +169,9 @@ def put_again(options, base, layout, again):
 
 def judge(options, name, layout, again):
     base = os.path.join(options.out, name)
+    if options.starts > 1:
+        layout["operations"] = [{**o, "tries": options.starts} if o["op"] == "put" and "position" in o else o
+                                for o in layout["operations"]]
     if options.friction:
         layout = {**layout, "material": {"friction": options.friction}}
     with open(base + ".json", "w") as file:
@@ -244,6 +249,7 @@ def main():
                         "millimetre and a centimetre")
     parser.add_argument("--placed", type=float, default=98, help="percent that must be placed")
     parser.add_argument("--tries", type=int, default=1, help="PUTs of an object that heaps and bins refuse")
+    parser.add_argument("--starts", type=int, default=1, help="starts that a PUT may try")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
     parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas; also gpu/compute/software/off; or five")
@@ -260,6 +266,8 @@ def main():
           "|---|---|---|---|---|---|---|---|---|---|")
     ok = [run_set(options, *sets[name]) for name in options.set.split(",")]
     options.work.print()
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(f"processor time: {used.ru_utime + used.ru_stime:.1f} s")
     sys.exit(0 if all(ok) else 1)
 
 

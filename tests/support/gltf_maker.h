@@ -68,7 +68,7 @@ class GltfMaker {
     return add("meshes", {{"primitives",
                            {{{"attributes", {{"POSITION", positions}}}, {"indices", indices}}}}});
   }
-  /// Of 1, in the float32 that most files have.
+  /// A cube of side 1, in the float32 that most files have.
   size_t add_cube() {
     const size_t positions = add_cube_positions();
     return add_mesh(positions, add_cube_indices());

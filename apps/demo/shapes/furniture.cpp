@@ -29,7 +29,7 @@ Part apron(const Vec2& half_size, const Vec2& centre) {
   return {moved(skin(rings), {centre.x(), centre.y(), 0}), 40};
 }
 
-// How far the cloth's hanging end stands out in folds: nothing on the table, more further down.
+// Depth of the folds of the cloth's hanging end: none on the table, more further down.
 double fold(double y, double z) {
   const double down = std::clamp((0.725 - z) / 0.16, 0.0, 1.0);
   return 0.016 * down * (1 + std::cos(y * 2 * std::numbers::pi / 0.232));

@@ -81,7 +81,7 @@ Model make_model(const std::string& name) {
     if (name == known) return make();
     accepted += std::string(accepted.empty() ? "" : ", ") + known;
   }
-  throw Error(Error::Kind::BadInput, "no model '" + name + "'; there are " + accepted);
+  throw Error(Error::Kind::BadInput, "no model '%1'; there are %2", name, accepted);
 }
 
 }  // namespace trivet::shapes

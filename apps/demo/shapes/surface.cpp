@@ -137,8 +137,9 @@ void sink_into(const std::vector<CurveSample>& profile, double depth, Ring* ring
 
 Ring rounded_rectangle(double half_x, double half_y, double radius, int corner_segments, double z) {
   if (corner_segments < 1)
-    throw Error(Error::Kind::BadInput, "a rounded rectangle of " + std::to_string(corner_segments) +
-                                           " segments per corner; accepted: 1 or more");
+    throw Error(Error::Kind::BadInput,
+                "a rounded rectangle of %1 segments per corner; accepted: 1 or more",
+                corner_segments);
   Ring ring;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double sx = quarter == 0 || quarter == 3 ? 1 : -1, sy = quarter < 2 ? 1 : -1;

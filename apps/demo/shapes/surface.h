@@ -29,7 +29,7 @@ Surface skin(const std::vector<Ring>& rings);
 /// Six times the volume that the triangles enclose.
 double signed_volume(const std::vector<Triangle>& triangles);
 
-/// How many segments a circle gets.
+/// Number of segments that a circle gets.
 struct Roundness {
   int segments = 36;
   int small_segments = 18;  // where the radius is below `small_radius`

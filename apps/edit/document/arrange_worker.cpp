@@ -31,7 +31,7 @@ void describe(const ArrangeResult& result, const Scene& scene, LayoutGhost& out)
 // Entries of all wishes, from relations of the part.
 void describe(const Conflict& conflict, const Arrangement& arrangement,
               const ArrangeWorker::Request& request, LayoutGhost& out) {
-  out.text = english_in_words(conflict.text);
+  out.text = in_words(conflict.text);
   out.objects = conflict.objects;
   out.objects.insert(out.objects.begin(), conflict.thing);
   const auto entry_of = [&](size_t relation) {
@@ -123,10 +123,10 @@ LayoutGhost ArrangeWorker::answer_to(Request& request) {
     else if (result.conflict)
       describe(*result.conflict, arrangement, request, out);
     else
-      out.text = english_in_words(result.reason());
+      out.text = in_words(result.sentence());
   } catch (const std::exception& e) {
     out.ok = false;
-    out.text = english_in_words(e.what());
+    out.text = in_words(e);
   }
   out.milliseconds = stopwatch.milliseconds();
   return out;

@@ -8,7 +8,7 @@
 
 namespace trivet::edit {
 
-/// How objects are turned before they are put.
+/// Rotation given to objects before they are put.
 enum class RandomTurn { None, Yaw, Any };
 
 class Dice {

@@ -244,7 +244,7 @@ void Document::show_look_step(const History& history, const Selection& before) {
   show_history(history);
 }
 
-// Of a step that was undone or redone. Changes that were made meanwhile stay, and only those.
+// Shows the looks of a step that was undone or redone. Changes made meanwhile stay.
 void Document::show_looks_of_step(const Looks& from, const Looks& to) {
   Looks looks = m_looks.changed(from, to);
   for (const LookStep& open : m_open_looks) looks = looks.changed(open.before, open.now);

@@ -33,6 +33,7 @@
 #include "apps/edit/document/snapshot.h"
 #include "apps/edit/document/wishes.h"
 #include "apps/edit/document/zlist_view.h"
+#include "core/base/sentence.h"
 
 namespace trivet::edit {
 
@@ -53,7 +54,7 @@ class Document : public QObject {
 
   /// Never null. The same until snapshot_changed().
   const std::shared_ptr<const SceneSnapshot>& snapshot() const { return m_snapshot; }
-  /// Of the committed scene, as a whole; null: not judged yet. Until verdict_changed().
+  /// Verdict on the committed scene as a whole; null: not judged yet. Until verdict_changed().
   std::shared_ptr<const SceneVerdict> verdict() const;
   const History& history() const { return m_history; }
   bool can_undo() const { return m_history.num_done > 0; }
@@ -124,7 +125,7 @@ class Document : public QObject {
   void select(Selection selection);
   void select_only(std::optional<ObjectId> id);
 
-  /// Of this scene, until another one is opened. Saved with it.
+  /// Looks of this scene, until another one is opened. Saved with it.
   const Looks& looks() const { return m_looks; }
   /// As one undoable step. @param name  of the step, for the history.
   void set_looks(Looks looks, const std::string& name = "looks");
@@ -170,7 +171,8 @@ class Document : public QObject {
   Job accept_layout();
   /// A problem of `trivet arrange`: all objects that may move, and the wishes.
   Job save_problem(const std::string& file);
-  /// Of a problem, or its section "arrange". @throws Error  and keeps the wishes.
+  /// Loads the wishes of a problem, or of its section "arrange". @throws Error  and keeps the
+  /// wishes.
   void load_wishes(const std::string& file);
 
   // --- detection -------------------------------------------------------------------------------
@@ -239,7 +241,7 @@ class Document : public QObject {
   void show_zlists(std::shared_ptr<const ZListView> view);
   void show_moves_by(const Answering& answering);
   void show_previews_by(const Answering& answering);
-  void show_detection_note(const std::string& note);
+  void show_detection_note(const Sentence& note);
   void drag_refused(std::uint64_t drag);
   void set_selection(Selection selection);
   void put_looks(Looks looks);

@@ -42,7 +42,7 @@ std::set<std::string> things_of(const SceneSnapshot& scene, const std::vector<Ob
   return out;
 }
 
-// Of several objects that carry one the first.
+// The first of several supports.
 std::map<std::string, std::string> carriers_of(const SceneSnapshot& scene) {
   std::map<std::string, std::string> out;
   for (const LoadSupport::Entry& entry : scene.support->entries) {
@@ -68,7 +68,7 @@ void Document::set_wishes(Wishes wishes) {
   try {
     if (!wishes.json().empty()) arrange_operation(wishes.json());
   } catch (const Error& e) {
-    Q_EMIT message(Message{Message::Kind::Refused, english_in_words(e.what()), {}, {}});
+    Q_EMIT message(Message{Message::Kind::Refused, in_words(e), {}, {}});
     return;
   }
   m_wishes = std::move(wishes);
@@ -83,7 +83,7 @@ void Document::show_wishes(const std::string& json) {
     m_wishes = Wishes(json);
   } catch (const Error& e) {
     m_wishes = {};
-    Q_EMIT message(Message{Message::Kind::Error, english_in_words(e.what()), {}, {}});
+    Q_EMIT message(Message{Message::Kind::Error, in_words(e), {}, {}});
   }
   Q_EMIT wishes_changed();
 }

@@ -85,9 +85,9 @@ void Document::show_previews_by(const Answering& answering) {
 }
 
 // Several threads may have the same trouble.
-void Document::show_detection_note(const std::string& note) {
-  if (m_detection_notes.insert(note).second)
-    Q_EMIT detection_noted(QString::fromStdString(english_in_words(note)));
+void Document::show_detection_note(const Sentence& note) {
+  if (m_detection_notes.insert(in_english(note)).second)
+    Q_EMIT detection_noted(QString::fromStdString(in_words(note)));
 }
 
 void Document::watch_zlists(bool on) {

@@ -46,9 +46,9 @@ struct Recoverable {
 /// Options for importing a model.
 struct ImportModel {
   std::string file;
-  std::string name;          // empty: of the file; made unique
-  double scale = 1;          // metres per unit of the file
-  std::optional<UpAxis> up;  // nullopt: as the format states
+  std::string name;             // empty: of the file; made unique
+  std::optional<double> scale;  // metres per unit of the file; nullopt: as it states, else 1
+  std::optional<UpAxis> up;     // nullopt: as the format states
   bool fixed = false;
   std::optional<Pose> put;  // nullopt: not placed until it is put
 };

@@ -11,7 +11,7 @@
 namespace trivet::edit {
 namespace {
 
-// Of a part that contacts connect: moves wait while the linear program decides.
+// Largest connected part that is judged at once: moves wait while the linear program decides.
 constexpr int kMaxJudgedObjects = 100;
 
 /// Thrown from progress callbacks when the user has cancelled.
@@ -97,12 +97,12 @@ bool Engine::run(const Item& item) {
     tell(Message{
         Message::Kind::Refused, with_name(Document::tr("%1 was cancelled"), item.what), {}, {}});
   } catch (const Error& e) {
-    tell(Message{Message::Kind::Error, english_in_words(e.what()), {}, {}});
+    tell(Message{Message::Kind::Error, in_words(e), {}, {}});
   } catch (const std::bad_alloc&) {
     tell(Message{
         Message::Kind::Error, with_name(Document::tr("%1: not enough memory"), item.what), {}, {}});
   } catch (const std::exception& e) {
-    tell(Message{Message::Kind::Error, item.what + ": " + english_in_words(e.what()), {}, {}});
+    tell(Message{Message::Kind::Error, item.what + ": " + in_words(e), {}, {}});
   }
   return false;
 }

@@ -30,7 +30,8 @@ void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw Error(Error::Kind::Environment, folder + ": cannot be created: " + error.message());
+    throw Error(Error::Kind::Environment, "%1: cannot be created: %2", folder,
+                error.message().c_str());
 }
 
 void write_demo(const DemoLayout& demo, const std::string& folder) {
@@ -88,8 +89,8 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   });
   publish();
   tell([looks = m_opened->session.layout().looks](Document& shown) { shown.show_looks(looks); });
-  for (const std::string& note : m_opened->notes)
-    tell(Message{Message::Kind::Info, english_in_words(note), {}, {}});
+  for (const Sentence& note : m_opened->notes)
+    tell(Message{Message::Kind::Info, in_words(note), {}, {}});
 }
 
 // Removes the recovery files, which are no longer needed.
@@ -107,7 +108,7 @@ bool Engine::new_scene() {
   if (!journal.empty()) {
     const std::string start = journal + ".json";
     write_file_atomically(start, write_layout(Layout()));
-    opened = open_session(start, run_options(), m_options.limits, journal);
+    opened = open_session(start, run_options(), m_options.limits, {journal});
   }
   adopt(std::move(opened), "", "Untitled", nullptr);
   return true;
@@ -119,10 +120,11 @@ bool Engine::open(const std::string& file) {
   const std::string extension = lower_extension(file);
   try {
     if (extension != ".glb" && extension != ".json")
-      throw Error(Error::Kind::BadInput, file +
-                                             ": cannot be opened; accepted: a scene (.glb) written "
-                                             "by Trivet, or a layout (.json)");
-    OpenedSession opened = open_session(file, run_options(), m_options.limits, new_journal());
+      throw Error(
+          Error::Kind::BadInput,
+          "%1: cannot be opened; accepted: a scene (.glb) written by Trivet, or a layout (.json)",
+          file);
+    OpenedSession opened = open_session(file, run_options(), m_options.limits, {new_journal()});
     adopt(std::move(opened), extension == ".glb" ? file : "", fs::path(file).filename().string(),
           std::move(lock));
   } catch (...) {
@@ -142,7 +144,7 @@ bool Engine::open_demo(const std::string& name) {
   make_folder(folder);
   write_demo(demo, folder);
   const std::string layout = (fs::path(folder) / "layout.json").string();
-  adopt(open_session(layout, run_options(), m_options.limits, new_journal()), "", name, nullptr);
+  adopt(open_session(layout, run_options(), m_options.limits, {new_journal()}), "", name, nullptr);
   return true;
 }
 
@@ -166,7 +168,7 @@ bool Engine::save_as(const std::string& file, const Looks& looks) {
   }
   if (extension != ".glb")
     throw Error(Error::Kind::BadInput,
-                file + ": cannot be saved; accepted: a file name ending in .glb or .json");
+                "%1: cannot be saved; accepted: a file name ending in .glb or .json", file);
   auto lock = locked(file);
   save_session(*m_opened, m_options.version, file);
   if (lock) m_lock = std::move(lock);
@@ -244,8 +246,8 @@ void Engine::tell_notes(const std::string& object) {
   const std::shared_ptr<const Model> model = id ? scene.at(*id).model : nullptr;
   if (!model || model->notes.empty()) return;
   std::string text = quoted(object) + ": ";
-  for (const std::string& note : model->notes)
-    text += (note == model->notes.front() ? "" : "; ") + english_in_words(note);
+  for (const Sentence& note : model->notes)
+    text += (&note == &model->notes.front() ? "" : "; ") + in_words(note);
   tell(Message{Message::Kind::Info, text, {}, {}});
 }
 

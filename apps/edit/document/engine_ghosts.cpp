@@ -23,7 +23,7 @@ GhostWorker::Listener Engine::ghost_listener() {
 
 // A loss is told once, by whichever thread meets it first.
 BackendOptions Engine::with_notes(BackendOptions options) {
-  options.note = [this](const std::string& note) {
+  options.note = [this](const Sentence& note) {
     tell([note](Document& shown) { shown.show_detection_note(note); });
   };
   options.gpu_notes = once_each(options.note);

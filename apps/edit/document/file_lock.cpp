@@ -23,11 +23,12 @@ FileLock::FileLock(const std::string& folder, const std::string& file) : m_file(
   const fs::path lock = fs::path(folder) / (Hash().add(whole.string()).text() + ".lock");
   m_descriptor = open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (m_descriptor < 0)
-    throw Error(Error::Kind::Environment,
-                lock.string() + ": cannot be created: " + std::strerror(errno));
+    throw Error(Error::Kind::Environment, "%1: cannot be created: %2", lock.string(),
+                std::strerror(errno));
   if (flock(m_descriptor, LOCK_EX | LOCK_NB) == 0) return;
   close(m_descriptor);
-  throw Error(Error::Kind::Environment, file + ": is open in another editor; close it there first");
+  throw Error(Error::Kind::Environment, "%1: is open in another editor; close it there first",
+              file);
 }
 
 FileLock::~FileLock() { close(m_descriptor); }

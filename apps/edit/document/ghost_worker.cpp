@@ -24,7 +24,7 @@ void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
     if (const auto id = scene.find(name)) ghost.members.push_back({*id, scene.at(*id).pose});
   ghost.state = object.state;
   for (const ObjectContact& entry : object.contacts) {
-    if (!holds_up(entry.contact)) continue;
+    if (!holds_up(entry)) continue;
     if (entry.with.is_object()) ghost.objects.push_back(entry.with.object());
     for (const ContactPoint& p : entry.contact.points) ghost.points.push_back(p.point);
   }

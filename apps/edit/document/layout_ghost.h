@@ -17,7 +17,7 @@ struct LayoutGhost {
   std::uint64_t committed = 0;         // SceneSnapshot::committed that it is of
   std::string text;                    // how it went
   std::vector<Ghost::Member> members;  // where the things come to rest
-  // Of a conflict:
+  // Parts of a conflict:
   std::vector<std::string> objects;  // that it is between, the thing first
   std::set<size_t> entries;          // of Wishes, that it is between
   std::optional<size_t> cheapest;    // of these, the one to drop

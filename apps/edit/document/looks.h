@@ -1,5 +1,6 @@
-// How objects are shown: hidden, not selectable, in a colour, alone or by collections. Saved with
-// the scene; steps of the document's history (look_steps.h), not of the session's.
+// Appearance of objects in the editor: hidden, not selectable, in a colour, alone or by
+// collections. Saved with the scene; steps of the document's history (look_steps.h), not of the
+// session's.
 #pragma once
 
 #include <array>
@@ -40,7 +41,7 @@ class Looks {
   Looks changed(const Looks& from, const Looks& to) const;
   /// With what its collection says.
   Look shown(ObjectId id) const;
-  /// Those of hidden collections, too.
+  /// Hidden objects, including those of hidden collections.
   std::vector<ObjectId> hidden() const;
   /// The hidden ones, too.
   std::vector<ObjectId> not_selectable() const;

@@ -158,7 +158,7 @@ ManyObjects aligned(const SceneSnapshot& scene, const AlignWish& wish) {
     space_evenly(row);
   else
     align(row, wish.how);
-  // Those that go up begin at the upper end, those that go down at the lower end.
+  // Objects that go up begin at the upper end, and objects that go down at the lower end.
   std::stable_sort(row.begin(), row.end(), [](const InRow& a, const InRow& b) {
     if ((a.by > 0) != (b.by > 0)) return a.by > 0;
     return a.by > 0 ? a.upper > b.upper : a.lower < b.lower;

@@ -15,7 +15,7 @@ struct ObjectChanges {
   std::vector<std::pair<ObjectId, ObjectId>> remade;  // of one name: gone, new
 };
 
-/// Of two snapshots of one scene. O(objects).
+/// Changes between two snapshots of one scene. O(objects).
 ObjectChanges changes_between(const SceneSnapshot& before, const SceneSnapshot& now);
 
 }  // namespace trivet::edit

@@ -138,8 +138,12 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
   if (!result.interpenetrates.empty())
     what << phrase(QT_TRANSLATE_NOOP("results", "interpenetrates %1"))
                 .arg(quoted_names(result.interpenetrates));
+  if (!result.unsound.empty())
+    what << phrase(
+                QT_TRANSLATE_NOOP("results", "rests on what is held, unsupported or invalid: %1"))
+                .arg(quoted_names(result.unsound));
   if (what.isEmpty()) return std::nullopt;
-  if (!result.unsupported.empty() || !result.interpenetrates.empty())
+  if (!result.unsupported.empty() || !result.interpenetrates.empty() || !result.unsound.empty())
     message.kind = Message::Kind::Warning;
   for (const auto* const names : {&gave_way, &result.unsupported, &result.interpenetrates})
     for (const std::string& other : *names) add(message.objects, scene.find(other));

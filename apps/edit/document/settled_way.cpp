@@ -4,7 +4,7 @@
 
 #include "apps/edit/document/same_pose.h"
 #include "core/motion/pose_interpolation.h"
-#include "ops/operations/put.h"
+#include "ops/operations/put_parts.h"
 
 namespace trivet::edit {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/edit/document/guarded_stage.h"
+#include "apps/edit/document/words.h"
 #include "core/base/error.h"
 
 namespace trivet::edit {
@@ -73,8 +74,7 @@ void ThreadDetector::make_again(BackendOptions options) {
     };
   m_next = std::async(std::launch::async, [why, options = std::move(options)] {
     Made made = make(options);
-    if (made.gpu && options.gpu_notes)
-      options.gpu_notes->tell_recovered(why + "; a new OpenGL context goes on");
+    if (made.gpu && options.gpu_notes) options.gpu_notes->tell_recovered(say(kGoesOn, why));
     return made;
   });
 }
@@ -89,7 +89,7 @@ ThreadDetector::Made ThreadDetector::make(BackendOptions options) {
   try {
     out.detector = make_detector(options);
   } catch (const std::exception& error) {
-    if (options.note) options.note(std::string(error.what()) + "; BVHs are used instead");
+    if (options.note) options.note(say("%1; BVHs are used instead", sentence_of(error)));
     out.detector = std::make_unique<Detector>();
   }
   if (out.detector->name() != "gpu") out.gpu.reset();

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/quoted.h"
+#include "core/io/json.h"
 #include "ops/files/arrange/section.h"
 
 namespace trivet::edit {
@@ -203,7 +204,7 @@ const std::vector<WishKind>& wish_kinds() {
 
 Wishes::Wishes(const std::string& json) {
   if (json.empty()) return;
-  const Json document = Json::parse(json, nullptr, false);
+  const Json document = json_if_valid<Json>(json).value_or(Json());
   const bool is_list =
       document.is_object() && (!document.contains("relations") || document["relations"].is_array());
   if (!is_list)

@@ -29,7 +29,7 @@ struct WishKind {
 };
 const std::vector<WishKind>& wish_kinds();
 
-/// Of soft wishes, from 0; as trivet schema arrange has it.
+/// Weights of soft wishes are from 0 to this, as in `trivet schema arrange`.
 inline constexpr double kMostWeight = 1e6;
 
 struct NewWish {

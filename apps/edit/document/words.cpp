@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "apps/edit/document/sentence_reader.h"
+#include "core/base/error.h"
 
 namespace trivet::edit {
 namespace {
@@ -22,6 +22,19 @@ namespace {
     QT_TRANSLATE_NOOP("operations", "stand"),     QT_TRANSLATE_NOOP("operations", "unplace"),
     QT_TRANSLATE_NOOP("operations", "material"),  QT_TRANSLATE_NOOP("operations", "arrange")};
 
+// Messages of the system about files.
+[[maybe_unused]] constexpr const char* kSystem[] = {
+    QT_TRANSLATE_NOOP("refusal", "No such file or directory"),
+    QT_TRANSLATE_NOOP("refusal", "Permission denied"),
+    QT_TRANSLATE_NOOP("refusal", "No space left on device"),
+    QT_TRANSLATE_NOOP("refusal", "Read-only file system"),
+    QT_TRANSLATE_NOOP("refusal", "Is a directory"),
+    QT_TRANSLATE_NOOP("refusal", "Not a directory"),
+    QT_TRANSLATE_NOOP("refusal", "File exists"),
+    QT_TRANSLATE_NOOP("refusal", "Input/output error"),
+    QT_TRANSLATE_NOOP("refusal", "Too many open files"),
+    QT_TRANSLATE_NOOP("refusal", "Cannot allocate memory")};
+
 std::string translated(const char* context, const std::string& text) {
   return QCoreApplication::translate(context, text.c_str()).toStdString();
 }
@@ -30,7 +43,7 @@ std::string number_in_words(const Sentence& number) {
   QLocale locale;
   if (locale.decimalPoint() == ".") return in_english(number);
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  return locale.toString(*number.number, 'g', 4).toStdString();
+  return locale.toString(*number.number, 'g', number.digits).toStdString();
 }
 
 bool rescales(const std::vector<Operation>& all, size_t first) {
@@ -39,23 +52,23 @@ bool rescales(const std::vector<Operation>& all, size_t first) {
          object_name(all[first]) == object_name(all[first + 1]);
 }
 
-/// @param reads  whether texts from elsewhere are read as English.
-std::string spoken(const Sentence& sentence, bool reads) {
-  if (sentence.is_verbatim) return reads ? english_in_words(sentence.text) : sentence.text;
+}  // namespace
+
+std::string in_words(const Sentence& sentence) {
+  if (sentence.is_verbatim) return sentence.text;
   if (sentence.number) return number_in_words(sentence);
   std::vector<std::string> parts;
   parts.reserve(sentence.parts.size());
-  for (const Sentence& part : sentence.parts) parts.push_back(spoken(part, reads));
+  for (const Sentence& part : sentence.parts) parts.push_back(in_words(part));
   return filled(translated("refusal", sentence.text), parts);
 }
 
-}  // namespace
-
-std::string in_words(const Sentence& sentence) { return spoken(sentence, true); }
-
-std::string english_in_words(const std::string& english) {
-  return spoken(read_sentence(english), false);
+Sentence sentence_of(const std::exception& error) {
+  const auto* const known = dynamic_cast<const Error*>(&error);
+  return known ? known->sentence() : Sentence(std::string(error.what()));
 }
+
+std::string in_words(const std::exception& error) { return in_words(sentence_of(error)); }
 
 std::string reason_in_words(const OperationResult& result) {
   return result.refusal ? in_words(sentence_of(*result.refusal)) : "";

@@ -2,19 +2,20 @@
 #pragma once
 
 #include <QString>
+#include <exception>
 #include <string>
 
+#include "core/base/sentence.h"
 #include "ops/base/outcome.h"
-#include "ops/base/sentence.h"
 #include "ops/session/session.h"
 
 namespace trivet::edit {
 
 std::string in_words(const Sentence& sentence);
 
-/// Of an English sentence that comes as text: an error, a conflict of an arrangement, a note. What
-/// is not known stays English.
-std::string english_in_words(const std::string& english);
+/// The sentence of an error; it stays English if it is another library's.
+Sentence sentence_of(const std::exception& error);
+std::string in_words(const std::exception& error);
 
 /// The refusal; empty when there is none.
 std::string reason_in_words(const OperationResult& result);

@@ -423,14 +423,6 @@
         <translation>%1 berührt in nur einem Punkt: %2; es gibt keine Gerade, um die es sich drehen ließe</translation>
     </message>
     <message>
-        <source>to turn about</source>
-        <translation>zum Drehen</translation>
-    </message>
-    <message>
-        <source>to pick it up from</source>
-        <translation>zum Aufheben</translation>
-    </message>
-    <message>
         <source>%1 and %2</source>
         <translation>%1 und %2</translation>
     </message>
@@ -507,38 +499,6 @@
         <translation>%1 hat keinen Platz: dies lässt keinen, so wie alles steht: %2</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has 1 surface, none of which is %2; accepted: %3 to %4</source>
-        <translation>„%1“ hat 1 Fläche, die nicht %2 ist; erlaubt: %3 bis %4</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no surface to set things down on</source>
-        <translation>„%1“ hat keine Fläche, auf die sich etwas stellen lässt</translation>
-    </message>
-    <message>
-        <source>%1; %2 and %3 are %4 m apart at most, %5 m are asked for</source>
-        <translation>%1; %2 und %3 sind höchstens %4 m auseinander, verlangt sind %5 m</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; %2 m from &quot;%3&quot;</source>
-        <translation>„%1“ %2 m von „%3“</translation>
-    </message>
-    <message>
-        <source>%1 does not fit between %2 and %3: they leave %4 m along %5, it needs %6 m</source>
-        <translation>%1 passt nicht zwischen %2 und %3: sie lassen %4 m entlang %5, es braucht %6 m</translation>
-    </message>
-    <message>
-        <source>%1 does not fit between %2 and %3: they leave %4 m, it needs %5 m</source>
-        <translation>%1 passt nicht zwischen %2 und %3: sie lassen %4 m, es braucht %5 m</translation>
-    </message>
-    <message>
-        <source>%1 does not fit between %2 and %3, as things stand: they leave %4 m along %5, it needs %6 m</source>
-        <translation>%1 passt nicht zwischen %2 und %3, so wie alles steht: sie lassen %4 m entlang %5, es braucht %6 m</translation>
-    </message>
-    <message>
-        <source>%1 does not fit between %2 and %3, as things stand: they leave %4 m, it needs %5 m</source>
-        <translation>%1 passt nicht zwischen %2 und %3, so wie alles steht: sie lassen %4 m, es braucht %5 m</translation>
-    </message>
-    <message>
         <source>%1; %2 m are missing</source>
         <translation>%1; es fehlen %2 m</translation>
     </message>
@@ -563,44 +523,12 @@
         <translation>auf dem Boden</translation>
     </message>
     <message>
-        <source>on &quot;%1&quot;</source>
-        <translation>auf „%1“</translation>
-    </message>
-    <message>
-        <source>in &quot;%1&quot;</source>
-        <translation>in „%1“</translation>
-    </message>
-    <message>
-        <source>clear of &quot;%1&quot;</source>
-        <translation>frei von „%1“</translation>
-    </message>
-    <message>
-        <source>clear of &quot;%1&quot; by %2 m</source>
-        <translation>frei von „%1“ mit %2 m Abstand</translation>
-    </message>
-    <message>
-        <source>out of the zone &quot;%1&quot; of &quot;%2&quot;</source>
-        <translation>außerhalb der Zone „%1“ von „%2“</translation>
-    </message>
-    <message>
-        <source>zone &quot;%1&quot; of &quot;%2&quot; clear of &quot;%3&quot;</source>
-        <translation>Zone „%1“ von „%2“ frei von „%3“</translation>
-    </message>
-    <message>
-        <source>zone &quot;%1&quot; of &quot;%2&quot;</source>
-        <translation>Zone „%1“ von „%2“</translation>
-    </message>
-    <message>
         <source>there is no floor</source>
         <translation>es gibt keinen Boden</translation>
     </message>
     <message>
         <source>the head room there is less than its height</source>
         <translation>die Höhe dort ist geringer als seine eigene</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has %2 surfaces, none of which is %3; accepted: %4 to %5</source>
-        <translation>„%1“ hat %2 Flächen, von denen keine %3 ist; erlaubt: %4 bis %5</translation>
     </message>
     <message>
         <source>%1 does not fit: %2</source>
@@ -611,72 +539,8 @@
         <translation>es ist Platz für %1 mal %2 von %3 x %4 m mit Abständen von %5 m, in %6 x %7 m</translation>
     </message>
     <message>
-        <source>with gaps they are %1 m wide, there is room for %2 m</source>
-        <translation>mit Abständen sind sie %1 m breit, es ist Platz für %2 m</translation>
-    </message>
-    <message>
-        <source>the deepest of them is %1 m deep, there is room for %2 m</source>
-        <translation>das tiefste von ihnen ist %1 m tief, es ist Platz für %2 m</translation>
-    </message>
-    <message>
-        <source>neighbours need %1 m between them, there is %2 m</source>
-        <translation>Nachbarn brauchen %1 m zwischen sich, es sind %2 m</translation>
-    </message>
-    <message>
-        <source>along the line they take %1 m, it is long by %2 m</source>
-        <translation>entlang der Linie brauchen sie %1 m, sie ist %2 m lang</translation>
-    </message>
-    <message>
-        <source>along the line they take %1 m it is long by %2 m</source>
-        <translation>entlang der Linie brauchen sie %1 m, sie ist %2 m lang</translation>
-    </message>
-    <message>
-        <source>a block is %1 m deep, there is room for %2 m</source>
-        <translation>ein Block ist %1 m tief, es ist Platz für %2 m</translation>
-    </message>
-    <message>
         <source>the highest of them needs %1 m of head room, there is %2 m</source>
         <translation>das höchste von ihnen braucht %1 m Höhe, es sind %2 m</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; gives way</source>
-        <translation>„%1“ gibt nach</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; makes others give way</source>
-        <translation>„%1“ lässt andere nachgeben</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; tips</source>
-        <translation>„%1“ kippt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; slides away</source>
-        <translation>„%1“ rutscht weg</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not rest on &quot;%2&quot; alone</source>
-        <translation>„%1“ ruht nicht auf „%2“ allein</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not rest on what it is to rest on</source>
-        <translation>„%1“ ruht nicht auf dem, worauf es ruhen soll</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; comes to rest on the floor</source>
-        <translation>„%1“ kommt auf dem Boden zur Ruhe</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; comes to rest on &quot;%2&quot;</source>
-        <translation>„%1“ kommt auf „%2“ zur Ruhe</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; comes too near to &quot;%2&quot;</source>
-        <translation>„%1“ kommt „%2“ zu nahe</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is in the zone &quot;%2&quot; of &quot;%3&quot;</source>
-        <translation>„%1“ ist in der Zone „%2“ von „%3“</translation>
     </message>
     <message>
         <source>as things come to rest, not: %1</source>
@@ -687,34 +551,6 @@
         <translation>wo es zur Ruhe kommt, gilt nicht: %1</translation>
     </message>
     <message>
-        <source>it would leave no room for &quot;%1&quot;</source>
-        <translation>es ließe keinen Platz für „%1“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; would not stand well: %2</source>
-        <translation>„%1“ stünde nicht gut: %2</translation>
-    </message>
-    <message>
-        <source>it tips over an edge %1 m away</source>
-        <translation>es kippt über eine Kante, die %1 m entfernt ist</translation>
-    </message>
-    <message>
-        <source>it tips, with what lies on it, over an edge %1 m away</source>
-        <translation>es kippt mit dem, was darauf liegt, über eine Kante, die %1 m entfernt ist</translation>
-    </message>
-    <message>
-        <source>%1 m or more</source>
-        <translation>%1 m oder mehr</translation>
-    </message>
-    <message>
-        <source>it needs friction of %1</source>
-        <translation>es braucht eine Reibung von %1</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
         <source>the arrangement was cancelled</source>
         <translation>das Anordnen wurde abgebrochen</translation>
     </message>
@@ -723,316 +559,12 @@
         <translation>das Anordnen endete nicht rechtzeitig</translation>
     </message>
     <message>
-        <source>there is no object &quot;%1&quot;</source>
-        <translation>ein Objekt „%1“ gibt es nicht</translation>
-    </message>
-    <message>
-        <source>a box whose upper corner is above its lower one</source>
-        <translation>ein Kasten, dessen obere Ecke über der unteren liegt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is fixed</source>
-        <translation>„%1“ ist befestigt</translation>
-    </message>
-    <message>
-        <source>objects that may move</source>
-        <translation>Objekte, die sich bewegen dürfen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; comes twice</source>
-        <translation>„%1“ kommt zweimal vor</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is none of the things to arrange</source>
-        <translation>„%1“ ist keines der Dinge, die anzuordnen sind</translation>
-    </message>
-    <message>
-        <source>%1 says already what carries &quot;%2&quot;</source>
-        <translation>%1 sagt schon, was „%2“ trägt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; stands nowhere and is none of the things to arrange</source>
-        <translation>„%1“ steht nirgends und ist keines der Dinge, die anzuordnen sind</translation>
-    </message>
-    <message>
-        <source>a thing has no relation to itself</source>
-        <translation>ein Ding hat keine Relation zu sich selbst</translation>
-    </message>
-    <message>
-        <source>neither is one of the things to arrange</source>
-        <translation>keines von beiden ist eines der Dinge, die anzuordnen sind</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no object that stands already</source>
-        <translation>„%1“ ist kein Objekt, das schon steht</translation>
-    </message>
-    <message>
-        <source>one that does</source>
-        <translation>eines, das steht</translation>
-    </message>
-    <message>
-        <source>at least one</source>
-        <translation>mindestens eines</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no stable pose %2: there are %3, from 0</source>
-        <translation>„%1“ hat keine stabile Lage %2: es gibt %3, ab 0</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not lie on its side: it has no stable pose with its up within 30 degrees of level</source>
-        <translation>„%1“ liegt nicht auf der Seite: es hat keine stabile Lage, deren Oben höchstens 30 Grad von der Waagerechten abweicht</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no stable pose</source>
-        <translation>„%1“ hat keine stabile Lage</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; would have to carry itself: it lies on what it carries</source>
-        <translation>„%1“ müsste sich selbst tragen: es liegt auf dem, was es trägt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; carries &quot;%2&quot;, which is none of the things to arrange</source>
-        <translation>„%1“ trägt „%2“, das keines der Dinge ist, die anzuordnen sind</translation>
-    </message>
-    <message>
         <source>things</source>
         <translation>Dinge</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; on &quot;%2&quot;</source>
-        <translation>„%1“ auf „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; near &quot;%2&quot;</source>
-        <translation>„%1“ nahe bei „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; left_of &quot;%2&quot;</source>
-        <translation>„%1“ links von „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; right_of &quot;%2&quot;</source>
-        <translation>„%1“ rechts von „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; in_front_of &quot;%2&quot;</source>
-        <translation>„%1“ vor „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; behind &quot;%2&quot;</source>
-        <translation>„%1“ hinter „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; facing &quot;%2&quot;</source>
-        <translation>„%1“ zugewandt „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; facing its point</source>
-        <translation>„%1“ zugewandt seinem Punkt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; away &quot;%2&quot;</source>
-        <translation>„%1“ abgewandt von „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; away its point</source>
-        <translation>„%1“ abgewandt von seinem Punkt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; aligned &quot;%2&quot;</source>
-        <translation>„%1“ ausgerichtet an „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; parallel &quot;%2&quot;</source>
-        <translation>„%1“ parallel zu „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; perpendicular &quot;%2&quot;</source>
-        <translation>„%1“ senkrecht zu „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; same &quot;%2&quot;</source>
-        <translation>„%1“ gedreht wie „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; centred &quot;%2&quot;</source>
-        <translation>„%1“ mittig auf „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; within &quot;%2&quot;</source>
-        <translation>„%1“ innerhalb von „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; at &quot;%2&quot;</source>
-        <translation>„%1“ bei „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; at its point</source>
-        <translation>„%1“ bei seinem Punkt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; symmetric &quot;%2&quot;</source>
-        <translation>„%1“ symmetrisch zu „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; at_edge &quot;%2&quot;</source>
-        <translation>„%1“ am Rand von „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; under &quot;%2&quot;</source>
-        <translation>„%1“ unter „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; against &quot;%2&quot;</source>
-        <translation>„%1“ mit dem Rücken an „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; in &quot;%2&quot;</source>
-        <translation>„%1“ in „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; within its region</source>
-        <translation>„%1“ innerhalb seines Gebiets</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; on the floor</source>
-        <translation>„%1“ auf dem Boden</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; in view of &quot;%2&quot;</source>
-        <translation>„%1“ im Blick von „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; in view of its point</source>
-        <translation>„%1“ im Blick von seinem Punkt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; in reach of &quot;%2&quot;</source>
-        <translation>„%1“ in Reichweite von „%2“</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; in reach of its point</source>
-        <translation>„%1“ in Reichweite von seinem Punkt</translation>
-    </message>
-    <message>
-        <source>row of %1 things on &quot;%2&quot;</source>
-        <translation>Reihe aus %1 Dingen auf „%2“</translation>
-    </message>
-    <message>
-        <source>row of %1 things on the floor</source>
-        <translation>Reihe aus %1 Dingen auf dem Boden</translation>
-    </message>
-    <message>
-        <source>row of 1 thing on &quot;%1&quot;</source>
-        <translation>Reihe aus einem Ding auf „%1“</translation>
-    </message>
-    <message>
-        <source>row of 1 thing on the floor</source>
-        <translation>Reihe aus einem Ding auf dem Boden</translation>
-    </message>
-    <message>
-        <source>grid of %1 things on &quot;%2&quot;</source>
-        <translation>Raster aus %1 Dingen auf „%2“</translation>
-    </message>
-    <message>
-        <source>grid of %1 things on the floor</source>
-        <translation>Raster aus %1 Dingen auf dem Boden</translation>
-    </message>
-    <message>
-        <source>grid of 1 thing on &quot;%1&quot;</source>
-        <translation>Raster aus einem Ding auf „%1“</translation>
-    </message>
-    <message>
-        <source>grid of 1 thing on the floor</source>
-        <translation>Raster aus einem Ding auf dem Boden</translation>
-    </message>
-    <message>
-        <source>circle of %1 things on &quot;%2&quot;</source>
-        <translation>Kreis aus %1 Dingen auf „%2“</translation>
-    </message>
-    <message>
-        <source>circle of %1 things on the floor</source>
-        <translation>Kreis aus %1 Dingen auf dem Boden</translation>
-    </message>
-    <message>
-        <source>circle of 1 thing on &quot;%1&quot;</source>
-        <translation>Kreis aus einem Ding auf „%1“</translation>
-    </message>
-    <message>
-        <source>circle of 1 thing on the floor</source>
-        <translation>Kreis aus einem Ding auf dem Boden</translation>
-    </message>
-    <message>
-        <source>facings of %1 things on &quot;%2&quot;</source>
-        <translation>Frontreihen aus %1 Dingen auf „%2“</translation>
-    </message>
-    <message>
-        <source>facings of %1 things on the floor</source>
-        <translation>Frontreihen aus %1 Dingen auf dem Boden</translation>
-    </message>
-    <message>
-        <source>facings of 1 thing on &quot;%1&quot;</source>
-        <translation>Frontreihen aus einem Ding auf „%1“</translation>
-    </message>
-    <message>
-        <source>facings of 1 thing on the floor</source>
-        <translation>Frontreihen aus einem Ding auf dem Boden</translation>
-    </message>
-    <message>
-        <source>line of %1 things on &quot;%2&quot;</source>
-        <translation>Linie aus %1 Dingen auf „%2“</translation>
-    </message>
-    <message>
-        <source>line of %1 things on the floor</source>
-        <translation>Linie aus %1 Dingen auf dem Boden</translation>
-    </message>
-    <message>
-        <source>line of 1 thing on &quot;%1&quot;</source>
-        <translation>Linie aus einem Ding auf „%1“</translation>
-    </message>
-    <message>
-        <source>line of 1 thing on the floor</source>
-        <translation>Linie aus einem Ding auf dem Boden</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1</source>
-        <translation>lässt sich nicht schreiben: %1</translation>
-    </message>
-    <message>
-        <source>cannot be made: %1</source>
-        <translation>lässt sich nicht anlegen: %1</translation>
-    </message>
-    <message>
-        <source>cannot be created: %1</source>
-        <translation>lässt sich nicht anlegen: %1</translation>
-    </message>
-    <message>
-        <source>this folder cannot be made</source>
-        <translation>dieser Ordner lässt sich nicht anlegen</translation>
-    </message>
-    <message>
-        <source>a temporary file cannot be written: %1</source>
-        <translation>eine vorübergehende Datei lässt sich nicht schreiben: %1</translation>
-    </message>
-    <message>
         <source>the extras of %1 are not valid JSON: %2</source>
         <translation>die Zusätze von %1 sind kein gültiges JSON: %2</translation>
-    </message>
-    <message>
-        <source>is not glTF: its JSON has no asset</source>
-        <translation>ist kein glTF: sein JSON hat kein „asset“</translation>
-    </message>
-    <message>
-        <source>a scene, which trivet run makes of a layout</source>
-        <translation>eine Szene, wie trivet run sie aus einem Layout macht</translation>
-    </message>
-    <message>
-        <source>object &apos;%1&apos; lies beyond the range of float32, or its pose is not finite</source>
-        <translation>Objekt „%1“ liegt jenseits des Bereichs von float32, oder seine Lage ist nicht endlich</translation>
-    </message>
-    <message>
-        <source>it cannot be exported</source>
-        <translation>es lässt sich nicht exportieren</translation>
     </message>
     <message>
         <source>the scene has %1 triangles, more than %2 supports</source>
@@ -1047,34 +579,6 @@
         <translation>mindestens eines</translation>
     </message>
     <message>
-        <source>%1: is an input, named by %2, and would be overwritten</source>
-        <translation>%1: ist eine Eingabe, genannt von %2, und würde überschrieben</translation>
-    </message>
-    <message>
-        <source>is an input and would be overwritten</source>
-        <translation>ist eine Eingabe und würde überschrieben</translation>
-    </message>
-    <message>
-        <source>another name</source>
-        <translation>ein anderer Name</translation>
-    </message>
-    <message>
-        <source>exists and does not belong to %1, so it would be overwritten</source>
-        <translation>gibt es schon und gehört nicht zu %1; es würde überschrieben</translation>
-    </message>
-    <message>
-        <source>another name or folder, or a single-file format, such as .glb</source>
-        <translation>ein anderer Name oder Ordner, oder ein Format aus einer Datei, etwa .glb</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no format of one file</source>
-        <translation>„%1“ ist kein Format aus einer Datei</translation>
-    </message>
-    <message>
-        <source>%1; accepted are %2</source>
-        <translation>%1; erlaubt sind %2</translation>
-    </message>
-    <message>
         <source>cannot write %1</source>
         <translation>%1 kann nicht geschrieben werden</translation>
     </message>
@@ -1083,60 +587,8 @@
         <translation>keine Endung</translation>
     </message>
     <message>
-        <source>.glb, .ply and .stl</source>
-        <translation>.glb, .ply und .stl</translation>
-    </message>
-    <message>
-        <source>.glb, .gltf, .obj, .ply and .stl</source>
-        <translation>.glb, .gltf, .obj, .ply und .stl</translation>
-    </message>
-    <message>
-        <source>has no extension of a format</source>
-        <translation>hat keine Endung eines Formats</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was changed</source>
-        <translation>„%1“ wurde geändert</translation>
-    </message>
-    <message>
-        <source>the geometry of &quot;%1&quot; was changed since Trivet wrote it</source>
-        <translation>die Geometrie von „%1“ wurde geändert, seit Trivet sie schrieb</translation>
-    </message>
-    <message>
-        <source>the scene was moved since Trivet wrote it</source>
-        <translation>die Szene wurde bewegt, seit Trivet sie schrieb</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; was moved since Trivet wrote it</source>
-        <translation>„%1“ wurde bewegt, seit Trivet es schrieb</translation>
-    </message>
-    <message>
-        <source>scenes as Trivet wrote them</source>
-        <translation>Szenen, wie Trivet sie schrieb</translation>
-    </message>
-    <message>
-        <source>scenes that Trivet wrote</source>
-        <translation>Szenen, die Trivet schrieb</translation>
-    </message>
-    <message>
-        <source>has no data of Trivet</source>
-        <translation>hat keine Daten von Trivet</translation>
-    </message>
-    <message>
         <source>is not the mesh that Trivet wrote</source>
         <translation>ist nicht das Netz, das Trivet schrieb</translation>
-    </message>
-    <message>
-        <source>has %1 triangles, not %2 as Trivet wrote</source>
-        <translation>hat %1 Dreiecke, nicht %2, wie Trivet sie schrieb</translation>
-    </message>
-    <message>
-        <source>another program has changed it</source>
-        <translation>ein anderes Programm hat sie geändert</translation>
-    </message>
-    <message>
-        <source>has no mesh for &quot;%1&quot;</source>
-        <translation>hat kein Netz für „%1“</translation>
     </message>
     <message>
         <source>is no array in base64 of items of %1 bytes</source>
@@ -1175,8 +627,8 @@
         <translation>„%1“ ist bis hierher wiederhergestellt: %2</translation>
     </message>
     <message>
-        <source>line %1</source>
-        <translation>Zeile %1</translation>
+        <source>&quot;%1&quot; is of an earlier version, and its steps are done again by this one</source>
+        <translation>„%1“ stammt von einer früheren Version, und seine Schritte werden von dieser noch einmal getan</translation>
     </message>
     <message>
         <source>the result is not the same to the bit</source>
@@ -1187,100 +639,16 @@
         <translation>es gibt nichts rückgängig zu machen oder zu wiederholen</translation>
     </message>
     <message>
-        <source>neither &quot;%1&quot; nor &quot;%2&quot; is the file that the session began with</source>
-        <translation>weder „%1“ noch „%2“ ist die Datei, mit der die Sitzung begann</translation>
-    </message>
-    <message>
-        <source>the same bytes</source>
-        <translation>dieselben Bytes</translation>
-    </message>
-    <message>
-        <source>line %1 is damaged, and others follow it</source>
-        <translation>Zeile %1 ist beschädigt, und andere folgen ihr</translation>
-    </message>
-    <message>
-        <source>a journal as Trivet wrote it</source>
-        <translation>ein Journal, wie Trivet es schrieb</translation>
-    </message>
-    <message>
-        <source>a journal that Trivet wrote</source>
-        <translation>ein Journal, das Trivet schrieb</translation>
-    </message>
-    <message>
-        <source>is no journal</source>
-        <translation>ist kein Journal</translation>
-    </message>
-    <message>
-        <source>the journal cannot be opened: %1</source>
-        <translation>das Journal lässt sich nicht öffnen: %1</translation>
-    </message>
-    <message>
-        <source>the journal cannot be locked: %1</source>
-        <translation>das Journal lässt sich nicht sperren: %1</translation>
-    </message>
-    <message>
-        <source>the journal cannot be read: %1</source>
-        <translation>das Journal lässt sich nicht lesen: %1</translation>
-    </message>
-    <message>
-        <source>the journal cannot be written: %1</source>
-        <translation>das Journal lässt sich nicht schreiben: %1</translation>
-    </message>
-    <message>
-        <source>another session is writing this journal</source>
-        <translation>eine andere Sitzung schreibt dieses Journal</translation>
-    </message>
-    <message>
-        <source>another session has written this journal</source>
-        <translation>eine andere Sitzung hat dieses Journal geschrieben</translation>
-    </message>
-    <message>
-        <source>there is a journal already</source>
-        <translation>ein Journal gibt es schon</translation>
-    </message>
-    <message>
-        <source>a new name, or restore this one</source>
-        <translation>ein neuer Name, oder dieses wiederherstellen</translation>
-    </message>
-    <message>
-        <source>there is no folder &quot;%1&quot; for the journal</source>
-        <translation>den Ordner „%1“ für das Journal gibt es nicht</translation>
-    </message>
-    <message>
         <source>16 hexadecimal digits</source>
         <translation>16 hexadezimale Ziffern</translation>
-    </message>
-    <message>
-        <source>%1, the version of the journal</source>
-        <translation>%1, die Version des Journals</translation>
     </message>
     <message>
         <source>an operation or several</source>
         <translation>eine Operation oder mehrere</translation>
     </message>
     <message>
-        <source>cannot be opened</source>
-        <translation>lässt sich nicht öffnen</translation>
-    </message>
-    <message>
         <source>%1; BVHs are used instead</source>
         <translation>%1; stattdessen antworten Boxbäume</translation>
-    </message>
-    <message>
-        <source>a scene (.glb) written by Trivet, or a layout (.json)</source>
-        <translation>eine Szene (.glb) von Trivet, oder ein Layout (.json)</translation>
-    </message>
-    <message>
-        <source>cannot be saved</source>
-        <translation>lässt sich nicht speichern</translation>
-    </message>
-    <message>
-        <source>a file name ending in .glb or .json</source>
-        <translation>ein Dateiname auf .glb oder .json</translation>
-    </message>
-    <message>
-        <source>is open in another editor; close it there first</source>
-        <translation>ist in einem anderen Editor offen; zuerst dort schließen</translation>
     </message>
     <message>
         <source>demos need a recovery folder for their files, and this editor has none</source>
@@ -1291,84 +659,12 @@
         <translation>Wünsche: erlaubt: ein Abschnitt „arrange“, wie trivet schema arrange ihn beschreibt</translation>
     </message>
     <message>
-        <source>no demo &apos;%1&apos;</source>
-        <translation>keine Demo „%1“</translation>
-    </message>
-    <message>
-        <source>no arranged demo &apos;%1&apos;</source>
-        <translation>keine angeordnete Demo „%1“</translation>
-    </message>
-    <message>
-        <source>there are %1</source>
-        <translation>es gibt %1</translation>
-    </message>
-    <message>
-        <source>MuJoCo does not accept it: %1</source>
-        <translation>MuJoCo nimmt es nicht an: %1</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no size and so no mass</source>
-        <translation>„%1“ hat keine Größe und damit keine Masse</translation>
-    </message>
-    <message>
-        <source>it cannot be simulated</source>
-        <translation>es lässt sich nicht simulieren</translation>
-    </message>
-    <message>
-        <source>convex parts of &quot;%1&quot; and &quot;%2&quot; overlap by %3 metres, more than %4: a simulator would push them apart</source>
-        <translation>konvexe Teile von „%1“ und „%2“ überlappen um %3 Meter, mehr als %4: ein Simulator drückte sie auseinander</translation>
-    </message>
-    <message>
-        <source>convex parts of &quot;%1&quot; and &quot;%2&quot; overlap by %3 metres, more than %4, and of %5 more pairs: a simulator would push them apart</source>
-        <translation>konvexe Teile von „%1“ und „%2“ überlappen um %3 Meter, mehr als %4, und die von %5 weiteren Paaren: ein Simulator drückte sie auseinander</translation>
-    </message>
-    <message>
-        <source>--max-overlap from %1</source>
-        <translation>--max-overlap ab %1</translation>
-    </message>
-    <message>
         <source>the picture of %1 x %2 pixels cannot be encoded as PNG: %3</source>
         <translation>das Bild von %1 x %2 Pixeln lässt sich nicht als PNG kodieren: %3</translation>
     </message>
     <message>
-        <source>a picture of %1 x %2 pixels</source>
-        <translation>ein Bild von %1 x %2 Pixeln</translation>
-    </message>
-    <message>
-        <source>a picture of %1 samples</source>
-        <translation>ein Bild mit %1 Proben</translation>
-    </message>
-    <message>
-        <source>%1 to %2 in each dimension</source>
-        <translation>%1 bis %2 in jeder Richtung</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>%1; accepted: %2</source>
         <translation>%1; erlaubt: %2</translation>
-    </message>
-    <message>
-        <source>accepted: %1</source>
-        <translation>erlaubt: %1</translation>
-    </message>
-    <message>
-        <source>%1; accepted for &quot;%2&quot;: %3</source>
-        <translation>%1; erlaubt für „%2“: %3</translation>
-    </message>
-    <message>
-        <source>%1; did you mean &quot;%2&quot;?</source>
-        <translation>%1; war „%2“ gemeint?</translation>
     </message>
     <message>
         <source>&quot;listed&quot; or &quot;any&quot;</source>
@@ -1413,66 +709,6 @@
     <message>
         <source>Cannot allocate memory</source>
         <translation>nicht genug Speicher</translation>
-    </message>
-    <message>
-        <source>%1 is not accepted</source>
-        <translation>%1 ist nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>is a pipe that nobody has opened for writing within %1 s</source>
-        <translation>ist eine Pipe, die niemand innerhalb von %1 s zum Schreiben geöffnet hat</translation>
-    </message>
-    <message>
-        <source>a file, or a pipe that is fed</source>
-        <translation>eine Datei, oder eine Pipe, die gespeist wird</translation>
-    </message>
-    <message>
-        <source>is empty</source>
-        <translation>ist leer</translation>
-    </message>
-    <message>
-        <source>a JSON object</source>
-        <translation>ein JSON-Objekt</translation>
-    </message>
-    <message>
-        <source>is a scene or a model in binary glTF</source>
-        <translation>ist eine Szene oder ein Modell in binärem glTF</translation>
-    </message>
-    <message>
-        <source>JSON, as of a layout</source>
-        <translation>JSON, etwa ein Layout</translation>
-    </message>
-    <message>
-        <source>nested too deep</source>
-        <translation>zu tief verschachtelt</translation>
-    </message>
-    <message>
-        <source>up to %1 levels</source>
-        <translation>bis zu %1 Ebenen</translation>
-    </message>
-    <message>
-        <source>this key comes twice</source>
-        <translation>dieser Schlüssel kommt zweimal vor</translation>
-    </message>
-    <message>
-        <source>each key once</source>
-        <translation>jeder Schlüssel einmal</translation>
-    </message>
-    <message>
-        <source>line %1, column %2: %3</source>
-        <translation>Zeile %1, Spalte %2: %3</translation>
-    </message>
-    <message>
-        <source>syntax error while parsing %1 - %2</source>
-        <translation>Syntaxfehler in %1 - %2</translation>
-    </message>
-    <message>
-        <source>numbers between -1.797e308 and 1.797e308</source>
-        <translation>Zahlen zwischen -1.797e308 und 1.797e308</translation>
-    </message>
-    <message>
-        <source>unknown key</source>
-        <translation>unbekannter Schlüssel</translation>
     </message>
     <message>
         <source>the key &quot;%1&quot; is missing; required: %2</source>
@@ -1531,72 +767,16 @@
         <translation>eine ganze Zahl</translation>
     </message>
     <message>
-        <source>a whole number from %1 to %2</source>
-        <translation>eine ganze Zahl von %1 bis %2</translation>
-    </message>
-    <message>
-        <source>whole numbers from %1 to %2</source>
-        <translation>ganze Zahlen von %1 bis %2</translation>
-    </message>
-    <message>
         <source>a quaternion [w, x, y, z] whose length is not zero</source>
         <translation>ein Quaternion [w, x, y, z], dessen Länge nicht null ist</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; has no curved surfaces</source>
-        <translation>„%1“ hat keine gekrümmten Flächen</translation>
-    </message>
-    <message>
-        <source>with models in STEP, IGES or BREP (%1)</source>
-        <translation>bei Modellen in STEP, IGES oder BREP (%1)</translation>
-    </message>
-    <message>
-        <source>%1, or an object with friction, density and restitution</source>
-        <translation>%1, oder ein Objekt mit friction, density und restitution</translation>
     </message>
     <message>
         <source>any name but &quot;floor&quot;, which is the floor</source>
         <translation>jeder Name außer „floor“, dem Boden</translation>
     </message>
     <message>
-        <source>&quot;anywhere&quot; or a point [x, y]</source>
-        <translation>&quot;anywhere&quot; oder ein Punkt [x, y]</translation>
-    </message>
-    <message>
-        <source>a place is missing</source>
-        <translation>ein Ort fehlt</translation>
-    </message>
-    <message>
-        <source>&quot;position&quot;, from where it falls, or &quot;on&quot;, an object or &quot;floor&quot;, on which a place is found</source>
-        <translation>&quot;position&quot;, von wo es fällt, oder &quot;on&quot;, ein Objekt oder &quot;floor&quot;, worauf ein Platz gefunden wird</translation>
-    </message>
-    <message>
-        <source>a target is missing</source>
-        <translation>ein Ziel fehlt</translation>
-    </message>
-    <message>
-        <source>&quot;to&quot;, or &quot;direction&quot; and &quot;distance&quot;</source>
-        <translation>&quot;to&quot;, oder &quot;direction&quot; und &quot;distance&quot;</translation>
-    </message>
-    <message>
         <source>an object with the keys op, object, ...</source>
         <translation>ein Objekt mit den Schlüsseln op, object, ...</translation>
-    </message>
-    <message>
-        <source>a rotation without a position</source>
-        <translation>eine Drehung ohne Position</translation>
-    </message>
-    <message>
-        <source>both, or neither for an object that is out of the scene until it is put</source>
-        <translation>beide, oder keine für ein Objekt, das nicht in der Szene ist, bis es hingestellt wird</translation>
-    </message>
-    <message>
-        <source>%1 is already the name of /objects/%2</source>
-        <translation>%1 ist schon der Name von /objects/%2</translation>
-    </message>
-    <message>
-        <source>a name of its own</source>
-        <translation>ein eigener Name</translation>
     </message>
     <message>
         <source>the name of one of /objects</source>
@@ -1607,44 +787,12 @@
         <translation>&quot;floor&quot; oder der Name eines von /objects</translation>
     </message>
     <message>
-        <source>the name of one of /objects, or one with * for any letters</source>
-        <translation>der Name eines von /objects, oder einer mit * für beliebige Zeichen</translation>
-    </message>
-    <message>
-        <source>a name that no object has</source>
-        <translation>ein Name, den kein Objekt hat</translation>
-    </message>
-    <message>
-        <source>an object of names and texts, numbers, true or false</source>
-        <translation>ein Objekt aus Namen und Texten, Zahlen, true oder false</translation>
-    </message>
-    <message>
-        <source>a text, a number, true or false</source>
-        <translation>ein Text, eine Zahl, true oder false</translation>
-    </message>
-    <message>
         <source>%1, the version of the layout format</source>
         <translation>%1, die Version des Layoutformats</translation>
     </message>
     <message>
         <source>there is no &quot;scene&quot; for it</source>
         <translation>es gibt keine „scene“ dafür</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; reaches %2 metres</source>
-        <translation>„%1“ reicht bis %2 Meter</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>bis zu %1</translation>
-    </message>
-    <message>
-        <source>is not accepted here</source>
-        <translation>ist hier nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>layouts of models. Scenes in place are laid out by trivet run</source>
-        <translation>Layouts aus Modellen. Szenen an Ort und Stelle legt trivet run aus</translation>
     </message>
     <message>
         <source>one material at least</source>
@@ -1657,10 +805,6 @@
     <message>
         <source>at least one object</source>
         <translation>mindestens ein Objekt</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is named before</source>
-        <translation>„%1“ ist schon genannt</translation>
     </message>
     <message>
         <source>&quot;upright&quot;, &quot;as_modelled&quot;, &quot;free&quot;, &quot;stable&quot;, &quot;side&quot; or the number of a stable pose, as trivet info --poses has them</source>
@@ -1679,14 +823,6 @@
         <translation>ein Objekt aus Namen und ihren Flächen</translation>
     </message>
     <message>
-        <source>/arrange/surfaces has some for &quot;%1&quot;</source>
-        <translation>/arrange/surfaces hat welche für „%1“</translation>
-    </message>
-    <message>
-        <source>those of an object in one place</source>
-        <translation>die eines Objekts an einer Stelle</translation>
-    </message>
-    <message>
         <source>an object of names and lists of zones</source>
         <translation>ein Objekt aus Namen und Listen von Zonen</translation>
     </message>
@@ -1701,26 +837,6 @@
     <message>
         <source>the lower corner first, the upper one 1 mm beyond it or more</source>
         <translation>zuerst die untere Ecke, die obere mindestens 1 mm darüber hinaus</translation>
-    </message>
-    <message>
-        <source>too many zones</source>
-        <translation>zu viele Zonen</translation>
-    </message>
-    <message>
-        <source>/arrange/fronts has one for &quot;%1&quot;</source>
-        <translation>/arrange/fronts hat eine für „%1“</translation>
-    </message>
-    <message>
-        <source>one front for an object</source>
-        <translation>eine Vorderseite für ein Objekt</translation>
-    </message>
-    <message>
-        <source>there is no section &quot;arrange&quot; for it</source>
-        <translation>es gibt keinen Abschnitt „arrange“ dafür</translation>
-    </message>
-    <message>
-        <source>beside such a section</source>
-        <translation>neben einem solchen Abschnitt</translation>
     </message>
     <message>
         <source>an object, as trivet schema arrange has it</source>
@@ -1743,22 +859,6 @@
         <translation>mindestens zwei Punkte [x, y]</translation>
     </message>
     <message>
-        <source>either %1</source>
-        <translation>entweder %1</translation>
-    </message>
-    <message>
-        <source>either &quot;tolerance&quot; or &quot;jitter&quot;, which are one</source>
-        <translation>entweder &quot;tolerance&quot; oder &quot;jitter&quot;, die dasselbe sind</translation>
-    </message>
-    <message>
-        <source>scenes of other programs cannot be arranged</source>
-        <translation>Szenen anderer Programme lassen sich nicht anordnen</translation>
-    </message>
-    <message>
-        <source>objects with models</source>
-        <translation>Objekte mit Modellen</translation>
-    </message>
-    <message>
         <source>2 opposite corners [x, y] of a rectangle, or at least 3 of a convex polygon, counter-clockwise</source>
         <translation>2 gegenüberliegende Ecken [x, y] eines Rechtecks oder mindestens 3 eines konvexen Vielecks, gegen den Uhrzeigersinn</translation>
     </message>
@@ -1775,36 +875,12 @@
         <translation>eine Zahl, oder [least, most]</translation>
     </message>
     <message>
-        <source>either &quot;b&quot; or &quot;point&quot;</source>
-        <translation>entweder &quot;b&quot; oder &quot;point&quot;</translation>
-    </message>
-    <message>
-        <source>&quot;height&quot; with &quot;b&quot;, a &quot;point&quot; has its own</source>
-        <translation>&quot;height&quot; mit &quot;b&quot;, ein &quot;point&quot; hat seine eigene</translation>
-    </message>
-    <message>
-        <source>either &quot;about&quot; an object, or &quot;point&quot; and &quot;axis&quot;</source>
-        <translation>entweder &quot;about&quot; ein Objekt, oder &quot;point&quot; und &quot;axis&quot;</translation>
-    </message>
-    <message>
         <source>another object than a</source>
         <translation>ein anderes Objekt als a</translation>
     </message>
     <message>
-        <source>with this there are more than %1 relations</source>
-        <translation>damit sind es mehr als %1 Relationen</translation>
-    </message>
-    <message>
-        <source>fewer</source>
-        <translation>weniger</translation>
-    </message>
-    <message>
         <source>two names or patterns</source>
         <translation>zwei Namen oder Muster</translation>
-    </message>
-    <message>
-        <source>with &quot;margin&quot;, &quot;friction&quot; or both</source>
-        <translation>mit &quot;margin&quot;, &quot;friction&quot; oder beidem</translation>
     </message>
     <message>
         <source>&quot;top&quot;, &quot;bottom&quot;, or a number as trivet info --surfaces has them, from above if negative</source>
@@ -1819,16 +895,8 @@
         <translation>die Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>is missing or empty</source>
-        <translation>fehlt oder ist leer</translation>
-    </message>
-    <message>
         <source>the file is empty</source>
         <translation>die Datei ist leer</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>lässt sich nicht lesen</translation>
     </message>
     <message>
         <source>cannot be read: %1</source>
@@ -1839,10 +907,6 @@
         <translation>lässt sich nicht bis zum Ende lesen</translation>
     </message>
     <message>
-        <source>cannot be opened: %1</source>
-        <translation>lässt sich nicht öffnen: %1</translation>
-    </message>
-    <message>
         <source>is a folder, not a model file</source>
         <translation>ist ein Ordner, keine Modelldatei</translation>
     </message>
@@ -1851,32 +915,12 @@
         <translation>ist ein Ordner, keine Szenendatei</translation>
     </message>
     <message>
-        <source>is a folder, not a file</source>
-        <translation>ist ein Ordner, keine Datei</translation>
-    </message>
-    <message>
         <source>is not a regular file</source>
         <translation>ist keine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>is a device or a pipe</source>
-        <translation>ist ein Gerät oder eine Pipe</translation>
-    </message>
-    <message>
-        <source>a regular file</source>
-        <translation>eine gewöhnliche Datei</translation>
-    </message>
-    <message>
         <source>%1 bytes, more than the limit of %2</source>
         <translation>%1 Bytes, mehr als die Grenze von %2</translation>
-    </message>
-    <message>
-        <source>is larger than the limit of %1 bytes</source>
-        <translation>ist größer als die Grenze von %1 Bytes</translation>
-    </message>
-    <message>
-        <source>%1 faces, more than the limit of %2</source>
-        <translation>%1 Flächen, mehr als die Grenze von %2</translation>
     </message>
     <message>
         <source>has no file extension</source>
@@ -1895,14 +939,6 @@
         <translation>lässt sich nicht als Modell lesen: %1</translation>
     </message>
     <message>
-        <source>unknown error</source>
-        <translation>unbekannter Fehler</translation>
-    </message>
-    <message>
-        <source>the PLY header has no end_header</source>
-        <translation>der PLY-Kopf hat kein end_header</translation>
-    </message>
-    <message>
         <source>is truncated: a file of %1 bytes cannot hold %2 elements &quot;%3&quot;</source>
         <translation>ist abgeschnitten: eine Datei von %1 Bytes kann nicht %2 Elemente „%3“ enthalten</translation>
     </message>
@@ -1919,28 +955,12 @@
         <translation>%1-Dateien liest nur das Programm trivet-import-cad, nie dieser Prozess</translation>
     </message>
     <message>
-        <source>%1 files need %2, which is missing: this build of Trivet lacks Open CASCADE</source>
-        <translation>%1-Dateien brauchen %2, das fehlt: dieses Trivet wurde ohne Open CASCADE gebaut</translation>
-    </message>
-    <message>
-        <source>a build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)</source>
-        <translation>gebaut mit ihm (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)</translation>
-    </message>
-    <message>
         <source>runs out of memory; the file is broken or too large</source>
         <translation>der Speicher reicht nicht; die Datei ist beschädigt oder zu groß</translation>
     </message>
     <message>
         <source>runs out of memory; the chord is too small or the file is broken</source>
         <translation>der Speicher reicht nicht; die Sehne ist zu klein, oder die Datei ist beschädigt</translation>
-    </message>
-    <message>
-        <source>node &apos;%1&apos; refers to mesh %2 of %3</source>
-        <translation>Knoten „%1“ verweist auf Netz %2 von %3</translation>
-    </message>
-    <message>
-        <source>mesh &apos;%1&apos;: %2</source>
-        <translation>Netz „%1“: %2</translation>
     </message>
     <message>
         <source>mesh %1: face %2</source>
@@ -1951,32 +971,8 @@
         <translation>Netz „%1“: Fläche %2</translation>
     </message>
     <message>
-        <source>%1 has no corners</source>
-        <translation>%1 hat keine Ecken</translation>
-    </message>
-    <message>
-        <source>the file is broken or truncated</source>
-        <translation>die Datei ist beschädigt oder abgeschnitten</translation>
-    </message>
-    <message>
         <source>%1 refers to vertex %2 of %3</source>
         <translation>%1 verweist auf Ecke %2 von %3</translation>
-    </message>
-    <message>
-        <source>vertex %1 is not finite</source>
-        <translation>Ecke %1 ist nicht endlich</translation>
-    </message>
-    <message>
-        <source>vertex %1 is not finite after the transform of its node</source>
-        <translation>Ecke %1 ist nach der Transformation ihres Knotens nicht endlich</translation>
-    </message>
-    <message>
-        <source>vertex %1 lies beyond 1e30</source>
-        <translation>Ecke %1 liegt jenseits von 1e30</translation>
-    </message>
-    <message>
-        <source>vertex %1 lies beyond 1e30 after the transform of its node</source>
-        <translation>Ecke %1 liegt nach der Transformation ihres Knotens jenseits von 1e30</translation>
     </message>
     <message>
         <source>contains no triangle</source>
@@ -2007,22 +1003,6 @@
         <translation>hat keine Oberfläche</translation>
     </message>
     <message>
-        <source>a chord of %1 is too small for its size</source>
-        <translation>eine Sehne von %1 ist zu klein für seine Größe</translation>
-    </message>
-    <message>
-        <source>at least %1</source>
-        <translation>mindestens %1</translation>
-    </message>
-    <message>
-        <source>names another file, &quot;%1&quot;, which is not opened</source>
-        <translation>nennt eine weitere Datei, „%1“, die nicht geöffnet wird</translation>
-    </message>
-    <message>
-        <source>one STEP file with all parts</source>
-        <translation>eine STEP-Datei mit allen Teilen</translation>
-    </message>
-    <message>
         <source>cannot be read as %1</source>
         <translation>lässt sich nicht als %1 lesen</translation>
     </message>
@@ -2033,10 +1013,6 @@
     <message>
         <source>is not binary glTF: only %1 bytes</source>
         <translation>ist kein binäres glTF: nur %1 Bytes</translation>
-    </message>
-    <message>
-        <source>glTF version %1</source>
-        <translation>glTF Version %1</translation>
     </message>
     <message>
         <source>the first glTF chunk is not JSON</source>
@@ -2083,26 +1059,6 @@
         <translation>ein Bild ist kein Objekt</translation>
     </message>
     <message>
-        <source>the glTF JSON is malformed: %1</source>
-        <translation>das glTF-JSON ist fehlerhaft: %1</translation>
-    </message>
-    <message>
-        <source>is not glTF, neither binary nor JSON</source>
-        <translation>ist kein glTF, weder binär noch JSON</translation>
-    </message>
-    <message>
-        <source>.glb and .gltf</source>
-        <translation>.glb und .gltf</translation>
-    </message>
-    <message>
-        <source>is not valid glTF: %1</source>
-        <translation>ist kein gültiges glTF: %1</translation>
-    </message>
-    <message>
-        <source>is no valid glTF: %1</source>
-        <translation>ist kein gültiges glTF: %1</translation>
-    </message>
-    <message>
         <source>refers to element %1 of &quot;%2&quot;, which has %3</source>
         <translation>verweist auf Element %1 von „%2“, das %3 hat</translation>
     </message>
@@ -2135,40 +1091,8 @@
         <translation>die Ausgabe überschreitet die Speichergrenze</translation>
     </message>
     <message>
-        <source>cannot be started</source>
-        <translation>lässt sich nicht starten</translation>
-    </message>
-    <message>
-        <source>cannot be started: %1</source>
-        <translation>lässt sich nicht starten: %1</translation>
-    </message>
-    <message>
-        <source>cannot be awaited: %1</source>
-        <translation>das Ende lässt sich nicht abwarten: %1</translation>
-    </message>
-    <message>
-        <source>cannot be received: %1</source>
-        <translation>lässt sich nicht empfangen: %1</translation>
-    </message>
-    <message>
-        <source>cannot create a pipe: %1</source>
-        <translation>eine Pipe lässt sich nicht anlegen: %1</translation>
-    </message>
-    <message>
-        <source>the importer ended with %1</source>
-        <translation>das Leseprogramm endete mit %1</translation>
-    </message>
-    <message>
         <source>status %1</source>
         <translation>Status %1</translation>
-    </message>
-    <message>
-        <source>the file is broken, or needs more memory than the limit of %1 MiB</source>
-        <translation>die Datei ist beschädigt, oder braucht mehr Speicher als die Grenze von %1 MiB</translation>
-    </message>
-    <message>
-        <source>needs more memory than the limit of %1 MiB</source>
-        <translation>braucht mehr Speicher als die Grenze von %1 MiB</translation>
     </message>
     <message>
         <source>the file&apos;s up axis is neither +y nor +z; z is assumed</source>
@@ -2183,20 +1107,8 @@
         <translation>Hierarchie und Texturen weggelassen: %1</translation>
     </message>
     <message>
-        <source>the texture &quot;%1&quot;, missing, outside the model&apos;s folder, or neither PNG, JPEG nor WebP</source>
-        <translation>die Textur „%1“, die fehlt, außerhalb des Modellordners liegt, oder weder PNG, JPEG noch WebP ist</translation>
-    </message>
-    <message>
         <source>the image &quot;%1&quot;, missing, outside the model&apos;s folder, or neither PNG, JPEG nor WebP</source>
         <translation>das Bild „%1“, das fehlt, außerhalb des Modellordners liegt, oder weder PNG, JPEG noch WebP ist</translation>
-    </message>
-    <message>
-        <source>names &quot;%1&quot;, which is outside its folder</source>
-        <translation>nennt „%1“, das außerhalb ihres Ordners liegt</translation>
-    </message>
-    <message>
-        <source>files in the folder of the model or below it</source>
-        <translation>Dateien im Ordner des Modells oder darunter</translation>
     </message>
     <message>
         <source>the extension %1</source>
@@ -2209,14 +1121,6 @@
     <message>
         <source>morph target weights</source>
         <translation>Gewichte von Morph-Zielen</translation>
-    </message>
-    <message>
-        <source>ambient and area lights</source>
-        <translation>Umgebungs- und Flächenlichter</translation>
-    </message>
-    <message>
-        <source>animations</source>
-        <translation>Animationen</translation>
     </message>
     <message>
         <source>bump maps</source>
@@ -2233,30 +1137,6 @@
     <message>
         <source>maps of specular colour</source>
         <translation>Texturen der Glanzfarbe</translation>
-    </message>
-    <message>
-        <source>it %1</source>
-        <translation>sie %1</translation>
-    </message>
-    <message>
-        <source>points left out: %1</source>
-        <translation>weggelassene Punkte: %1</translation>
-    </message>
-    <message>
-        <source>lines left out: %1</source>
-        <translation>weggelassene Linien: %1</translation>
-    </message>
-    <message>
-        <source>polygons left out, as they could not be triangulated: %1</source>
-        <translation>weggelassene Vielecke, die sich nicht in Dreiecke zerlegen ließen: %1</translation>
-    </message>
-    <message>
-        <source>meshes with bones, read in bind pose: %1</source>
-        <translation>Netze mit Knochen, in Grundstellung gelesen: %1</translation>
-    </message>
-    <message>
-        <source>mirrored meshes, winding turned round: %1</source>
-        <translation>gespiegelte Netze, Umlaufsinn umgekehrt: %1</translation>
     </message>
     <message>
         <source>not drawn: the image &quot;%1&quot; %2</source>
@@ -2279,34 +1159,6 @@
         <translation>ist ein beschädigtes WebP</translation>
     </message>
     <message>
-        <source>is an animated WebP</source>
-        <translation>ist ein animiertes WebP</translation>
-    </message>
-    <message>
-        <source>single pictures</source>
-        <translation>einzelne Bilder</translation>
-    </message>
-    <message>
-        <source>is a CMYK JPEG</source>
-        <translation>ist ein CMYK-JPEG</translation>
-    </message>
-    <message>
-        <source>grey and colour</source>
-        <translation>Grau und Farbe</translation>
-    </message>
-    <message>
-        <source>has %1 x %2 texels</source>
-        <translation>hat %1 x %2 Texel</translation>
-    </message>
-    <message>
-        <source>1 to %1 each way, at most %2 Mi together</source>
-        <translation>1 bis %1 in jeder Richtung, zusammen höchstens %2 Mi</translation>
-    </message>
-    <message>
-        <source>is of the kind %1</source>
-        <translation>ist von der Art %1</translation>
-    </message>
-    <message>
         <source>an accessor has the component type %1</source>
         <translation>ein Accessor hat den Komponententyp %1</translation>
     </message>
@@ -2319,10 +1171,6 @@
         <translation>ein Accessor reicht über seinen Puffer hinaus</translation>
     </message>
     <message>
-        <source>has no scene</source>
-        <translation>hat keine Szene</translation>
-    </message>
-    <message>
         <source>its Draco data has no attribute %1</source>
         <translation>seine Draco-Daten haben kein Attribut %1</translation>
     </message>
@@ -2331,44 +1179,12 @@
         <translation>seine Draco-Daten sind beschädigt: %1</translation>
     </message>
     <message>
-        <source>a point without a value</source>
-        <translation>ein Punkt ohne Wert</translation>
-    </message>
-    <message>
-        <source>a face without a point</source>
-        <translation>eine Fläche ohne Punkt</translation>
-    </message>
-    <message>
-        <source>files without KHR_draco_mesh_compression</source>
-        <translation>Dateien ohne KHR_draco_mesh_compression</translation>
-    </message>
-    <message>
         <source>an entry of &quot;extensionsRequired&quot; is no text</source>
         <translation>ein Eintrag von &quot;extensionsRequired&quot; ist kein Text</translation>
     </message>
     <message>
-        <source>requires %1, which Trivet does not have</source>
-        <translation>verlangt %1, was Trivet nicht hat</translation>
-    </message>
-    <message>
-        <source>files that do without</source>
-        <translation>Dateien, die ohne das auskommen</translation>
-    </message>
-    <message>
         <source>positions and normals that are no vectors of 3</source>
         <translation>Positionen und Normalen, die keine Vektoren mit 3 Zahlen sind</translation>
-    </message>
-    <message>
-        <source>vertices left out, too few for another triangle: %1</source>
-        <translation>weggelassene Ecken, zu wenige für ein weiteres Dreieck: %1</translation>
-    </message>
-    <message>
-        <source>primitives left out, as they have no positions: %1</source>
-        <translation>weggelassene Primitive, die keine Positionen haben: %1</translation>
-    </message>
-    <message>
-        <source>meshes with morph targets, read without them: %1</source>
-        <translation>Netze mit Morph-Zielen, ohne diese gelesen: %1</translation>
     </message>
     <message>
         <source>its nodes do not form a tree: two have node %1 among their children</source>
@@ -2391,20 +1207,8 @@
         <translation>von %1 Bytes soll %2 Einträge von %3 enthalten</translation>
     </message>
     <message>
-        <source>has the filter %1</source>
-        <translation>hat den Filter %1</translation>
-    </message>
-    <message>
-        <source>NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL and COLOR</source>
-        <translation>NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL und COLOR</translation>
-    </message>
-    <message>
         <source>is damaged</source>
         <translation>ist beschädigt</translation>
-    </message>
-    <message>
-        <source>files without EXT_meshopt_compression</source>
-        <translation>Dateien ohne EXT_meshopt_compression</translation>
     </message>
     <message>
         <source>other scenes left out: %1 (%2)</source>
@@ -2439,32 +1243,8 @@
         <translation>ein Netz, das mit Draco komprimiert ist</translation>
     </message>
     <message>
-        <source>has the type %1</source>
-        <translation>hat den Typ %1</translation>
-    </message>
-    <message>
-        <source>an accessor has %1 items and no data</source>
-        <translation>ein Accessor hat %1 Einträge und keine Daten</translation>
-    </message>
-    <message>
-        <source>indices have the component type %1</source>
-        <translation>Indizes haben den Komponententyp %1</translation>
-    </message>
-    <message>
-        <source>5121, 5123 and 5125</source>
-        <translation>5121, 5123 und 5125</translation>
-    </message>
-    <message>
         <source>a sparse accessor of %1 items replaces item %2</source>
         <translation>ein dünn besetzter Accessor mit %1 Einträgen ersetzt Eintrag %2</translation>
-    </message>
-    <message>
-        <source>a primitive has the mode %1</source>
-        <translation>ein Primitiv hat den Modus %1</translation>
-    </message>
-    <message>
-        <source>0 to 6</source>
-        <translation>0 bis 6</translation>
     </message>
     <message>
         <source>index %1 refers to vertex %2 of %3</source>
@@ -2475,28 +1255,1968 @@
         <translation>nennt „%1“, das fehlt</translation>
     </message>
     <message>
-        <source>is UTF-16 text</source>
-        <translation>ist Text in UTF-16</translation>
-    </message>
-    <message>
-        <source>glTF in UTF-8</source>
-        <translation>glTF in UTF-8</translation>
-    </message>
-    <message>
         <source>mesh &apos;%1&apos;, primitive %2: %3</source>
         <translation>Netz &apos;%1&apos;, Primitiv %2: %3</translation>
     </message>
     <message>
-        <source>it is compressed by Draco, which this build lacks</source>
-        <translation>es ist mit Draco komprimiert, das dieser Build nicht hat</translation>
+        <source> after the transform of its node</source>
+        <translation> nach der Transformation ihres Knotens</translation>
     </message>
     <message>
-        <source>normals left out, as they are not one to each vertex: %1</source>
-        <translation>weggelassene Normalen, die nicht eine für jede Ecke sind: %1</translation>
+        <source> or %1</source>
+        <translation> oder %1</translation>
     </message>
     <message>
-        <source>a buffer view is compressed by meshoptimizer, which this build lacks</source>
-        <translation>ein Puffer-Ausschnitt ist mit meshoptimizer komprimiert, das dieser Build nicht hat</translation>
+        <source>&quot;%1&quot; does not stand upright: it has no stable pose</source>
+        <translation>„%1“ steht nicht aufrecht: es hat keine stabile Lage</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not stand upright: its nearest stable pose is tilted by %2 degrees</source>
+        <translation>„%1“ steht nicht aufrecht: seine nächste stabile Lage ist um %2 Grad gekippt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no curved surfaces; accepted: with models in STEP, IGES or BREP (.step .stp .iges .igs .brep .brp)</source>
+        <translation>„%1“ hat keine gekrümmten Flächen; erlaubt: bei Modellen in STEP, IGES oder BREP (.step .stp .iges .igs .brep .brp)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no size and so no mass; it cannot be simulated</source>
+        <translation>„%1“ hat keine Größe und damit keine Masse; es lässt sich nicht simulieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2: it will move</source>
+        <translation>„%1“ ist %2: es wird sich bewegen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2; accepted: numbers from 0</source>
+        <translation>„%1“ ist %2; erlaubt: Zahlen ab 0</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is already the name of a camera</source>
+        <translation>„%1“ ist schon der Name einer Kamera</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is named before; accepted: each object once</source>
+        <translation>„%1“ ist schon genannt; erlaubt: jedes Objekt einmal</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no format of one file; accepted are .glb, .ply and .stl</source>
+        <translation>„%1“ ist kein Format aus einer Datei; erlaubt sind .glb, .ply und .stl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not accepted; accepted: fitted, hull, components, decomposition, mesh</source>
+        <translation>„%1“ ist nicht erlaubt; erlaubt: fitted, hull, components, decomposition, mesh</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs friction %2, its contacts have %3: it will move</source>
+        <translation>„%1“ braucht die Reibung %2, seine Kontakte haben %3: es wird sich bewegen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was moved</source>
+        <translation>„%1“ wurde bewegt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: its triangles collide, as no convex parts leave room for others</source>
+        <translation>„%1“: seine Dreiecke stoßen an, da keine konvexen Teile anderen Platz lassen</translation>
+    </message>
+    <message>
+        <source>&quot;floor&quot; or the name of one of /objects%1</source>
+        <translation>&quot;floor&quot; oder der Name eines von /objects%1</translation>
+    </message>
+    <message>
+        <source>&quot;format&quot; is %1; accepted: 1</source>
+        <translation>„format“ ist %1; erlaubt: 1</translation>
+    </message>
+    <message>
+        <source>&quot;front&quot;, &quot;back&quot;, &quot;left&quot; or &quot;right&quot;</source>
+        <translation>&quot;front&quot;, &quot;back&quot;, &quot;left&quot; oder &quot;right&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;right&quot;, &quot;left&quot;, &quot;onwards&quot; or &quot;back&quot;</source>
+        <translation>&quot;right&quot;, &quot;left&quot;, &quot;onwards&quot; oder &quot;back&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;unplaced&quot;, &quot;fixed&quot;, &quot;stable&quot;, &quot;wedged&quot;, &quot;held&quot;, &quot;unsupported&quot; or &quot;invalid&quot;</source>
+        <translation>&quot;unplaced&quot;, &quot;fixed&quot;, &quot;stable&quot;, &quot;wedged&quot;, &quot;held&quot;, &quot;unsupported&quot; oder &quot;invalid&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;x&quot;, &quot;-x&quot;, &quot;y&quot; or &quot;-y&quot;</source>
+        <translation>&quot;x&quot;, &quot;-x&quot;, &quot;y&quot; oder &quot;-y&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;x&quot;, &quot;y&quot; or &quot;both&quot;</source>
+        <translation>&quot;x&quot;, &quot;y&quot; oder &quot;both&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;y&quot; or &quot;z&quot;</source>
+        <translation>&quot;y&quot; oder &quot;z&quot;</translation>
+    </message>
+    <message>
+        <source>%1 %2 m from %3</source>
+        <translation>%1 %2 m von %3</translation>
+    </message>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 mit dem Rücken an %2</translation>
+    </message>
+    <message>
+        <source>%1 aligned %2</source>
+        <translation>%1 ausgerichtet an %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 at its point</source>
+        <translation>%1 bei seinem Punkt</translation>
+    </message>
+    <message>
+        <source>%1 at_edge %2</source>
+        <translation>%1 am Rand von %2</translation>
+    </message>
+    <message>
+        <source>%1 away %2</source>
+        <translation>%1 abgewandt von %2</translation>
+    </message>
+    <message>
+        <source>%1 away its point</source>
+        <translation>%1 abgewandt von seinem Punkt</translation>
+    </message>
+    <message>
+        <source>%1 behind %2</source>
+        <translation>%1 hinter %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2</source>
+        <translation>%1 lässt sich nicht anlegen: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved: %2</source>
+        <translation>%1 lässt sich nicht bewegen: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read, or is empty</source>
+        <translation>%1 lässt sich nicht lesen, oder ist leer</translation>
+    </message>
+    <message>
+        <source>%1 centred %2</source>
+        <translation>%1 mittig auf %2</translation>
+    </message>
+    <message>
+        <source>%1 clear of %2</source>
+        <translation>%1 frei von %2</translation>
+    </message>
+    <message>
+        <source>%1 comes to rest on %2</source>
+        <translation>%1 kommt auf %2 zur Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 comes too near to %2</source>
+        <translation>%1 kommt %2 zu nahe</translation>
+    </message>
+    <message>
+        <source>%1 does not compute differences exactly</source>
+        <translation>%1 berechnet Differenzen nicht exakt</translation>
+    </message>
+    <message>
+        <source>%1 does not fit between %2 and %3, as things stand: they leave %4, it needs %5 m</source>
+        <translation>%1 passt nicht zwischen %2 und %3, wie die Dinge stehen: sie lassen %4, es braucht %5 m</translation>
+    </message>
+    <message>
+        <source>%1 does not fit between %2 and %3: they leave %4, it needs %5 m</source>
+        <translation>%1 passt nicht zwischen %2 und %3: sie lassen %4, es braucht %5 m</translation>
+    </message>
+    <message>
+        <source>%1 does not lie on its side: it has no stable pose with its up within 30 degrees of level</source>
+        <translation>%1 liegt nicht auf der Seite: es hat keine stabile Lage, deren Oben höchstens 30 Grad von der Waagerechten abweicht</translation>
+    </message>
+    <message>
+        <source>%1 does not rest on %2 alone</source>
+        <translation>%1 ruht nicht auf %2 allein</translation>
+    </message>
+    <message>
+        <source>%1 does not rest on what it is to rest on</source>
+        <translation>%1 ruht nicht auf dem, worauf es ruhen soll</translation>
+    </message>
+    <message>
+        <source>%1 facing %2</source>
+        <translation>%1 zugewandt %2</translation>
+    </message>
+    <message>
+        <source>%1 facing its point</source>
+        <translation>%1 zugewandt seinem Punkt</translation>
+    </message>
+    <message>
+        <source>%1 fails its self-test: %2</source>
+        <translation>%1 besteht seine Selbstprüfung nicht: %2</translation>
+    </message>
+    <message>
+        <source>%1 flat parts get a thickness of %2 of their size</source>
+        <translation>%1 flache Teile bekommen eine Dicke vom %2-fachen ihrer Größe</translation>
+    </message>
+    <message>
+        <source>%1 gives way</source>
+        <translation>%1 gibt nach</translation>
+    </message>
+    <message>
+        <source>%1 has %2 surfaces, none of which is %3; accepted: %4 to %5</source>
+        <translation>%1 hat %2 Flächen, von denen keine %3 ist; erlaubt: %4 bis %5</translation>
+    </message>
+    <message>
+        <source>%1 has 1 surface, none of which is %2; accepted: -1 to 0</source>
+        <translation>%1 hat 1 Fläche, die nicht %2 ist; erlaubt: -1 bis 0</translation>
+    </message>
+    <message>
+        <source>%1 has no corners; the file is broken or truncated</source>
+        <translation>%1 hat keine Ecken; die Datei ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>%1 has no place: these leave none together: %2; %3 and %4 are %5 m apart at most, %6 m are asked for</source>
+        <translation>%1 hat keinen Platz: diese lassen zusammen keinen: %2; %3 und %4 sind höchstens %5 m auseinander, verlangt sind %6 m</translation>
+    </message>
+    <message>
+        <source>%1 has no stable pose</source>
+        <translation>%1 hat keine stabile Lage</translation>
+    </message>
+    <message>
+        <source>%1 has no stable pose %2: there are %3, from 0</source>
+        <translation>%1 hat keine stabile Lage %2: es gibt %3, ab 0</translation>
+    </message>
+    <message>
+        <source>%1 has no surface to set things down on</source>
+        <translation>%1 hat keine Fläche, auf die sich etwas stellen lässt</translation>
+    </message>
+    <message>
+        <source>%1 has vertex %2</source>
+        <translation>%1 hat die Ecke %2</translation>
+    </message>
+    <message>
+        <source>%1 have more than %2 entries, the most that fit into the %3 MiB allowed; take fewer pixels or a smaller region</source>
+        <translation>%1 haben mehr als %2 Einträge, die höchstens in die erlaubten %3 MiB passen; weniger Pixel oder ein kleineres Gebiet nehmen</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>%1 in reach of %2</source>
+        <translation>%1 in Reichweite von %2</translation>
+    </message>
+    <message>
+        <source>%1 in reach of its point</source>
+        <translation>%1 in Reichweite von seinem Punkt</translation>
+    </message>
+    <message>
+        <source>%1 in view of %2</source>
+        <translation>%1 im Blick von %2</translation>
+    </message>
+    <message>
+        <source>%1 in view of its point</source>
+        <translation>%1 im Blick von seinem Punkt</translation>
+    </message>
+    <message>
+        <source>%1 in_front_of %2</source>
+        <translation>%1 vor %2</translation>
+    </message>
+    <message>
+        <source>%1 is a software renderer, and those are disabled</source>
+        <translation>%1 ist ein Software-Renderer, und die sind abgeschaltet</translation>
+    </message>
+    <message>
+        <source>%1 is already the name of /objects/%2; accepted: a name of its own</source>
+        <translation>%1 ist schon der Name von /objects/%2; erlaubt: ein eigener Name</translation>
+    </message>
+    <message>
+        <source>%1 is in the %2</source>
+        <translation>%1 ist in der %2</translation>
+    </message>
+    <message>
+        <source>%1 is no object of the scene; accepted: %2</source>
+        <translation>%1 ist kein Objekt der Szene; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>%1 is no regular file</source>
+        <translation>%1 ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not accepted: a scene keeps its nodes</source>
+        <translation>%1 ist nicht erlaubt: eine Szene behält ihre Knoten</translation>
+    </message>
+    <message>
+        <source>%1 is not accepted: what the layout does not pick stays, and what it picks moves unless it says &quot;fixed&quot;</source>
+        <translation>%1 ist nicht erlaubt: was das Layout nicht wählt, bleibt, und was es wählt, bewegt sich, wenn es nicht „fixed“ ist</translation>
+    </message>
+    <message>
+        <source>%1 is not accepted; accepted: %2</source>
+        <translation>%1 ist nicht erlaubt; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not finite</source>
+        <translation>%1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>%1 is not used: %2; the backends are measured again</source>
+        <translation>%1 wird nicht verwendet: %2; die Backends werden neu gemessen</translation>
+    </message>
+    <message>
+        <source>%1 left_of %2</source>
+        <translation>%1 links von %2</translation>
+    </message>
+    <message>
+        <source>%1 m along x</source>
+        <translation>%1 m entlang x</translation>
+    </message>
+    <message>
+        <source>%1 m along y</source>
+        <translation>%1 m entlang y</translation>
+    </message>
+    <message>
+        <source>%1 makes others give way</source>
+        <translation>%1 lässt andere nachgeben</translation>
+    </message>
+    <message>
+        <source>%1 near %2</source>
+        <translation>%1 nahe bei %2</translation>
+    </message>
+    <message>
+        <source>%1 need more than the %2 MiB allowed</source>
+        <translation>%1 brauchen mehr als die erlaubten %2 MiB</translation>
+    </message>
+    <message>
+        <source>%1 numbers from %2 to %3</source>
+        <translation>%1 Zahlen von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 auf %2</translation>
+    </message>
+    <message>
+        <source>%1 parallel %2</source>
+        <translation>%1 parallel zu %2</translation>
+    </message>
+    <message>
+        <source>%1 perpendicular %2</source>
+        <translation>%1 senkrecht zu %2</translation>
+    </message>
+    <message>
+        <source>%1 right_of %2</source>
+        <translation>%1 rechts von %2</translation>
+    </message>
+    <message>
+        <source>%1 same %2</source>
+        <translation>%1 gedreht wie %2</translation>
+    </message>
+    <message>
+        <source>%1 slides away</source>
+        <translation>%1 rutscht weg</translation>
+    </message>
+    <message>
+        <source>%1 symmetric %2</source>
+        <translation>%1 symmetrisch zu %2</translation>
+    </message>
+    <message>
+        <source>%1 tips</source>
+        <translation>%1 kippt</translation>
+    </message>
+    <message>
+        <source>%1 under %2</source>
+        <translation>%1 unter %2</translation>
+    </message>
+    <message>
+        <source>%1 within %2</source>
+        <translation>%1 innerhalb von %2</translation>
+    </message>
+    <message>
+        <source>%1 within its region</source>
+        <translation>%1 innerhalb seines Gebiets</translation>
+    </message>
+    <message>
+        <source>%1 would have to carry itself: it lies on what it carries</source>
+        <translation>%1 müsste sich selbst tragen: es liegt auf dem, was es trägt</translation>
+    </message>
+    <message>
+        <source>%1 would not stand well: it tips, with what lies on it, over an edge %2 m away; accepted: %3 m or more</source>
+        <translation>%1 stünde nicht gut: es kippt mit dem, was darauf liegt, über eine Kante, die %2 m entfernt ist; erlaubt: %3 m oder mehr</translation>
+    </message>
+    <message>
+        <source>%1&quot;top&quot;, &quot;bottom&quot;, or a number as trivet info --surfaces has them</source>
+        <translation>%1&quot;top&quot;, &quot;bottom&quot;, oder eine Nummer, wie trivet info --surfaces sie zeigt</translation>
+    </message>
+    <message>
+        <source>%1, or an object with friction, density and restitution%2</source>
+        <translation>%1, oder ein Objekt mit friction, density und restitution%2</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; cannot be moved: %3</source>
+        <translation>%1: „%2“ lässt sich nicht bewegen: %3</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; reaches %3 metres; accepted: up to %4</source>
+        <translation>%1: „%2“ reicht bis %3 Meter; erlaubt: bis zu %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes, more than the limit of %3</source>
+        <translation>%1: %2 Bytes, mehr als die Grenze von %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 files need %3, which is missing: this build of Trivet lacks Open CASCADE; accepted: a build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)</source>
+        <translation>%1: %2-Dateien brauchen %3, das fehlt: dieses Trivet wurde ohne Open CASCADE gebaut; erlaubt: gebaut mit ihm (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)</translation>
+    </message>
+    <message>
+        <source>%1: %2 is no object that stands already; accepted for &quot;about&quot;: one that does</source>
+        <translation>%1: %2 ist kein Objekt, das schon steht; erlaubt für „about“: eines, das steht</translation>
+    </message>
+    <message>
+        <source>%1: %2 is none of the things to arrange</source>
+        <translation>%1: %2 ist keines der Dinge, die anzuordnen sind</translation>
+    </message>
+    <message>
+        <source>%1: %2 says already what carries %3</source>
+        <translation>%1: %2 sagt schon, was %3 trägt</translation>
+    </message>
+    <message>
+        <source>%1: %2 since Trivet wrote it; accepted: scenes as Trivet wrote them</source>
+        <translation>%1: %2, seit Trivet sie schrieb; erlaubt: Szenen, wie Trivet sie schrieb</translation>
+    </message>
+    <message>
+        <source>%1: %2 stands nowhere and is none of the things to arrange</source>
+        <translation>%1: %2 steht nirgends und ist keines der Dinge, die anzuordnen sind</translation>
+    </message>
+    <message>
+        <source>%1: %2; accepted: .glb, .gltf, .obj, .ply and .stl</source>
+        <translation>%1: %2; erlaubt: .glb, .gltf, .obj, .ply und .stl</translation>
+    </message>
+    <message>
+        <source>%1: /scene: is not accepted here; accepted: layouts of models. Scenes in place are laid out by trivet run</source>
+        <translation>%1: /scene: ist hier nicht erlaubt; erlaubt: Layouts aus Modellen. Szenen an Ort und Stelle legt trivet run aus</translation>
+    </message>
+    <message>
+        <source>%1: MuJoCo does not accept it: %2</source>
+        <translation>%1: MuJoCo nimmt es nicht an: %2</translation>
+    </message>
+    <message>
+        <source>%1: a temporary file cannot be written: %2</source>
+        <translation>%1: eine vorübergehende Datei lässt sich nicht schreiben: %2</translation>
+    </message>
+    <message>
+        <source>%1: a thing has no relation to itself</source>
+        <translation>%1: ein Ding hat keine Relation zu sich selbst</translation>
+    </message>
+    <message>
+        <source>%1: accepted: a box whose upper corner is above its lower one</source>
+        <translation>%1: erlaubt: ein Kasten, dessen obere Ecke über der unteren liegt</translation>
+    </message>
+    <message>
+        <source>%1: accepted: at least one</source>
+        <translation>%1: erlaubt: mindestens eines</translation>
+    </message>
+    <message>
+        <source>%1: another session has written this journal</source>
+        <translation>%1: eine andere Sitzung hat dieses Journal geschrieben</translation>
+    </message>
+    <message>
+        <source>%1: another session is writing this journal</source>
+        <translation>%1: eine andere Sitzung schreibt dieses Journal</translation>
+    </message>
+    <message>
+        <source>%1: cannot be awaited</source>
+        <translation>%1: lässt sich nicht abwarten</translation>
+    </message>
+    <message>
+        <source>%1: cannot be created: %2</source>
+        <translation>%1: lässt sich nicht anlegen: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be made: %2</source>
+        <translation>%1: lässt sich nicht anlegen: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened: %2</source>
+        <translation>%1: lässt sich nicht öffnen: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened; accepted: a scene (.glb) written by Trivet, or a layout (.json)</source>
+        <translation>%1: lässt sich nicht öffnen; erlaubt: eine Szene (.glb) von Trivet, oder ein Layout (.json)</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1: lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1: lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be received</source>
+        <translation>%1: lässt sich nicht empfangen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be saved; accepted: a file name ending in .glb</source>
+        <translation>%1: lässt sich nicht speichern; erlaubt: ein Dateiname auf .glb</translation>
+    </message>
+    <message>
+        <source>%1: cannot be saved; accepted: a file name ending in .glb or .json</source>
+        <translation>%1: lässt sich nicht speichern; erlaubt: ein Dateiname auf .glb oder .json</translation>
+    </message>
+    <message>
+        <source>%1: cannot be started</source>
+        <translation>%1: lässt sich nicht starten</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: lässt sich nicht schreiben: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot create a pipe</source>
+        <translation>%1: eine Pipe lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>%1: cannot write &quot;%2&quot;; accepted: %3</source>
+        <translation>%1: &quot;%2&quot; kann nicht geschrieben werden; erlaubt: %3</translation>
+    </message>
+    <message>
+        <source>%1: convex parts of &quot;%2&quot; and &quot;%3&quot; overlap by %4 metres, %5: a simulator would push them apart; accepted: %6--max-overlap from %7%8</source>
+        <translation>%1: konvexe Teile von „%2“ und „%3“ überlappen um %4 Meter, %5: ein Simulator würde sie auseinanderdrücken; erlaubt: %6--max-overlap ab %7%8</translation>
+    </message>
+    <message>
+        <source>%1: exists and does not belong to %2, so it would be overwritten; accepted: another name or folder, or a single-file format, such as .glb</source>
+        <translation>%1: gibt es schon und gehört nicht zu %2; es würde überschrieben; erlaubt: ein anderer Name oder Ordner, oder ein Format aus einer Datei, etwa .glb</translation>
+    </message>
+    <message>
+        <source>%1: has %2 triangles, not %3 as Trivet wrote; another program has changed it</source>
+        <translation>%1: hat %2 Dreiecke, nicht %3, wie Trivet sie schrieb; ein anderes Programm hat sie geändert</translation>
+    </message>
+    <message>
+        <source>%1: has changed since it was read; accepted: a scene that stays as it is</source>
+        <translation>%1: hat sich geändert, seit sie gelesen wurde; erlaubt: eine Szene, die bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>%1: has no extension of a format; accepted: %2</source>
+        <translation>%1: hat keine Endung eines Formats; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>%1: has no mesh for &quot;%2&quot;; another program has changed it</source>
+        <translation>%1: hat kein Netz für „%2“; ein anderes Programm hat sie geändert</translation>
+    </message>
+    <message>
+        <source>%1: has no objects: no node of its scene has a mesh</source>
+        <translation>%1: hat keine Objekte: kein Knoten ihrer Szene hat ein Netz</translation>
+    </message>
+    <message>
+        <source>%1: is a device or a pipe; accepted: a regular file</source>
+        <translation>%1: ist ein Gerät oder eine Pipe; erlaubt: eine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>%1: is a folder, not a file</source>
+        <translation>%1: ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>%1: is a pipe that nobody has opened for writing within %2 s; accepted: a file, or a pipe that is fed</source>
+        <translation>%1: ist eine Pipe, die niemand innerhalb von %2 s zum Schreiben geöffnet hat; erlaubt: eine Datei, oder eine Pipe, die gespeist wird</translation>
+    </message>
+    <message>
+        <source>%1: is a scene or a model in binary glTF; accepted: JSON, as of a layout</source>
+        <translation>%1: ist eine Szene oder ein Modell in binärem glTF; erlaubt: JSON, etwa ein Layout</translation>
+    </message>
+    <message>
+        <source>%1: is an input and would be overwritten; accepted: another name</source>
+        <translation>%1: ist eine Eingabe und würde überschrieben; erlaubt: ein anderer Name</translation>
+    </message>
+    <message>
+        <source>%1: is an input, named by %2, and would be overwritten; accepted: another name</source>
+        <translation>%1: ist eine Eingabe, genannt von %2, und würde überschrieben; erlaubt: ein anderer Name</translation>
+    </message>
+    <message>
+        <source>%1: is empty; accepted: a JSON object</source>
+        <translation>%1: ist leer; erlaubt: ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>%1: is larger than the limit of %2 bytes</source>
+        <translation>%1: ist größer als die Grenze von %2 Bytes</translation>
+    </message>
+    <message>
+        <source>%1: is missing or empty</source>
+        <translation>%1: fehlt oder ist leer</translation>
+    </message>
+    <message>
+        <source>%1: is no journal; accepted: a journal that Trivet wrote</source>
+        <translation>%1: ist kein Journal; erlaubt: ein Journal, das Trivet schrieb</translation>
+    </message>
+    <message>
+        <source>%1: is no valid glTF: %2</source>
+        <translation>%1: ist kein gültiges glTF: %2</translation>
+    </message>
+    <message>
+        <source>%1: is not glTF, neither binary nor JSON; accepted: .glb and .gltf</source>
+        <translation>%1: ist kein glTF, weder binär noch JSON; erlaubt: .glb und .gltf</translation>
+    </message>
+    <message>
+        <source>%1: is not glTF: its JSON has no asset; accepted: a scene, which trivet run makes of a layout</source>
+        <translation>%1: ist kein glTF: sein JSON hat kein „asset“; erlaubt: eine Szene, wie trivet run sie aus einem Layout macht</translation>
+    </message>
+    <message>
+        <source>%1: is not valid glTF: %2</source>
+        <translation>%1: ist kein gültiges glTF: %2</translation>
+    </message>
+    <message>
+        <source>%1: is open in another editor; close it there first</source>
+        <translation>%1: ist in einem anderen Editor offen; zuerst dort schließen</translation>
+    </message>
+    <message>
+        <source>%1: line %2 is damaged, and others follow it; accepted: a journal as Trivet wrote it</source>
+        <translation>%1: Zeile %2 ist beschädigt, und andere folgen ihr; erlaubt: ein Journal, wie Trivet es schrieb</translation>
+    </message>
+    <message>
+        <source>%1: needs more memory than the limit of %2 MiB</source>
+        <translation>%1: braucht mehr Speicher als die Grenze von %2 MiB</translation>
+    </message>
+    <message>
+        <source>%1: neither &quot;%2&quot; nor &quot;%3&quot; is the file that the session began with; accepted: the same bytes</source>
+        <translation>%1: weder „%2“ noch „%3“ ist die Datei, mit der die Sitzung begann; erlaubt: dieselben Bytes</translation>
+    </message>
+    <message>
+        <source>%1: neither is one of the things to arrange</source>
+        <translation>%1: keines von beiden ist eines der Dinge, die anzuordnen sind</translation>
+    </message>
+    <message>
+        <source>%1: nested too deep; accepted: up to %2 levels</source>
+        <translation>%1: zu tief verschachtelt; erlaubt: bis zu %2 Ebenen</translation>
+    </message>
+    <message>
+        <source>%1: node &apos;%2&apos; refers to mesh %3 of %4</source>
+        <translation>%1: Knoten „%2“ verweist auf Netz %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1: the glTF JSON is malformed</source>
+        <translation>%1: das glTF-JSON ist fehlerhaft</translation>
+    </message>
+    <message>
+        <source>%1: the scene stays what it is; accepted: %2</source>
+        <translation>%1: die Szene behält ihr Format; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>%1: there is a journal already; accepted: a new name, or restore this one</source>
+        <translation>%1: ein Journal gibt es schon; erlaubt: ein neuer Name, oder dieses wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1: there is no floor</source>
+        <translation>%1: es gibt keinen Boden</translation>
+    </message>
+    <message>
+        <source>%1: there is no folder &quot;%2&quot; for the journal</source>
+        <translation>%1: den Ordner „%2“ für das Journal gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1: there is no object %2%3</source>
+        <translation>%1: ein Objekt %2 gibt es nicht%3</translation>
+    </message>
+    <message>
+        <source>%1: this key comes twice; accepted: each key once</source>
+        <translation>%1: dieser Schlüssel kommt zweimal vor; erlaubt: jeder Schlüssel einmal</translation>
+    </message>
+    <message>
+        <source>%1; BVHs and software answer instead of the GPU</source>
+        <translation>%1; BVHs und Software antworten anstelle der GPU</translation>
+    </message>
+    <message>
+        <source>%1; a new OpenGL context goes on</source>
+        <translation>%1; ein neuer OpenGL-Kontext macht weiter</translation>
+    </message>
+    <message>
+        <source>%1; auto goes on without %2</source>
+        <translation>%1; auto macht ohne %2 weiter</translation>
+    </message>
+    <message>
+        <source>%1; places are judged in software instead</source>
+        <translation>%1; stattdessen werden Plätze in Software beurteilt</translation>
+    </message>
+    <message>
+        <source>%1; z-lists in software are used instead of the GPU</source>
+        <translation>%1; statt der GPU werden z-Listen in Software verwendet</translation>
+    </message>
+    <message>
+        <source>--collision: &quot;decomposition&quot; is not part of this build (Debian: libbullet-extras-dev); accepted: fitted, hull, components, mesh</source>
+        <translation>--collision: „decomposition“ ist nicht Teil dieses Trivet (Debian: libbullet-extras-dev); erlaubt: fitted, hull, components, mesh</translation>
+    </message>
+    <message>
+        <source>--collision: &quot;mesh&quot; is not accepted for MJCF, as MuJoCo takes the hulls of meshes; accepted: fitted, hull, components, decomposition</source>
+        <translation>--collision: „mesh“ ist für MJCF nicht erlaubt, da MuJoCo die Hüllen von Netzen nimmt; erlaubt: fitted, hull, components, decomposition</translation>
+    </message>
+    <message>
+        <source>--language %1: accepted: %2</source>
+        <translation>--language %1: erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>/arrange/fronts has one for &quot;%1&quot;; accepted: one front for an object</source>
+        <translation>/arrange/fronts hat eine für „%1“; erlaubt: eine Vorderseite für ein Objekt</translation>
+    </message>
+    <message>
+        <source>/arrange/surfaces has some for &quot;%1&quot;; accepted: those of an object in one place</source>
+        <translation>/arrange/surfaces hat welche für „%1“; erlaubt: die eines Objekts an einer Stelle</translation>
+    </message>
+    <message>
+        <source>0 to %1</source>
+        <translation>0 bis %1</translation>
+    </message>
+    <message>
+        <source>1 to %1 letters a to z and A to Z, digits, _ and -, as it becomes a part of file names</source>
+        <translation>1 bis %1 Buchstaben a bis z und A bis Z, Ziffern, _ und -, da es Teil von Dateinamen wird</translation>
+    </message>
+    <message>
+        <source>; accepted: fewer --jobs, or a larger ulimit -n</source>
+        <translation>; erlaubt: weniger --jobs, oder ein größeres ulimit -n</translation>
+    </message>
+    <message>
+        <source>; did you mean &quot;%1&quot;?</source>
+        <translation>; war „%1“ gemeint?</translation>
+    </message>
+    <message>
+        <source>Embree cannot %1 (error %2); it may lack memory</source>
+        <translation>Embree kann dies nicht: %1 (Fehler %2); vielleicht fehlt Speicher</translation>
+    </message>
+    <message>
+        <source>Embree cannot start (error %1); it needs a processor with SSE2 and memory</source>
+        <translation>Embree kann nicht starten (Fehler %1); es braucht einen Prozessor mit SSE2 und Speicher</translation>
+    </message>
+    <message>
+        <source>GPU method &quot;%1&quot; is not accepted; accepted: auto, framebuffer, compute</source>
+        <translation>das GPU-Verfahren „%1“ ist nicht erlaubt; erlaubt: auto, framebuffer, compute</translation>
+    </message>
+    <message>
+        <source>OpenGL failed while %1: %2%3</source>
+        <translation>OpenGL ist fehlgeschlagen bei %1: %2%3</translation>
+    </message>
+    <message>
+        <source>TRIVET_EGL_DEVICE is &quot;%1&quot;; accepted: the number of an EGL device, from 1</source>
+        <translation>TRIVET_EGL_DEVICE ist „%1“; erlaubt: die Nummer eines EGL-Geräts, ab 1</translation>
+    </message>
+    <message>
+        <source>[0, 0, 0, 1] as fourth row, or none</source>
+        <translation>[0, 0, 0, 1] als vierte Zeile, oder keine</translation>
+    </message>
+    <message>
+        <source>[[fx, 0, cx], [0, fy, cy], [0, 0, 1]]</source>
+        <translation>[[fx, 0, cx], [0, fy, cy], [0, 0, 1]]</translation>
+    </message>
+    <message>
+        <source>a background component of %1; accepted: 0 to 1</source>
+        <translation>ein Farbanteil des Hintergrunds von %1; erlaubt: 0 bis 1</translation>
+    </message>
+    <message>
+        <source>a camera of %1 x %2 pixels for a picture of %3 x %4</source>
+        <translation>eine Kamera von %1 x %2 Pixeln für ein Bild von %3 x %4</translation>
+    </message>
+    <message>
+        <source>a chord of %1 is too small for its size; accepted: at least %2</source>
+        <translation>eine Sehne von %1 ist zu klein für seine Größe; erlaubt: mindestens %2</translation>
+    </message>
+    <message>
+        <source>a convex part is too small for a solid hull</source>
+        <translation>ein konvexer Teil ist zu klein für eine Hülle mit Volumen</translation>
+    </message>
+    <message>
+        <source>a direction whose length is not zero</source>
+        <translation>eine Richtung, deren Länge nicht null ist</translation>
+    </message>
+    <message>
+        <source>a dome&apos;s %1 of %2; accepted: %3 to %4</source>
+        <translation>eine Kuppel mit %1 %2; erlaubt: %3 bis %4</translation>
+    </message>
+    <message>
+        <source>a file in the folder of the start, or below it</source>
+        <translation>eine Datei im Ordner des Anfangs oder darunter</translation>
+    </message>
+    <message>
+        <source>a matrix of %1%2 rows</source>
+        <translation>eine Matrix aus %1%2 Zeilen</translation>
+    </message>
+    <message>
+        <source>a mesh of %1 vertices and %2 triangles</source>
+        <translation>ein Netz aus %1 Ecken und %2 Dreiecken</translation>
+    </message>
+    <message>
+        <source>a mesh without triangles; accepted: one at least</source>
+        <translation>ein Netz ohne Dreiecke; erlaubt: mindestens eines</translation>
+    </message>
+    <message>
+        <source>a node above it has a scale of zero</source>
+        <translation>ein Knoten darüber ist mit null skaliert</translation>
+    </message>
+    <message>
+        <source>a node&apos;s %1 has not %2 numbers</source>
+        <translation>„%1“ eines Knotens hat nicht %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>a node&apos;s transform is not made of finite numbers</source>
+        <translation>die Transformation eines Knotens besteht nicht aus endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>a picture of %1 samples; accepted: 1 to %2</source>
+        <translation>ein Bild mit %1 Proben; erlaubt: 1 bis %2</translation>
+    </message>
+    <message>
+        <source>a picture of %1 x %2 pixels; accepted: 1 to %3 in each dimension</source>
+        <translation>ein Bild von %1 x %2 Pixeln; erlaubt: 1 bis %3 in jeder Richtung</translation>
+    </message>
+    <message>
+        <source>a problem of arranging</source>
+        <translation>eine Aufgabe des Anordnens</translation>
+    </message>
+    <message>
+        <source>a quaternion [w, x, y, z] of length 1</source>
+        <translation>eine Quaternion [w, x, y, z] der Länge 1</translation>
+    </message>
+    <message>
+        <source>a rotation without a position; accepted: both, or neither for an object that is out of the scene until it is put</source>
+        <translation>eine Drehung ohne Position; erlaubt: beide, oder keine für ein Objekt, das nicht in der Szene ist, bis es hingestellt wird</translation>
+    </message>
+    <message>
+        <source>a rounded rectangle of %1 segments per corner; accepted: 1 or more</source>
+        <translation>ein abgerundetes Rechteck aus %1 Stücken je Ecke; erlaubt: 1 oder mehr</translation>
+    </message>
+    <message>
+        <source>a view of %1 x %2 pixels; accepted: 1 to %3 in each dimension</source>
+        <translation>eine Ansicht von %1 x %2 Pixeln; erlaubt: 1 bis %3 in jeder Richtung</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 2^53</source>
+        <translation>eine ganze Zahl von 0 bis 2^53</translation>
+    </message>
+    <message>
+        <source>accepted: &quot;height&quot; with &quot;b&quot;, a &quot;point&quot; has its own</source>
+        <translation>erlaubt: &quot;height&quot; mit &quot;b&quot;, ein &quot;point&quot; hat seine eigene</translation>
+    </message>
+    <message>
+        <source>accepted: either &quot;about&quot; an object, or &quot;point&quot; and &quot;axis&quot;</source>
+        <translation>erlaubt: entweder &quot;about&quot; ein Objekt, oder &quot;point&quot; und &quot;axis&quot;</translation>
+    </message>
+    <message>
+        <source>accepted: either &quot;b&quot; or &quot;point&quot;</source>
+        <translation>erlaubt: entweder &quot;b&quot; oder &quot;point&quot;</translation>
+    </message>
+    <message>
+        <source>accepted: either &quot;tolerance&quot; or &quot;jitter&quot;, which are one</source>
+        <translation>erlaubt: entweder &quot;tolerance&quot; oder &quot;jitter&quot;, die dasselbe sind</translation>
+    </message>
+    <message>
+        <source>accepted: with &quot;margin&quot;, &quot;friction&quot; or both</source>
+        <translation>erlaubt: mit &quot;margin&quot;, &quot;friction&quot; oder beidem</translation>
+    </message>
+    <message>
+        <source>an animated WebP has pictures of one size</source>
+        <translation>ein animiertes WebP hat Bilder einer Größe</translation>
+    </message>
+    <message>
+        <source>an animated WebP of %1 x %2 pixels is not accepted; accepted: 1 to %3</source>
+        <translation>ein animiertes WebP von %1 x %2 Pixeln ist nicht erlaubt; erlaubt: 1 bis %3</translation>
+    </message>
+    <message>
+        <source>an animated WebP: %1</source>
+        <translation>ein animiertes WebP: %1</translation>
+    </message>
+    <message>
+        <source>an image cannot be encoded as OpenEXR: %1</source>
+        <translation>ein Bild lässt sich nicht als OpenEXR kodieren: %1</translation>
+    </message>
+    <message>
+        <source>an image cannot be encoded as PNG: %1</source>
+        <translation>ein Bild lässt sich nicht als PNG kodieren: %1</translation>
+    </message>
+    <message>
+        <source>an object has an empty name; every object needs one</source>
+        <translation>ein Objekt hat einen leeren Namen; jedes Objekt braucht einen</translation>
+    </message>
+    <message>
+        <source>at least one camera</source>
+        <translation>mindestens eine Kamera</translation>
+    </message>
+    <message>
+        <source>backend &quot;%1&quot; is not accepted; accepted: auto, gpu, software, bvh</source>
+        <translation>das Backend „%1“ ist nicht erlaubt; erlaubt: auto, gpu, software, bvh</translation>
+    </message>
+    <message>
+        <source>below a node that is not scaled evenly it would have shear, which glTF has not</source>
+        <translation>unter einem ungleichmäßig skalierten Knoten wäre es geschert, was glTF nicht kennt</translation>
+    </message>
+    <message>
+        <source>brackets of falls need OpenGL 4.3, but %1 has less</source>
+        <translation>Schranken von Stürzen brauchen OpenGL 4.3, aber %1 hat weniger</translation>
+    </message>
+    <message>
+        <source>cannot allocate a stream for Qhull&apos;s messages</source>
+        <translation>für die Meldungen von Qhull fehlt Speicher</translation>
+    </message>
+    <message>
+        <source>cannot be read as BREP</source>
+        <translation>lässt sich nicht als BREP lesen</translation>
+    </message>
+    <message>
+        <source>cannot be read as a model: the PLY header has no end_header</source>
+        <translation>lässt sich nicht als Modell lesen: der PLY-Kopf hat kein end_header</translation>
+    </message>
+    <message>
+        <source>cannot draw without a surface (no EGL_KHR_surfaceless_context)</source>
+        <translation>ohne Oberfläche lässt sich nicht zeichnen (kein EGL_KHR_surfaceless_context)</translation>
+    </message>
+    <message>
+        <source>cannot make the OpenGL context current on this thread, %1</source>
+        <translation>der OpenGL-Kontext lässt sich in diesem Thread nicht verwenden, %1</translation>
+    </message>
+    <message>
+        <source>circle of %1 things on %2</source>
+        <translation>Kreis aus %1 Dingen auf %2</translation>
+    </message>
+    <message>
+        <source>circle of 1 thing on %1</source>
+        <translation>Kreis aus einem Ding auf %1</translation>
+    </message>
+    <message>
+        <source>clear of %1</source>
+        <translation>frei von %1</translation>
+    </message>
+    <message>
+        <source>clear of %1 by %2 m</source>
+        <translation>frei von %1 mit %2 m Abstand</translation>
+    </message>
+    <message>
+        <source>confirmation &quot;%1&quot; is not accepted; accepted: auto, embree, off</source>
+        <translation>die Bestätigung „%1“ ist nicht erlaubt; erlaubt: auto, embree, off</translation>
+    </message>
+    <message>
+        <source>direction of z-lists is %1 %2 %3; accepted: finite and not 0 0 0</source>
+        <translation>die Richtung von z-Listen ist %1 %2 %3; erlaubt: endlich und nicht 0 0 0</translation>
+    </message>
+    <message>
+        <source>eglInitialize failed, %1</source>
+        <translation>eglInitialize ist fehlgeschlagen, %1</translation>
+    </message>
+    <message>
+        <source>facings of %1 things on %2</source>
+        <translation>Frontreihen aus %1 Dingen auf %2</translation>
+    </message>
+    <message>
+        <source>facings of 1 thing on %1</source>
+        <translation>Frontreihen aus einem Ding auf %1</translation>
+    </message>
+    <message>
+        <source>field of view</source>
+        <translation>Blickwinkel</translation>
+    </message>
+    <message>
+        <source>finite coordinates</source>
+        <translation>endliche Koordinaten</translation>
+    </message>
+    <message>
+        <source>glTF version %1; accepted: 2</source>
+        <translation>glTF Version %1; erlaubt: 2</translation>
+    </message>
+    <message>
+        <source>grid of %1 things on %2</source>
+        <translation>Raster aus %1 Dingen auf %2</translation>
+    </message>
+    <message>
+        <source>grid of 1 thing on %1</source>
+        <translation>Raster aus einem Ding auf %1</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 texels; accepted: 1 to %3 each way, at most %4 Mi together</source>
+        <translation>hat %1 x %2 Texel; erlaubt: 1 bis %3 in jeder Richtung, zusammen höchstens %4 Mi</translation>
+    </message>
+    <message>
+        <source>has a field of view of %1 degrees; accepted: 1 to 170</source>
+        <translation>hat einen Blickwinkel von %1 Grad; erlaubt: 1 bis 170</translation>
+    </message>
+    <message>
+        <source>has its eye at its target; accepted: two different points</source>
+        <translation>hat ihr Auge an ihrem Ziel; erlaubt: zwei verschiedene Punkte</translation>
+    </message>
+    <message>
+        <source>has no data of Trivet; accepted: scenes that Trivet wrote</source>
+        <translation>hat keine Daten von Trivet; erlaubt: Szenen, die Trivet schrieb</translation>
+    </message>
+    <message>
+        <source>highest elevation</source>
+        <translation>größte Höhe</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>is a CMYK JPEG; accepted: grey and colour</source>
+        <translation>ist ein CMYK-JPEG; erlaubt: Grau und Farbe</translation>
+    </message>
+    <message>
+        <source>is an animated WebP; accepted: single pictures</source>
+        <translation>ist ein animiertes WebP; erlaubt: einzelne Bilder</translation>
+    </message>
+    <message>
+        <source>is not finite</source>
+        <translation>ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>is of the kind %1; accepted: PNG, JPEG, WebP</source>
+        <translation>ist von der Art %1; erlaubt: PNG, JPEG, WebP</translation>
+    </message>
+    <message>
+        <source>it has %1 sources; accepted: 1 to 64</source>
+        <translation>sie hat %1 Quellen; erlaubt: 1 bis 64</translation>
+    </message>
+    <message>
+        <source>it has more than %1 scans</source>
+        <translation>es hat mehr als %1 Durchläufe</translation>
+    </message>
+    <message>
+        <source>it is animated</source>
+        <translation>es ist animiert</translation>
+    </message>
+    <message>
+        <source>it is deformed by a skeleton</source>
+        <translation>es wird von einem Skelett verformt</translation>
+    </message>
+    <message>
+        <source>it is of another version, processor or driver</source>
+        <translation>sie gehört zu einer anderen Version, einem anderen Prozessor oder Treiber</translation>
+    </message>
+    <message>
+        <source>it would leave no room for %1</source>
+        <translation>es ließe keinen Platz für %1</translation>
+    </message>
+    <message>
+        <source>its nodes are no tree</source>
+        <translation>ihre Knoten bilden keinen Baum</translation>
+    </message>
+    <message>
+        <source>labelled images of %1 objects; accepted: up to %2</source>
+        <translation>Bilder mit Beschriftungen von %1 Objekten; erlaubt: bis zu %2</translation>
+    </message>
+    <message>
+        <source>largest number of entries</source>
+        <translation>die größte Zahl der Einträge</translation>
+    </message>
+    <message>
+        <source>latest OpenGL version</source>
+        <translation>die neueste OpenGL-Version</translation>
+    </message>
+    <message>
+        <source>left out: ambient and area lights</source>
+        <translation>weggelassen: Umgebungs- und Flächenlichter</translation>
+    </message>
+    <message>
+        <source>left out: animations</source>
+        <translation>weggelassen: Animationen</translation>
+    </message>
+    <message>
+        <source>left out: it %1</source>
+        <translation>weggelassen: sie %1</translation>
+    </message>
+    <message>
+        <source>left out: the texture &quot;%1&quot;, missing, outside the model&apos;s folder, or neither PNG, JPEG nor WebP</source>
+        <translation>weggelassen: die Textur „%1“, die fehlt, außerhalb des Modellordners liegt, oder weder PNG, JPEG noch WebP ist</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3 is not accepted; accepted: numbers between -1.797e308 and 1.797e308</source>
+        <translation>Zeile %1, Spalte %2: %3 ist nicht erlaubt; erlaubt: Zahlen zwischen -1.797e308 und 1.797e308</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>line of %1 things on %2</source>
+        <translation>Linie aus %1 Dingen auf %2</translation>
+    </message>
+    <message>
+        <source>line of 1 thing on %1</source>
+        <translation>Linie aus einem Ding auf %1</translation>
+    </message>
+    <message>
+        <source>lines left out</source>
+        <translation>weggelassene Linien</translation>
+    </message>
+    <message>
+        <source>lists by &quot;%1&quot; are not accepted; accepted: auto, gpu, software</source>
+        <translation>Listen durch „%1“ sind nicht erlaubt; erlaubt: auto, gpu, software</translation>
+    </message>
+    <message>
+        <source>lowest elevation</source>
+        <translation>kleinste Höhe</translation>
+    </message>
+    <message>
+        <source>meshes with bones, read in bind pose</source>
+        <translation>Netze mit Knochen, in Grundstellung gelesen</translation>
+    </message>
+    <message>
+        <source>mirrored meshes, winding turned round</source>
+        <translation>gespiegelte Netze, Umlaufsinn umgekehrt</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>mehr als %1</translation>
+    </message>
+    <message>
+        <source>more than %1, and of %2 more pairs</source>
+        <translation>mehr als %1, und die %2 weiterer Paare</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is outside its folder; accepted: files in the folder of the model or below it</source>
+        <translation>nennt „%1“, das außerhalb ihres Ordners liegt; erlaubt: Dateien im Ordner des Modells oder darunter</translation>
+    </message>
+    <message>
+        <source>names another file, %1, which is not opened; accepted: one STEP file with all parts</source>
+        <translation>nennt eine weitere Datei, %1, die nicht geöffnet wird; erlaubt: eine STEP-Datei mit allen Teilen</translation>
+    </message>
+    <message>
+        <source>no EGL: libEGL.so.1 cannot be loaded (%1); install libegl1</source>
+        <translation>kein EGL: libEGL.so.1 lässt sich nicht laden (%1); libegl1 installieren</translation>
+    </message>
+    <message>
+        <source>no OpenGL context: the device is gone</source>
+        <translation>kein OpenGL-Kontext: das Gerät ist weg</translation>
+    </message>
+    <message>
+        <source>no OpenGL, %1</source>
+        <translation>kein OpenGL, %1</translation>
+    </message>
+    <message>
+        <source>no OpenGL: neither libOpenGL.so.0 nor libGL.so.1 can be loaded; install libopengl0</source>
+        <translation>kein OpenGL: weder libOpenGL.so.0 noch libGL.so.1 lässt sich laden; libopengl0 installieren</translation>
+    </message>
+    <message>
+        <source>no arranged demo &apos;%1&apos;; there are %2</source>
+        <translation>keine angeordnete Demo „%1“; es gibt %2</translation>
+    </message>
+    <message>
+        <source>no config for OpenGL, %1</source>
+        <translation>keine Konfiguration für OpenGL, %1</translation>
+    </message>
+    <message>
+        <source>no context of OpenGL 3.3 core or later, %1</source>
+        <translation>kein Kontext von OpenGL 3.3 core oder neuer, %1</translation>
+    </message>
+    <message>
+        <source>no demo &apos;%1&apos;; there are %2</source>
+        <translation>keine Demo „%1“; es gibt %2</translation>
+    </message>
+    <message>
+        <source>no memory to encode an image as PNG</source>
+        <translation>kein Speicher, um ein Bild als PNG zu kodieren</translation>
+    </message>
+    <message>
+        <source>no model &apos;%1&apos;; there are %2</source>
+        <translation>kein Modell „%1“; es gibt %2</translation>
+    </message>
+    <message>
+        <source>no name, or a preset&apos;s with its numbers</source>
+        <translation>kein Name, oder der einer Vorgabe mit ihren Zahlen</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>ohne Angabe eines Grundes</translation>
+    </message>
+    <message>
+        <source>no socket for a process: %1%2</source>
+        <translation>kein Socket für einen Prozess: %1%2</translation>
+    </message>
+    <message>
+        <source>number of cameras</source>
+        <translation>Zahl der Kameras</translation>
+    </message>
+    <message>
+        <source>number of threads of z-lists is %1; accepted: 0 (all) or more</source>
+        <translation>die Zahl der Threads von z-Listen ist %1; erlaubt: 0 (alle) oder mehr</translation>
+    </message>
+    <message>
+        <source>object &apos;%1&apos; lies beyond the range of float32, or its pose is not finite; it cannot be exported</source>
+        <translation>Objekt „%1“ liegt jenseits des Bereichs von float32, oder seine Lage ist nicht endlich; es lässt sich nicht exportieren</translation>
+    </message>
+    <message>
+        <source>on %1</source>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>on %1, level %2</source>
+        <translation>auf %1, Ebene %2</translation>
+    </message>
+    <message>
+        <source>one hull for all of its %1 components, more than %2</source>
+        <translation>eine Hülle für alle seine %1 Komponenten, mehr als %2</translation>
+    </message>
+    <message>
+        <source>one of %1%2</source>
+        <translation>eines von %1%2</translation>
+    </message>
+    <message>
+        <source>out of the %1</source>
+        <translation>außerhalb der %1</translation>
+    </message>
+    <message>
+        <source>paths of %1 bounces; accepted: 0 to 64</source>
+        <translation>Pfade mit %1 Abprallern; erlaubt: 0 bis 64</translation>
+    </message>
+    <message>
+        <source>points left out</source>
+        <translation>weggelassene Punkte</translation>
+    </message>
+    <message>
+        <source>polygons left out, as they could not be triangulated</source>
+        <translation>weggelassene Vielecke, die sich nicht in Dreiecke zerlegen ließen</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>region of z-lists has pixels of %1 m; accepted: %2 m or more, for coordinates of this size</source>
+        <translation>das Gebiet von z-Listen hat Pixel von %1 m; erlaubt: %2 m oder mehr, bei Koordinaten dieser Größe</translation>
+    </message>
+    <message>
+        <source>region of z-lists is %1 m wide and %2 m high; accepted: above 0</source>
+        <translation>das Gebiet von z-Listen ist %1 m breit und %2 m hoch; erlaubt: über 0</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>die Auflösung</translation>
+    </message>
+    <message>
+        <source>resolution of z-lists is %1; accepted: 0 (automatic) to %2</source>
+        <translation>die Auflösung von z-Listen ist %1; erlaubt: 0 (selbsttätig) bis %2</translation>
+    </message>
+    <message>
+        <source>resolution of z-lists is %1; accepted: 1 to %2</source>
+        <translation>die Auflösung von z-Listen ist %1; erlaubt: 1 bis %2</translation>
+    </message>
+    <message>
+        <source>row of %1 things on %2</source>
+        <translation>Reihe aus %1 Dingen auf %2</translation>
+    </message>
+    <message>
+        <source>row of 1 thing on %1</source>
+        <translation>Reihe aus einem Ding auf %1</translation>
+    </message>
+    <message>
+        <source>scenes of other programs cannot be arranged; accepted: objects with models</source>
+        <translation>Szenen anderer Programme lassen sich nicht anordnen; erlaubt: Objekte mit Modellen</translation>
+    </message>
+    <message>
+        <source>software renderers are disabled</source>
+        <translation>Software-Renderer sind abgeschaltet</translation>
+    </message>
+    <message>
+        <source>the %1 of z-lists is %2; accepted: %3 to %4</source>
+        <translation>%1 von z-Listen ist %2; erlaubt: %3 bis %4</translation>
+    </message>
+    <message>
+        <source>the %1 shader of %2 does not compile on this driver: %3</source>
+        <translation>der %1-Shader von %2 lässt sich mit diesem Treiber nicht übersetzen: %3</translation>
+    </message>
+    <message>
+        <source>the calibration of the backends cannot be kept: %1</source>
+        <translation>die Messung der Backends lässt sich nicht aufheben: %1</translation>
+    </message>
+    <message>
+        <source>the camera %1</source>
+        <translation>die Kamera %1</translation>
+    </message>
+    <message>
+        <source>the camera has focal lengths of %1 and %2 pixels; accepted: above 0, below 1e9</source>
+        <translation>die Kamera hat Brennweiten von %1 und %2 Pixeln; erlaubt: über 0, unter 1e9</translation>
+    </message>
+    <message>
+        <source>the camera is not finite</source>
+        <translation>die Kamera ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the camera shows %1 metres; accepted: more than 0</source>
+        <translation>die Kamera zeigt %1 Meter; erlaubt: mehr als 0</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s orientation is no rotation; accepted: an orthonormal, right-handed matrix to 1e-6</source>
+        <translation>die Ausrichtung der Kamera ist keine Drehung; erlaubt: eine orthonormale, rechtshändige Matrix auf 1e-6 genau</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s principal point is %1, %2; accepted: -1e9 to 1e9 pixels</source>
+        <translation>der Hauptpunkt der Kamera ist %1, %2; erlaubt: -1e9 bis 1e9 Pixel</translation>
+    </message>
+    <message>
+        <source>the demo &apos;%1&apos; has no model &apos;%2&apos;</source>
+        <translation>die Demo „%1“ hat kein Modell „%2“</translation>
+    </message>
+    <message>
+        <source>the driver does not support a framebuffer, status %1</source>
+        <translation>der Treiber unterstützt einen Framebuffer nicht, Status %1</translation>
+    </message>
+    <message>
+        <source>the geometry of &quot;%1&quot; was changed</source>
+        <translation>die Geometrie von „%1“ wurde geändert</translation>
+    </message>
+    <message>
+        <source>the graphics hardware was reset, %1</source>
+        <translation>die Grafikhardware wurde zurückgesetzt, %1</translation>
+    </message>
+    <message>
+        <source>the graphics hardware was reset, injected</source>
+        <translation>die Grafikhardware wurde zurückgesetzt, zur Probe</translation>
+    </message>
+    <message>
+        <source>the journal cannot be locked</source>
+        <translation>das Journal lässt sich nicht sperren</translation>
+    </message>
+    <message>
+        <source>the journal cannot be opened</source>
+        <translation>das Journal lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>the journal cannot be read</source>
+        <translation>das Journal lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>the journal cannot be written</source>
+        <translation>das Journal lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the name of one of /objects%1</source>
+        <translation>der Name eines von /objects%1</translation>
+    </message>
+    <message>
+        <source>the name of one of /objects, or one with * for any letters%1</source>
+        <translation>der Name eines von /objects, oder einer mit * für beliebige Buchstaben%1</translation>
+    </message>
+    <message>
+        <source>the pose of object %1 of the picture is not finite</source>
+        <translation>die Lage von Objekt %1 des Bildes ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the scene names &quot;%1&quot;, which lies outside its folder; accepted: an output in the scene&apos;s own folder</source>
+        <translation>die Szene nennt „%1“, das außerhalb ihres Ordners liegt; erlaubt: eine Ausgabe im Ordner der Szene</translation>
+    </message>
+    <message>
+        <source>the scene was moved</source>
+        <translation>die Szene wurde bewegt</translation>
+    </message>
+    <message>
+        <source>the shaders of %1 do not link on this driver: %2</source>
+        <translation>die Shader von %1 lassen sich mit diesem Treiber nicht binden: %2</translation>
+    </message>
+    <message>
+        <source>there is no section &quot;arrange&quot; for it; accepted: beside such a section</source>
+        <translation>es gibt keinen Abschnitt „arrange“ dafür; erlaubt: neben einem solchen Abschnitt</translation>
+    </message>
+    <message>
+        <source>things: %1 carries %2, which is none of the things to arrange</source>
+        <translation>Dinge: %1 trägt %2, das keines der Dinge ist, die anzuordnen sind</translation>
+    </message>
+    <message>
+        <source>things: %1 comes twice</source>
+        <translation>Dinge: %1 kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>things: %1 is fixed; accepted: objects that may move</source>
+        <translation>Dinge: %1 ist befestigt; erlaubt: Objekte, die sich bewegen dürfen</translation>
+    </message>
+    <message>
+        <source>this build has no &quot;%1&quot;</source>
+        <translation>dieses Trivet wurde ohne „%1“ gebaut</translation>
+    </message>
+    <message>
+        <source>this build has no GPU support</source>
+        <translation>dieses Trivet wurde ohne GPU-Unterstützung gebaut</translation>
+    </message>
+    <message>
+        <source>this build of trivet writes no OpenEXR (libopenexr-dev was not installed); accepted for depth and normals: .png</source>
+        <translation>dieses Trivet schreibt kein OpenEXR (libopenexr-dev war nicht installiert); erlaubt für Tiefe und Normalen: .png</translation>
+    </message>
+    <message>
+        <source>this server writes no files; it answers with a scene&apos;s bytes</source>
+        <translation>dieser Server schreibt keine Dateien; er antwortet mit den Bytes einer Szene</translation>
+    </message>
+    <message>
+        <source>too many zones; accepted: %1</source>
+        <translation>zu viele Zonen; erlaubt: %1</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>true</translation>
+    </message>
+    <message>
+        <source>two objects are named &quot;%1&quot;; names must be unique</source>
+        <translation>zwei Objekte heißen „%1“; Namen müssen eindeutig sein</translation>
+    </message>
+    <message>
+        <source>up to %1 of each</source>
+        <translation>jeweils bis zu %1</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>Ecke %1</translation>
+    </message>
+    <message>
+        <source>vertex %1 %2 is not finite%3</source>
+        <translation>Ecke %1 %2 ist nicht endlich%3</translation>
+    </message>
+    <message>
+        <source>vertex %1 %2 lies beyond 1e30%3</source>
+        <translation>Ecke %1 %2 liegt jenseits von 1e30%3</translation>
+    </message>
+    <message>
+        <source>whole numbers from 1 to %1</source>
+        <translation>ganze Zahlen von 1 bis %1</translation>
+    </message>
+    <message>
+        <source>with this there are more than %1 relations; accepted: fewer</source>
+        <translation>damit sind es mehr als %1 Relationen; erlaubt: weniger</translation>
+    </message>
+    <message>
+        <source>z-lists are to be made in software, but by nobody; accepted: software_lists</source>
+        <translation>z-Listen sollen in Software entstehen, aber durch niemanden; erlaubt: software_lists</translation>
+    </message>
+    <message>
+        <source>z-lists by compute shaders need OpenGL 4.3, here is %1.%2; accepted: the method framebuffer</source>
+        <translation>z-Listen durch Compute-Shader brauchen OpenGL 4.3, hier ist %1.%2; erlaubt: das Verfahren framebuffer</translation>
+    </message>
+    <message>
+        <source>z-lists need %1 KiB of graphics memory, more than the %2 KiB allowed</source>
+        <translation>z-Listen brauchen %1 KiB Grafikspeicher, mehr als die erlaubten %2 KiB</translation>
+    </message>
+    <message>
+        <source>zone %1 of %2</source>
+        <translation>Zone %1 von %2</translation>
+    </message>
+    <message>
+        <source>zoom levels of z-lists are %1; accepted: 0 to 4</source>
+        <translation>die Zoomstufen von z-Listen sind %1; erlaubt: 0 bis 4</translation>
+    </message>
+    <message>
+        <source>its transform flattens it</source>
+        <translation>seine Transformation drückt es flach</translation>
+    </message>
+    <message>
+        <source>%1 faces, more than the limit of %2</source>
+        <translation>%1 Flächen, mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>%1: a node&apos;s %2 has not %3 numbers</source>
+        <translation>%1: „%2“ eines Knotens hat nicht %3 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: has the type %2; accepted: %3</source>
+        <translation>%1: hat den Typ %2; erlaubt: %3</translation>
+    </message>
+    <message>
+        <source>%1: is UTF-16 text; accepted: glTF in UTF-8</source>
+        <translation>%1: ist Text in UTF-16; erlaubt: glTF in UTF-8</translation>
+    </message>
+    <message>
+        <source>a buffer view is compressed by meshoptimizer, which this build lacks; accepted: files without EXT_meshopt_compression</source>
+        <translation>ein Puffer-Ausschnitt ist mit meshoptimizer komprimiert, das dieser Build nicht hat; erlaubt: Dateien ohne EXT_meshopt_compression</translation>
+    </message>
+    <message>
+        <source>a primitive has the mode %1; accepted: 0 to 6</source>
+        <translation>ein Primitiv hat den Modus %1; erlaubt: 0 bis 6</translation>
+    </message>
+    <message>
+        <source>an accessor has %1 items and no data; accepted: up to %2</source>
+        <translation>ein Accessor hat %1 Einträge und keine Daten; erlaubt: bis zu %2</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>has no scene; accepted: one at least</source>
+        <translation>hat keine Szene; erlaubt: mindestens eines</translation>
+    </message>
+    <message>
+        <source>has the filter %1; accepted: NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL and COLOR</source>
+        <translation>hat den Filter %1; erlaubt: NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL und COLOR</translation>
+    </message>
+    <message>
+        <source>indices have the component type %1; accepted: 5121, 5123 and 5125</source>
+        <translation>Indizes haben den Komponententyp %1; erlaubt: 5121, 5123 und 5125</translation>
+    </message>
+    <message>
+        <source>is not valid glTF: %1</source>
+        <translation>ist kein gültiges glTF: %1</translation>
+    </message>
+    <message>
+        <source>it is compressed by Draco, which this build lacks; accepted: files without KHR_draco_mesh_compression</source>
+        <translation>es ist mit Draco komprimiert, das dieser Build nicht hat; erlaubt: Dateien ohne KHR_draco_mesh_compression</translation>
+    </message>
+    <message>
+        <source>its Draco data is damaged: a face without a point</source>
+        <translation>seine Draco-Daten sind beschädigt: eine Fläche ohne Punkt</translation>
+    </message>
+    <message>
+        <source>its Draco data is damaged: a point without a value</source>
+        <translation>seine Draco-Daten sind beschädigt: ein Punkt ohne Wert</translation>
+    </message>
+    <message>
+        <source>mesh &apos;%1&apos;: %2</source>
+        <translation>Netz „%1“: %2</translation>
+    </message>
+    <message>
+        <source>meshes with morph targets, read without them</source>
+        <translation>Netze mit Morph-Zielen, ohne diese gelesen</translation>
+    </message>
+    <message>
+        <source>normals left out, as they are not one to each vertex</source>
+        <translation>weggelassene Normalen, die nicht eine für jede Ecke sind</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>primitives left out, as they have no positions</source>
+        <translation>weggelassene Primitive, die keine Positionen haben</translation>
+    </message>
+    <message>
+        <source>requires %1, which Trivet does not have; accepted: files that do without</source>
+        <translation>verlangt %1, was Trivet nicht hat; erlaubt: Dateien, die ohne das auskommen</translation>
+    </message>
+    <message>
+        <source>vertices left out, too few for another triangle</source>
+        <translation>weggelassene Ecken, zu wenige für ein weiteres Dreieck</translation>
+    </message>
+    <message>
+        <source>the unit of the file is out of range, and left out</source>
+        <translation>die Einheit der Datei liegt außerhalb des Bereichs und bleibt weg</translation>
+    </message>
+    <message>
+        <source>coordinates are read as float32, so far from the origin in steps of up to %1: digits of the file may be lost</source>
+        <translation>Koordinaten werden als float32 gelesen, so weit vom Ursprung in Schritten bis %1: Ziffern der Datei können verloren sein</translation>
+    </message>
+    <message>
+        <source>polygons that cross themselves, read as fans</source>
+        <translation>Vielecke, die sich selbst schneiden, als Fächer gelesen</translation>
+    </message>
+    <message>
+        <source>is a pointer of Git LFS, not the model itself; accepted: the file that it stands for (git lfs pull)</source>
+        <translation>ist ein Verweis von Git LFS, nicht das Modell selbst; erlaubt: die Datei, für die er steht (git lfs pull)</translation>
+    </message>
+    <message>
+        <source>is a web page, not a model; accepted: the file that the page offers</source>
+        <translation>ist eine Webseite, kein Modell; erlaubt: die Datei, die die Seite anbietet</translation>
+    </message>
+    <message>
+        <source>is packed by gzip; accepted: the unpacked file</source>
+        <translation>ist mit gzip gepackt; erlaubt: die ausgepackte Datei</translation>
+    </message>
+    <message>
+        <source>is a packed file; accepted: the unpacked model</source>
+        <translation>ist eine gepackte Datei; erlaubt: das ausgepackte Modell</translation>
+    </message>
+    <message>
+        <source>left out: the material file &quot;%1&quot;, which is missing</source>
+        <translation>weggelassen: die Materialdatei „%1“, die fehlt</translation>
+    </message>
+    <message>
+        <source>left out: lines of the .mtl file: %1</source>
+        <translation>weggelassen: Zeilen der .mtl-Datei: %1</translation>
+    </message>
+    <message>
+        <source>left out: colours of the .mtl file by &quot;%1&quot;</source>
+        <translation>weggelassen: Farben der .mtl-Datei durch „%1“</translation>
+    </message>
+    <message>
+        <source>maps of ambient colour</source>
+        <translation>Texturen der Umgebungsfarbe</translation>
+    </message>
+    <message>
+        <source>maps of gloss</source>
+        <translation>Texturen des Glanzes</translation>
+    </message>
+    <message>
+        <source>displacement maps</source>
+        <translation>Verschiebungstexturen</translation>
+    </message>
+    <message>
+        <source>decals</source>
+        <translation>Abziehbilder</translation>
+    </message>
+    <message>
+        <source>reflection maps</source>
+        <translation>Spiegelungstexturen</translation>
+    </message>
+    <message>
+        <source>line %1, &quot;%2&quot;</source>
+        <translation>Zeile %1, „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a vertex of %1 numbers; accepted: 3 at least</source>
+        <translation>eine Ecke mit %1 Zahlen; erlaubt: mindestens 3</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>too many vertices</source>
+        <translation>zu viele Ecken</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a corner of a face; accepted: 7, 7/1, 7//3, 7/1/3</source>
+        <translation>„%1“ ist keine Ecke einer Fläche; erlaubt: 7, 7/1, 7//3, 7/1/3</translation>
+    </message>
+    <message>
+        <source>a face refers to vertex %1, which is out of range; accepted: 1 to %2, and -1 to -%3 from the last one back</source>
+        <translation>eine Fläche verweist auf Ecke %1, die es nicht gibt; erlaubt: 1 bis %2, und -1 bis -%3 von der letzten zurück</translation>
+    </message>
+    <message>
+        <source>left out: the material &quot;%1&quot;, which no .mtl file has</source>
+        <translation>weggelassen: das Material „%1“, das keine .mtl-Datei hat</translation>
+    </message>
+    <message>
+        <source>materials left out beside it</source>
+        <translation>außerdem weggelassene Materialien</translation>
+    </message>
+    <message>
+        <source>curves and free-form surfaces left out</source>
+        <translation>weggelassene Kurven und Freiformflächen</translation>
+    </message>
+    <message>
+        <source>commands to other programs left out</source>
+        <translation>weggelassene Befehle an andere Programme</translation>
+    </message>
+    <message>
+        <source>weights of vertices left out</source>
+        <translation>weggelassene Gewichte von Ecken</translation>
+    </message>
+    <message>
+        <source>texture coordinates and normals left out that cannot be read</source>
+        <translation>weggelassene unlesbare Texturkoordinaten und Normalen</translation>
+    </message>
+    <message>
+        <source>texture coordinates and normals of corners left out that are not there</source>
+        <translation>weggelassene Texturkoordinaten und Normalen von Ecken, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>lines of unknown kinds left out, the first %1</source>
+        <translation>weggelassene Zeilen unbekannter Art, die erste: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read as a model: it does not begin with &quot;ply&quot;</source>
+        <translation>lässt sich nicht als Modell lesen: es beginnt nicht mit „ply“</translation>
+    </message>
+    <message>
+        <source>the format &quot;%1&quot;; accepted: ascii, binary_little_endian, binary_big_endian</source>
+        <translation>das Format „%1“; erlaubt: ascii, binary_little_endian, binary_big_endian</translation>
+    </message>
+    <message>
+        <source>an element without its number</source>
+        <translation>ein Element ohne seine Anzahl</translation>
+    </message>
+    <message>
+        <source>a property before the first element</source>
+        <translation>eine Eigenschaft vor dem ersten Element</translation>
+    </message>
+    <message>
+        <source>the type &quot;%1&quot;; accepted: char, uchar, short, ushort, int, uint, float, double</source>
+        <translation>der Typ „%1“; erlaubt: char, uchar, short, ushort, int, uint, float, double</translation>
+    </message>
+    <message>
+        <source>elements &quot;%1&quot; left out: %2</source>
+        <translation>weggelassene Elemente „%1“: %2</translation>
+    </message>
+    <message>
+        <source>left out: textures without coordinates</source>
+        <translation>weggelassen: Texturen ohne Koordinaten</translation>
+    </message>
+    <message>
+        <source>bytes behind the data left out</source>
+        <translation>weggelassene Bytes hinter den Daten</translation>
+    </message>
+    <message>
+        <source>left out: numbers in lines of which the header says nothing</source>
+        <translation>weggelassen: Zahlen in Zeilen, von denen der Kopf nichts sagt</translation>
+    </message>
+    <message>
+        <source>is truncated: %1 of %2 elements of PLY data</source>
+        <translation>ist abgeschnitten: %1 von %2 Elementen der PLY-Daten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number, in line %2 of the PLY data</source>
+        <translation>„%1“ ist keine Zahl, in Zeile %2 der PLY-Daten</translation>
+    </message>
+    <message>
+        <source>the reader for %1 stopped with %2: a fault of the reader, or it needs more memory than the limit of %3 MiB</source>
+        <translation>das Leseprogramm für %1 brach ab mit %2: ein Fehler des Leseprogramms, oder es braucht mehr Speicher als die Grenze von %3 MiB</translation>
+    </message>
+    <message>
+        <source>this file</source>
+        <translation>diese Datei</translation>
+    </message>
+    <message>
+        <source>%1 files</source>
+        <translation>%1-Dateien</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>bytes behind the triangles left out</source>
+        <translation>weggelassene Bytes hinter den Dreiecken</translation>
+    </message>
+    <message>
+        <source>the number of triangles is not stated; by the size of the file: %1</source>
+        <translation>die Zahl der Dreiecke ist nicht angegeben; nach der Größe der Datei: %1</translation>
+    </message>
+    <message>
+        <source>is truncated: %1 of %2 triangles of a binary STL</source>
+        <translation>ist abgeschnitten: %1 von %2 Dreiecken eines binären STL</translation>
+    </message>
+    <message>
+        <source>facets of other than three or more vertices left out</source>
+        <translation>weggelassene Facetten mit weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>facets without their end left out</source>
+        <translation>weggelassene Facetten ohne ihr Ende</translation>
+    </message>
+    <message>
+        <source>unknown words left out</source>
+        <translation>weggelassene unbekannte Wörter</translation>
+    </message>
+    <message>
+        <source>is truncated within a vertex</source>
+        <translation>ist in einer Ecke abgeschnitten</translation>
+    </message>
+    <message>
+        <source>cannot be read as a model: neither text nor a binary STL, which has 84 bytes at least</source>
+        <translation>lässt sich nicht als Modell lesen: weder Text noch ein binäres STL, das mindestens 84 Bytes hat</translation>
+    </message>
+    <message>
+        <source>face %1 refers to vertex %2 of %3</source>
+        <translation>Fläche %1 verweist auf Ecke %2 von %3</translation>
+    </message>
+    <message>
+        <source>vertex %1 %2 lies beyond 1e30</source>
+        <translation>Ecke %1 %2 liegt jenseits von 1e30</translation>
+    </message>
+    <message>
+        <source>vertex %1 %2 is not finite</source>
+        <translation>Ecke %1 %2 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>triangles whose corners have different colours, of which the first is taken</source>
+        <translation>Dreiecke mit verschiedenfarbigen Ecken, von denen die erste gilt</translation>
+    </message>
+    <message>
+        <source>properties of triangles left out that are neither materials nor colours</source>
+        <translation>weggelassene Eigenschaften von Dreiecken, die weder Materialien noch Farben sind</translation>
+    </message>
+    <message>
+        <source>textures and mixed materials</source>
+        <translation>Texturen und gemischte Materialien</translation>
+    </message>
+    <message>
+        <source>slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>lattices of beams</source>
+        <translation>Gitter aus Stäben</translation>
+    </message>
+    <message>
+        <source>requires the extension &quot;%1&quot;; accepted: production, materials, slices</source>
+        <translation>verlangt die Erweiterung „%1“; erlaubt: Produktion, Materialien, Schichten</translation>
+    </message>
+    <message>
+        <source>the unit &quot;%1&quot; is unknown; millimetres are taken</source>
+        <translation>die Einheit „%1“ ist unbekannt; Millimeter werden angenommen</translation>
+    </message>
+    <message>
+        <source>an element &quot;%1&quot; without its %2</source>
+        <translation>ein Element „%1“ ohne sein %2</translation>
+    </message>
+    <message>
+        <source>a reference to %1 %2 of %3</source>
+        <translation>ein Verweis auf %1 %2 von %3</translation>
+    </message>
+    <message>
+        <source>vertex</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>a transform that is not 12 numbers: &quot;%1&quot;</source>
+        <translation>eine Transformation, die nicht aus 12 Zahlen besteht: „%1“</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive without a model of 3MF</source>
+        <translation>ist ein ZIP-Archiv ohne Modell von 3MF</translation>
+    </message>
+    <message>
+        <source>supports for printing left out</source>
+        <translation>weggelassene Druckstützen</translation>
+    </message>
+    <message>
+        <source>refers to the object %1 of &quot;%2&quot;, which is not there</source>
+        <translation>verweist auf das Objekt %1 von „%2“, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>its components are nested too deeply, or too many</source>
+        <translation>ihre Bestandteile sind zu tief verschachtelt oder zu viele</translation>
+    </message>
+    <message>
+        <source>more faces than the limit of %1</source>
+        <translation>mehr Flächen als die Grenze von %1</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>is a damaged ZIP archive: %1</source>
+        <translation>ist ein beschädigtes ZIP-Archiv: %1</translation>
+    </message>
+    <message>
+        <source>has more than %1 bytes unpacked</source>
+        <translation>hat ausgepackt mehr als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>closed parts inside out, or cavities wound as solids, turned round for mass</source>
+        <translation>geschlossene Teile mit der Innenseite außen, oder Hohlräume wie Körper, für die Masse umgekehrt</translation>
+    </message>
+    <message>
+        <source>faces of closed parts wound the other way than most, turned round for mass</source>
+        <translation>Flächen geschlossener Teile mit anderem Umlaufsinn als die meisten, für die Masse umgekehrt</translation>
+    </message>
+    <message>
+        <source>faces there more than once, counted once for mass</source>
+        <translation>mehrfach vorhandene Flächen, für die Masse einmal gezählt</translation>
+    </message>
+    <message>
+        <source>open parts without an inside, which weigh nothing</source>
+        <translation>offene Teile ohne Inneres, die nichts wiegen</translation>
+    </message>
+    <message>
+        <source>open parts without an inside: mass by the surface of all parts</source>
+        <translation>offene Teile ohne Inneres: Masse nach der Oberfläche aller Teile</translation>
+    </message>
+    <message>
+        <source>mass by %1 would have its centre farther away by %2 in units of the file</source>
+        <translation>nach %1 läge der Schwerpunkt um %2 Einheiten der Datei entfernt</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>der Oberfläche</translation>
+    </message>
+    <message>
+        <source>volume of the closed parts</source>
+        <translation>dem Volumen der geschlossenen Teile</translation>
+    </message>
+    <message>
+        <source>%1 touches %2, and there is no room to move it apart</source>
+        <translation>%1 berührt %2, und für einen Abstand ist kein Platz</translation>
+    </message>
+    <message>
+        <source>%1, by %2 m near (%3, %4, %5)</source>
+        <translation>%1, um %2 m nahe (%3, %4, %5)</translation>
+    </message>
+    <message>
+        <source>a value is missing, or of another kind</source>
+        <translation>ein Wert fehlt oder ist von anderer Art</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>unknown key; accepted: %1%2%3</source>
+        <translation>unbekannter Schlüssel; erlaubt: %1%2%3</translation>
+    </message>
+    <message>
+        <source>1 where a place is searched for</source>
+        <translation>1, wo ein Platz gesucht wird</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not accepted; accepted: %3</source>
+        <translation>%1: %2 ist nicht erlaubt; erlaubt: %3</translation>
+    </message>
+    <message>
+        <source>the text is too long; accepted: up to %1 bytes</source>
+        <translation>der Text ist zu lang; erlaubt: bis zu %1 Bytes</translation>
+    </message>
+    <message>
+        <source>the session has %1 objects, and %2 more are too many; accepted: up to %3</source>
+        <translation>die Sitzung hat %1 Objekte, und %2 weitere sind zu viele; erlaubt: bis zu %3</translation>
+    </message>
+    <message>
+        <source>%1: is there already, and would be replaced by the journal&apos;s copy of &quot;%2&quot;; accepted: another name of the journal</source>
+        <translation>%1: ist schon da und würde durch die Kopie des Journals von „%2“ ersetzt; erlaubt: ein anderer Name des Journals</translation>
+    </message>
+    <message>
+        <source>%1: has changed while it was opened; open it again</source>
+        <translation>%1: hat sich geändert, während es geöffnet wurde; öffnen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>%1: the journal was deleted, and no further step is done; save the scene</source>
+        <translation>%1: das Journal wurde gelöscht, und kein weiterer Schritt wird getan; speichern Sie die Szene</translation>
+    </message>
+    <message>
+        <source>%1: another program has changed the journal, and no further step is done; save the scene</source>
+        <translation>%1: ein anderes Programm hat das Journal geändert, und kein weiterer Schritt wird getan; speichern Sie die Szene</translation>
+    </message>
+    <message>
+        <source>a position and a rotation w, x, y, z</source>
+        <translation>eine Position und eine Drehung w, x, y, z</translation>
+    </message>
+    <message>
+        <source>its lower corner, then its upper one</source>
+        <translation>seine untere Ecke, dann seine obere</translation>
+    </message>
+    <message>
+        <source>an object of poses</source>
+        <translation>ein Objekt mit Lagen</translation>
+    </message>
+    <message>
+        <source>1 and %1, the versions of journals</source>
+        <translation>1 und %1, die Versionen von Journalen</translation>
+    </message>
+    <message>
+        <source>has changed since the session</source>
+        <translation>hat sich seit der Sitzung geändert</translation>
+    </message>
+    <message>
+        <source>cannot be read, and a box of its size stands in for it: %1</source>
+        <translation>lässt sich nicht lesen, und ein Quader seiner Größe steht dafür: %1</translation>
+    </message>
+    <message>
+        <source>poses of &quot;%1&quot; are as they were recorded: %2</source>
+        <translation>Lagen aus „%1“ sind so, wie sie aufgezeichnet wurden: %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1 or a point [x, y]</source>
+        <translation>%1 oder ein Punkt [x, y]</translation>
+    </message>
+    <message>
+        <source>; %1 goes with %2%3</source>
+        <translation>; %1 gehört zu %2%3</translation>
+    </message>
+    <message>
+        <source>a target is missing; accepted: &quot;to&quot;, or &quot;direction&quot; and &quot;distance&quot;</source>
+        <translation>ein Ziel fehlt; erlaubt: &quot;to&quot;, oder &quot;direction&quot; und &quot;distance&quot;</translation>
+    </message>
+    <message>
+        <source>a place is missing; accepted: &quot;position&quot;, from where it falls, or &quot;on&quot;, an object or &quot;floor&quot;, on which a place is found</source>
+        <translation>ein Ort fehlt; erlaubt: &quot;position&quot;, von wo es fällt, oder &quot;on&quot;, ein Objekt oder &quot;floor&quot;, worauf ein Platz gefunden wird</translation>
+    </message>
+    <message>
+        <source>at least 3 corners [x, y] of a convex polygon, counter-clockwise</source>
+        <translation>mindestens 3 Ecken [x, y] eines konvexen Vielecks, gegen den Uhrzeigersinn</translation>
     </message>
 </context>
 <context>
@@ -2536,6 +3256,10 @@
     <message>
         <source>interpenetrates %1</source>
         <translation>durchdringt %1</translation>
+    </message>
+    <message>
+        <source>rests on what is held, unsupported or invalid: %1</source>
+        <translation>ruht auf Gehaltenem, Ungestütztem oder Ungültigem: %1</translation>
     </message>
 </context>
 <context>

@@ -5,8 +5,10 @@
 cd "$(dirname "$0")/../../.." || exit 1
 folder="${1:-apps/edit/languages}"
 update() {
-  "${LUPDATE:-/usr/lib/qt6/bin/lupdate}" -silent -no-obsolete -locations none -I . \
-    -tr-function-alias QT_TRANSLATE_NOOP+=TRIVET_SENTENCE "$@"
+  "${LUPDATE:-/usr/lib/qt6/bin/lupdate}" -silent -no-obsolete -locations none -I . "$@"
 }
-sources=(apps/edit ops/base/refusal_text.cpp)
+patterns="$(mktemp -d)"
+trap 'rm -r "$patterns"' EXIT
+python3 apps/edit/languages/patterns.py "$patterns/patterns.cpp" || exit 1
+sources=(apps/edit "$patterns/patterns.cpp")
 update "${sources[@]}" -ts "$folder/trivet-edit_de.ts" && update -pluralonly "${sources[@]}" -ts "$folder/trivet-edit_en.ts"

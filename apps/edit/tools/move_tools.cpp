@@ -52,9 +52,7 @@ std::optional<Operation> PushTool::begin() {
   if (!object) return std::nullopt;
   auto push = operation_of<PushOperation>(*object->object);
   push.normal = m_above;
-  std::tie(push.step_up, push.step_down) = push_steps(m_options, *object->object);
-  push.slide = m_options.slide;
-  push.settle = m_options.settle;
+  set_push_options(m_options, *object->object, push);
   return push;
 }
 

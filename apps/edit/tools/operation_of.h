@@ -1,6 +1,7 @@
 // Operations on the active object, as started by tools and panels.
 #pragma once
 
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -21,11 +22,22 @@ T operation_of(const Object& object, const Document& document, const ToolOptions
   return operation;
 }
 
+/// Keys of the thresholds that the operation panel shows.
+inline constexpr const char* kPushSteps[] = {"step_up", "step_down"};
+
 /// Heights of the steps that a PUSH goes up and down, metres.
 inline std::pair<double, double> push_steps(const ToolOptions& options, const Object& object) {
-  if (!options.steps_by_size) return {options.step_up, options.step_down};
+  if (!options.steps_by_size) return {options.push.step_up, options.push.step_down};
   const double step = options.step_share * size_of(object);
   return {step, step};
+}
+
+/// Thresholds of a PUSH as the panel has them.
+inline void set_push_options(const ToolOptions& options, const Object& object,
+                             PushOperation& push) {
+  std::tie(push.step_up, push.step_down) = push_steps(options, object);
+  push.slide = options.slide;
+  push.settle = options.settle;
 }
 
 }  // namespace trivet::edit

@@ -80,7 +80,7 @@ bool gives_way(const SceneSnapshot& scene, const std::optional<Picked>& hit, Obj
   const ObjectSnapshot* const there = hit && hit->object ? scene.find(*hit->object) : nullptr;
   if (!there || (*there)->fixed) return true;
   for (const ObjectContact& entry : (*scene.find(other))->contacts)
-    if (entry.with == Support(there->id) && holds_up(entry.contact)) return true;
+    if (entry.with == Support(there->id) && holds_up(entry)) return true;
   return false;
 }
 

@@ -52,7 +52,7 @@ class PutStart {
     return hit ? std::optional(hit->point.z()) : std::nullopt;
   }
 
-  /// Of the underside.
+  /// Height of the underside.
   double highest_below(double ceiling) const {
     return ceiling - m_room - (m_box.upper.z() - m_box.lower.z());
   }

@@ -7,6 +7,7 @@
 #include "apps/edit/document/document.h"
 #include "apps/edit/tools/events.h"
 #include "apps/edit/tools/snapping.h"
+#include "ops/operations/push.h"
 
 namespace trivet::edit {
 
@@ -14,15 +15,15 @@ enum class ToolKind { Select, Put, Push, Turn, PickUp, Move, Rotate, Paint };
 
 /// Thresholds and options of the tools, as the operation panel shows them. Metres, degrees.
 struct ToolOptions {
-  double step_up = 0.01, step_down = 0.01;  // PUSH, unless in proportion
-  bool steps_by_size = true;                // PUSH: steps in proportion to the object
-  double step_share = 0.06;                 // PUSH: of its size, for both; see push_steps()
-  bool slide = true;                        // PUSH: along walls
-  bool settle = true;                       // PUSH: release at the end
-  bool let_go = false;                      // TURN, MOVE, ROTATE: the same
-  bool settle_left = false;                 // objects left without support are released too
-  bool free = false;                        // MOVE, ROTATE: ignore collisions
-  bool take_next = false;                   // PUT: then the next object that is not placed yet
+  PushOperation push = {};        // PUSH: its steps, unless in proportion
+  bool steps_by_size = true;      // PUSH: steps in proportion to the object
+  double step_share = 0.06;       // PUSH: of its size, for both; see push_steps()
+  bool slide = true;              // PUSH: along walls
+  bool settle = true;             // PUSH: release at the end
+  bool let_go = false;            // TURN, MOVE, ROTATE: the same
+  bool settle_left = false;       // objects left without support are released too
+  bool free = false;              // MOVE, ROTATE: ignore collisions
+  bool take_next = false;         // PUT: then the next object that is not placed yet
   double drop_height = 0.02;      // PUT: above the highest point below the object; with Alt, above
                                   // the point under the mouse
   double pick_up_distance = 0.1;  // PICK-UP by key or click

@@ -215,7 +215,7 @@ void ArrangePanel::load_problem() {
   try {
     m_document.load_wishes(file.toStdString());
   } catch (const Error& e) {
-    Q_EMIT m_document.message(Message{Message::Kind::Error, english_in_words(e.what()), {}, {}});
+    Q_EMIT m_document.message(Message{Message::Kind::Error, in_words(e), {}, {}});
   }
 }
 

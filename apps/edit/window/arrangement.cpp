@@ -47,7 +47,7 @@ void MainWindow::aim_three_view(const QString& name) {
   m_three_shows = name;
 }
 
-/// Of the view under the mouse.
+/// Turns the view under the mouse.
 void MainWindow::look_along(const Vec3& direction) {
   SceneView* const view = active_view();
   const bool down = direction.z() != 0;

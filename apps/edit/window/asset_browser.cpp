@@ -213,7 +213,7 @@ void AssetBrowser::fill(const QString& folder, const QStringList& files) {
 void AssetBrowser::show_item(QListWidgetItem& item) {
   const QString file = item.data(kModelRole).toString();
   const AssetInfo* const info = m_thumbnails.find(file);
-  const bool is_bad = info && !info->error.isEmpty();
+  const bool is_bad = info && !info->error.empty();
   if (is_bad)
     item.setIcon(steady_icon(Icon::Invalid, m_theme.refused()));
   else if (info && !info->picture.isNull())
@@ -234,7 +234,7 @@ void AssetBrowser::show_made(const QString& file) {
   const auto waiting = m_waiting.extract(file);
   if (waiting.empty() || !known) return;
   const AssetInfo info = *known;
-  if (!info.error.isEmpty()) return Q_EMIT refused(notes_text(info).join('\n'));
+  if (!info.error.empty()) return Q_EMIT refused(notes_text(info).join('\n'));
   for (const Waiting& one : waiting.mapped()) one.then(asset_of(file, info, one.chosen));
 }
 
@@ -242,7 +242,7 @@ void AssetBrowser::show_made(const QString& file) {
 void AssetBrowser::with_asset(const QString& file, std::function<void(const Asset&)> then) {
   const FolderChoice chosen{m_unit->currentData().toDouble(), FolderChoice::up_of(file, folder())};
   const AssetInfo* const info = m_thumbnails.find(file);
-  if (info && info->error.isEmpty() && m_thumbnails.is_current(file))
+  if (info && info->error.empty() && m_thumbnails.is_current(file))
     return then(asset_of(file, *info, chosen));
   m_thumbnails.forget(file);
   m_waiting[file].push_back({chosen, std::move(then)});
@@ -255,7 +255,7 @@ void AssetBrowser::filter() {
   m_scrolled.start();
 }
 
-// Those that are waited for, then those that are seen, then the rest.
+// Thumbnails that are waited for come first, then the visible ones, then the rest.
 void AssetBrowser::want_seen() {
   QStringList first, seen, rest;
   for (const auto& [file, then] : m_waiting) first << file;

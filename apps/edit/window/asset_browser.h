@@ -16,7 +16,7 @@
 
 namespace trivet::edit {
 
-/// Of what is dragged out of the browser, beside its URLs.
+/// MIME type of models dragged out of the browser, in addition to their URLs.
 inline constexpr const char* kAssetsMime = "application/x-trivet-models";
 
 class AssetList : public QListWidget {

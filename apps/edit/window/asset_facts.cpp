@@ -50,8 +50,8 @@ QString up_text(const AssetInfo& info) {
 
 QStringList notes_text(const AssetInfo& info) {
   QStringList out;
-  for (const QString& note : info.error.isEmpty() ? info.notes : QStringList(info.error))
-    out << QString::fromStdString(english_in_words(note.toStdString()));
+  for (const Sentence& note : info.error.empty() ? info.notes : std::vector<Sentence>{info.error})
+    out << QString::fromStdString(in_words(note));
   return out;
 }
 

@@ -14,11 +14,13 @@
 #include <functional>
 #include <utility>
 
+#include "apps/edit/document/words.h"
 #include "apps/edit/window/units.h"
 #include "core/base/arena.h"
 #include "core/base/image.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/io/read_model.h"
+#include "core/io/sentence_json.h"
 #include "ops/files/report/model_info.h"
 #include "raster/path/picture.h"
 
@@ -125,7 +127,7 @@ void AssetThumbnails::want(const QStringList& seen, const QStringList& rest) {
   std::deque<QString> wanted;
   for (const QString& file : seen) {
     const AssetInfo* const info = find(file);
-    if (!info || (info->picture.isNull() && info->error.isEmpty())) wanted.push_back(file);
+    if (!info || (info->picture.isNull() && info->error.empty())) wanted.push_back(file);
   }
   for (const QString& file : rest)
     if (!find(file)) wanted.push_back(file);
@@ -136,7 +138,7 @@ void AssetThumbnails::want(const QStringList& seen, const QStringList& rest) {
   m_wake.notify_all();
 }
 
-// Of folders with thousands of models not all pictures are in memory.
+// Folders may have thousands of models: only some pictures are in memory.
 void AssetThumbnails::hold(const QStringList& seen) {
   m_in_sight = QSet<QString>(seen.begin(), seen.end());
   m_held.removeIf([this](const QString& file) { return m_in_sight.contains(file); });
@@ -220,11 +222,12 @@ AssetInfo AssetThumbnails::info_of(const QString& file) const {
     info.unit = kept.text("unit");
     info.up = kept.text("up").startsWith('y') ? UpAxis::Y : UpAxis::Z;
     info.states_up = kept.text("up").endsWith("stated");
-    info.notes = kept.text("notes").split('\n', Qt::SkipEmptyParts);
+    for (const QString& note : kept.text("notes").split('\n', Qt::SkipEmptyParts))
+      info.notes.push_back(sentence_from_json(note.toStdString()));
   } else {
     info = made_of(file);
     // Errors are not kept: the next time there may be time and memory for it, or an importer.
-    if (!m_cache.isEmpty() && !m_stop && info.error.isEmpty()) keep(cached_file(file, stamp), info);
+    if (!m_cache.isEmpty() && !m_stop && info.error.empty()) keep(cached_file(file, stamp), info);
   }
   info.stamp = stamp;
   return info;
@@ -240,10 +243,10 @@ AssetInfo AssetThumbnails::made_of(const QString& file) const {
     info.metres = model.metres_per_unit.value_or(metres_of(info.unit));
     info.states_up = model.up_from_format;
     info.up = info.states_up ? model.up : likely_up(model.mesh).value_or(model.up);
-    for (const std::string& note : model.notes) info.notes << QString::fromStdString(note);
+    info.notes = model.notes;
     info.picture = picture_of(model, info.up, info.metres, m_stop);
   } catch (const std::exception& error) {
-    info.error = QString::fromUtf8(error.what());
+    info.error = sentence_of(error);
   }
   return info;
 }
@@ -258,7 +261,9 @@ void AssetThumbnails::keep(const QString& cached, const AssetInfo& info) const {
                            .arg(info.size.z(), 0, 'g', 9));
   kept.setText("unit", info.unit);
   kept.setText("up", QString(info.up == UpAxis::Y ? "y" : "z") + (info.states_up ? " stated" : ""));
-  kept.setText("notes", info.notes.join('\n'));
+  QStringList notes;
+  for (const Sentence& note : info.notes) notes << QString::fromStdString(to_json(note));
+  kept.setText("notes", notes.join('\n'));
   QDir().mkpath(m_cache);
   QSaveFile out(cached);
   if (out.open(QIODevice::WriteOnly) && kept.save(&out, "PNG")) out.commit();

@@ -13,6 +13,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/base/sentence.h"
 #include "core/base/types.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
@@ -30,13 +31,13 @@ struct FileStamp {
 struct AssetInfo {
   FileStamp stamp;  // when it was read
   QImage picture;   // square, transparent around the model; null: not at hand, or there is an error
-  QString error;
+  Sentence error;
   Vec3 size = Vec3::Zero();  // of its box, in the file's units and axes
   double metres = 1;         // per unit: stated by the file, else likely by its size
   QString unit;              // "cm": a guess; empty: the file states it
   UpAxis up = UpAxis::Z;     // stated by the file, else likely by its shape
   bool states_up = false;
-  QStringList notes;  // on what was left out
+  std::vector<Sentence> notes;  // on what was left out
 };
 
 class AssetThumbnails : public QObject {

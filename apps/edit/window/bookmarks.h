@@ -27,7 +27,7 @@ class Bookmarks {
   /// Null: none under this number.
   const Bookmark* find(int number) const;
 
-  /// Those of a file; none of an unnamed scene.
+  /// Loads the bookmarks of a file; none of an unnamed scene.
   void load(const QString& file);
   /// Under the name of this file, from now on at every store().
   void keep_for(const QString& file);

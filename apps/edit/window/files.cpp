@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kMostRecent = 10;
 
-/// Of the last file; else the user's documents, or the home folder.
+/// Folder of the last file; else the user's documents, or the home folder.
 QString usual_folder() {
   const QString last = QSettings().value("files/folder").toString();
   for (const QString& folder :
@@ -205,7 +205,7 @@ void MainWindow::import_next() {
   });
 }
 
-// Of one file the reason is shown already; of several it was, until the next one began.
+// The reason for one file is shown already; of several files it was shown until the next one began.
 void MainWindow::show_not_imported() {
   if (m_num_imports > 1 && !m_not_imported.isEmpty())
     say(Message::Kind::Error,

@@ -157,7 +157,7 @@ void ImportDialog::show_made(const QString& file) {
 
 void ImportDialog::show_info(int number, const AssetInfo& info) {
   const Row& row = m_rows[static_cast<size_t>(number)];
-  const bool is_bad = !info.error.isEmpty();
+  const bool is_bad = !info.error.empty();
   for (QWidget* const widget : std::initializer_list<QWidget*>{row.unit, row.scale, row.up})
     widget->setEnabled(!is_bad);
   QTableWidgetItem* const notes = m_table->item(number, kNotes);
@@ -185,7 +185,7 @@ void ImportDialog::show_state() {
   for (const QString& file : m_files) {
     const AssetInfo* const info = m_thumbnails.find(file);
     num_known += info != nullptr;
-    num_bad += info && !info->error.isEmpty();
+    num_bad += info && !info->error.empty();
   }
   const int num_all = static_cast<int>(m_files.size());
   m_import->setEnabled(num_known == num_all && num_bad < num_all);
@@ -217,7 +217,7 @@ std::vector<ImportModel> ImportDialog::models() const {
   std::vector<ImportModel> models;
   for (const Row& row : m_rows) {
     const AssetInfo* const info = m_thumbnails.find(row.file);
-    if (!info || !info->error.isEmpty()) continue;
+    if (!info || !info->error.empty()) continue;
     ImportModel model;
     model.file = row.file.toStdString();
     model.scale = chosen_metres(row);
@@ -228,7 +228,7 @@ std::vector<ImportModel> ImportDialog::models() const {
   return models;
 }
 
-// Of files of one folder the last one counts.
+// The last of several files of one folder counts.
 void ImportDialog::remember_choices() const {
   std::map<QString, FolderChoice> choices;
   for (const Row& row : m_rows) {

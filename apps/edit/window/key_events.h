@@ -9,7 +9,7 @@ namespace trivet::edit {
 
 Modifiers modifiers_of(Qt::KeyboardModifiers keys);
 MouseButton button_of(Qt::MouseButton button);
-/// Of a key without meaning: Key::Character with character 0.
+/// A key without meaning gives Key::Character with character 0.
 KeyEvent key_event_of(const QKeyEvent& event);
 inline bool has_meaning(const KeyEvent& event) {
   return event.key != KeyEvent::Key::Character || event.character != 0;

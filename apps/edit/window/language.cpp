@@ -29,8 +29,8 @@ void check_language(const QString& code) {
   QStringList codes;
   for (const Language& language : languages()) codes << language.code;
   if (!codes.contains(code))
-    throw Error(Error::Kind::BadInput, "--language " + code.toStdString() +
-                                           ": accepted: " + codes.join(", ").toStdString());
+    throw Error(Error::Kind::BadInput, "--language %1: accepted: %2", code.toStdString(),
+                codes.join(", ").toStdString());
 }
 
 QString saved_language() { return QSettings().value(kKey).toString(); }

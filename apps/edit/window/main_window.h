@@ -158,7 +158,7 @@ class MainWindow : public QMainWindow {
   void scatter(bool put_all);
   void align_selected();
   void replace_selected();
-  /// Of the selected objects. @param name  of the step.
+  /// Changes the looks of the selected objects. @param name  of the step.
   void change_looks(const QString& name, const std::function<void(Look&)>& change);
   void reset_looks(const QString& name, bool Look::*field);
 

@@ -6,7 +6,6 @@
 #include <QSpinBox>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "apps/edit/document/pose_numbers.h"
 #include "apps/edit/tools/operation_of.h"
@@ -66,9 +65,9 @@ void OperationPanel::add_push(QFormLayout& form) {
   auto* const of_size = share(form, tr("Step"), &ToolOptions::step_share,
                               tr("Of the object's size: higher steps and deeper edges stop it"));
   auto* const up =
-      threshold(form, tr("Step up"), &ToolOptions::step_up, tr("Higher steps stop the object"));
+      push_length(form, tr("Step up"), kPushSteps[0], tr("Higher steps stop the object"));
   auto* const down =
-      threshold(form, tr("Step down"), &ToolOptions::step_down, tr("Deeper edges stop the object"));
+      push_length(form, tr("Step down"), kPushSteps[1], tr("Deeper edges stop the object"));
   const auto show = [&form, of_size, up, down](bool on) {
     form.setRowVisible(of_size, on);
     form.setRowVisible(up, !on), form.setRowVisible(down, !on);
@@ -82,9 +81,7 @@ void OperationPanel::add_push(QFormLayout& form) {
     const double radians = direction->value() * 0.0174532925199433;
     push.direction = Vec2(std::cos(radians), std::sin(radians));
     push.distance = distance->value();
-    std::tie(push.step_up, push.step_down) = push_steps(m_toolbox.options(), object);
-    push.slide = m_toolbox.options().slide;
-    push.settle = m_toolbox.options().settle;
+    set_push_options(m_toolbox.options(), object, push);
     return Operation(push);
   });
 }

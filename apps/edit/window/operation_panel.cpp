@@ -5,6 +5,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ops/operations/table.h"
+
 namespace trivet::edit {
 namespace {
 
@@ -97,22 +99,40 @@ QDoubleSpinBox* OperationPanel::angle(QFormLayout& form, const QString& name, do
   return box;
 }
 
-QDoubleSpinBox* OperationPanel::threshold(QFormLayout& form, const QString& name,
-                                          double ToolOptions::*option, const QString& tip) {
+QDoubleSpinBox* OperationPanel::millimetres(QFormLayout& form, const QString& name,
+                                            const std::function<double&()>& value,
+                                            const QString& tip) {
   auto* const box = new QDoubleSpinBox;
   box->setRange(0, 1e3 * kLongest);
   box->setDecimals(1);
   box->setSuffix(tr(" mm"));
   box->setToolTip(tip);
   form.addRow(name, box);
-  m_refresh.push_back([this, box, option] {
+  m_refresh.push_back([box, value] {
     const QSignalBlocker blocker(box);
-    box->setValue(m_toolbox.options().*option / kMillimetre);
+    box->setValue(value() / kMillimetre);
   });
   m_refresh.back()();
   connect(box, &QDoubleSpinBox::valueChanged, this,
-          [this, option](double value) { m_toolbox.options().*option = value * kMillimetre; });
+          [value](double given) { value() = given * kMillimetre; });
   return box;
+}
+
+QDoubleSpinBox* OperationPanel::threshold(QFormLayout& form, const QString& name,
+                                          double ToolOptions::*option, const QString& tip) {
+  return millimetres(
+      form, name, [this, option]() -> double& { return m_toolbox.options().*option; }, tip);
+}
+
+QDoubleSpinBox* OperationPanel::push_length(QFormLayout& form, const QString& name, const char* key,
+                                            const QString& tip) {
+  const Field* const field = table<PushOperation>().find(key);
+  return millimetres(
+      form, name,
+      [this, field]() -> double& {
+        return *std::get<double*>(field->slot(&m_toolbox.options().push));
+      },
+      tip);
 }
 
 QDoubleSpinBox* OperationPanel::share(QFormLayout& form, const QString& name,

@@ -42,6 +42,11 @@ class OperationPanel : public QWidget {
                          const QString& tip = {});
   QDoubleSpinBox* angle(QFormLayout& form, const QString& name, double value,
                         const QString& tip = {});
+  QDoubleSpinBox* millimetres(QFormLayout& form, const QString& name,
+                              const std::function<double&()>& value, const QString& tip);
+  /// Length of the PUSH that the toolbox keeps. @param key  of its table.
+  QDoubleSpinBox* push_length(QFormLayout& form, const QString& name, const char* key,
+                              const QString& tip);
   QDoubleSpinBox* threshold(QFormLayout& form, const QString& name, double ToolOptions::*option,
                             const QString& tip);
   QDoubleSpinBox* share(QFormLayout& form, const QString& name, double ToolOptions::*option,

@@ -15,7 +15,7 @@ inline QVariant data_of(ObjectId id) {
   return QVariant::fromValue((quint64{id.generation} << 32) | id.index);
 }
 
-/// Of an object's item.
+/// The object of an outliner item.
 inline std::optional<ObjectId> id_of(const QTreeWidgetItem& item) {
   const QVariant data = item.data(0, kIdRole);
   if (!data.isValid()) return std::nullopt;
@@ -23,7 +23,7 @@ inline std::optional<ObjectId> id_of(const QTreeWidgetItem& item) {
   return ObjectId{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
 }
 
-/// Of a collection's item: its name.
+/// The name of a collection's item.
 inline std::optional<std::string> collection_of(const QTreeWidgetItem& item) {
   const QVariant data = item.data(0, kCollectionRole);
   if (!data.isValid()) return std::nullopt;

@@ -59,7 +59,7 @@ void PictureJob::run() {
   } catch (const Cancelled&) {
     Q_EMIT done(false, QString());
   } catch (const std::exception& error) {
-    Q_EMIT done(false, QString::fromStdString(english_in_words(error.what())));
+    Q_EMIT done(false, QString::fromStdString(in_words(error)));
   }
 }
 

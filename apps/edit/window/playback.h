@@ -27,7 +27,7 @@ class Playback : public QObject {
   bool moves(ObjectId id) const;
   /// Objects that go along the known path, the first one first; empty: none.
   std::vector<ObjectId> on_the_way() const;
-  /// Of the first one, from here; nullopt: none, or it stands still.
+  /// Motion of the first object, from here; nullopt: none, or it stands still.
   std::optional<Motion> motion() const;
   /// Displayed pose.
   Pose pose_of(const ObjectSnapshot& object) const;

@@ -288,7 +288,7 @@ void Properties::show_pose(const Object& object) {
                       .arg(length_text(size.x()), length_text(size.y()), length_text(size.z())));
 }
 
-// How firmly it rests, alone and with all that it touches.
+// Shows how firmly the object rests, alone and with all that it touches.
 void Properties::show_rest(const Object& object, ObjectId id) {
   const QString none = QStringLiteral("–");
   const bool rests = object.placed && !object.fixed;

@@ -24,7 +24,7 @@ struct Theme {
   QColor warning() const { return dark ? QColor(230, 168, 60) : QColor(190, 120, 10); }
   QColor information() const { return accent(); }
   QColor lit() const { return QColor(255, 64, 40); }  // interfering faces
-  // Of pairs of faces in the z-list view, also for the colour-blind [Okabe 2008].
+  // Colours of pairs of faces in the z-list view, also for the colour-blind [Okabe 2008].
   QColor moving_face() const { return QColor(230, 159, 0); }
   QColor fixed_face() const { return QColor(86, 180, 233); }
 

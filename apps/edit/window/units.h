@@ -13,7 +13,7 @@ struct LengthUnit {
 };
 std::vector<LengthUnit> length_units();
 
-/// Of a symbol: 0.01 of "cm"; 1 of one that is unknown.
+/// Length of a unit by its symbol: 0.01 for "cm"; 1 for an unknown one.
 double metres_of(const QString& symbol);
 
 }  // namespace trivet::edit

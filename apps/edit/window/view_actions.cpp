@@ -37,7 +37,7 @@ void MainWindow::make_view_actions() {
   make_drawing_actions();
 }
 
-// Of any view, as in other programs: on the number pad.
+// Directions for any view are on the number pad, as in other programs.
 void MainWindow::make_direction_actions() {
   const auto direction = [&](const char* name, const QString& text, Qt::Key key, const Vec3& way) {
     add_action(

@@ -96,7 +96,7 @@ void SceneView::paint_at_pointer(QPainter& painter) const {
                refused ? theme.refused() : theme.accent());
 }
 
-// Beside the pointer, as far as there is room.
+// The note stands beside the pointer, as far as there is room.
 void SceneView::paint_note(QPainter& painter, const QString& text, const Vec2& px,
                            const QColor& frame) const {
   constexpr int kWidest = 320, kAside = 18, kPad = 6;

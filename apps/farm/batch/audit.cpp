@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "apps/farm/store/damage.h"
 #include "apps/farm/store/publish.h"
 #include "core/base/bad_input.h"
 #include "core/io/atomic_file.h"
@@ -141,21 +142,21 @@ void materialise(const std::string& out, std::uint64_t k, const std::string& fil
                  const ImportLimits& import) {
   const BatchRun run = read_run(out);
   if (!run.views.empty())
-    bad_input(out + ": there are pictures in this folder; accepted: the batch of their scenes");
-  if (k >= run.count)
-    bad_input("scene " + std::to_string(k) + " is not accepted; accepted: 0 to " +
-              std::to_string(run.count - 1));
+    bad_input("%1: there are pictures in this folder; accepted: the batch of their scenes", out);
+  if (k >= run.count) bad_input("scene %1 is not accepted; accepted: 0 to %2", k, run.count - 1);
   const std::uint64_t unit = k / run.per_unit;
   if (!unit_exists(out, unit, run.format))
     bad_file((fs::path(out) / unit_name(unit, run.format)).string(),
              "is not there yet; trivet batch --only makes a scene alone");
   const Json scene = SceneReader(out, run.format).read(unit, k);
-  if (scene.at("status") == "failed")
-    bad_input("scene " + std::to_string(k) + " failed: " + scene.value("reason", ""));
+  const std::string name = "scene " + std::to_string(k);
+  read_undamaged(name, [&] {
+    if (scene.at("status") == "failed") bad_input("%1 failed: %2", name, scene.value("reason", ""));
+  });
   const PreparedRecipe prepared = prepared_recipe(run, out);
   RunOptions options;
   options.settle.max_motions = prepared.recipe.max_motions;
-  options.layout_file = "scene " + std::to_string(k);
+  options.layout_file = name;
   const Layout layout = layout_of_poses(prepared.recipe, scene, options.layout_file);
   const LayoutRun stands = run_start_only(layout, models_in_folder(out, import), options);
   write_scene_file(stands.scene, layout,

@@ -8,7 +8,7 @@ namespace {
 BatchRun scenes_in(const std::string& folder) {
   BatchRun run = read_run(folder);
   if (!run.views.empty())
-    bad_input(folder + ": there are pictures in this folder; accepted: a batch of scenes");
+    bad_input("%1: there are pictures in this folder; accepted: a batch of scenes", folder);
   return run;
 }
 
@@ -28,7 +28,7 @@ Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLi
                   const std::function<DrawPicture()>& make_opengl) {
   const BatchRun there = scenes_in(scenes);
   if (sha256_hex(run_json(there)) != run.scenes_sha256)
-    bad_input(scenes + ": is not the batch that these pictures are of");
+    bad_input("%1: is not the batch that these pictures are of", scenes);
   Work work = work_of(prepared_recipe(there, scenes), there, import, scenes, true);
   const nlohmann::json views = nlohmann::json::parse(run.views);
   work.pictures = std::make_shared<const PictureWork>(

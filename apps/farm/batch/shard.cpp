@@ -39,7 +39,7 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
 
 std::uint64_t number_of_variable(const char* name, const std::string& text) {
   if (const auto number = whole_number(text)) return *number;
-  bad_input(std::string(name) + ": \"" + text + "\" is not accepted; accepted: a whole number");
+  bad_input("%1: \"%2\" is not accepted; accepted: a whole number", name, text);
 }
 
 std::uint64_t count_of(const Engine& engine, const Environment& environment) {
@@ -47,14 +47,14 @@ std::uint64_t count_of(const Engine& engine, const Environment& environment) {
   if (engine.count)
     if (const auto count = environment(engine.count))
       if (*count != "undefined") return number_of_variable(engine.count, *count);
-  bad_input(std::string(engine.index) +
-            " is set, but not how many there are; accepted: " + "TRIVET_SHARDS=N, or --shard I/N");
+  bad_input("%1 is set, but not how many there are; accepted: TRIVET_SHARDS=N, or --shard I/N",
+            engine.index);
 }
 
 Shard checked(const Shard& shard, const std::string& what) {
   if (shard.index < shard.count) return shard;
-  bad_input(what + ": shard " + std::to_string(shard.index) + " of " + std::to_string(shard.count) +
-            " is not accepted; accepted: 0 to one less than their number");
+  bad_input("%1: shard %2 of %3 is not accepted; accepted: 0 to one less than their number", what,
+            shard.index, shard.count);
 }
 
 bool is_array_task(const Engine& engine, const std::string& index) {
@@ -70,7 +70,7 @@ Shard shard_from_text(const std::string& text) {
   const auto count =
       slash == std::string::npos ? std::nullopt : whole_number(text.substr(slash + 1));
   if (!index || !count)
-    bad_input("--shard: \"" + text + "\" is not accepted; accepted: I/N with 0 <= I < N");
+    bad_input("--shard: \"%1\" is not accepted; accepted: I/N with 0 <= I < N", text);
   return checked({*index, *count, ""}, "--shard");
 }
 
@@ -100,8 +100,7 @@ Shard shard_from_environment(const Environment& environment) {
       if (const auto first = environment(engine.first))
         base = number_of_variable(engine.first, *first);
     if (shard.index < base)
-      bad_input(std::string(engine.index) + ": " + *index + " is not accepted; accepted: from " +
-                std::to_string(base));
+      bad_input("%1: %2 is not accepted; accepted: from %3", engine.index, *index, base);
     shard.index -= base;
     return checked(shard, engine.index);
   }

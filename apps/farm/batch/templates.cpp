@@ -106,7 +106,7 @@ std::string shell_quoted(const std::string& word) {
 // As JSON, which is YAML, too.
 std::string json_quoted(const std::string& word) { return Json(word).dump(); }
 
-/// Of `trivet batch` for a shell, where the template is used; or as JSON, in a container.
+/// Words of `trivet batch` for a shell, where the template is used; or as JSON, in a container.
 std::string words_text(const std::string& engine, const BatchJob& job) {
   if (engine == "slurm" || engine == "parallel")
     return joined(words_of(job, job.recipe, job.out), " ", shell_quoted);

@@ -60,8 +60,8 @@ std::string difference(const Sampled& there, const SceneMembers& made) {
 Work work_again(const BatchRun& run, const std::string& out, const VerifyOptions& options) {
   if (!run.views.empty()) {
     if (options.scenes.empty())
-      bad_input(out +
-                ": is a batch of pictures; accepted: with --scenes, the folder of its scenes");
+      bad_input("%1: is a batch of pictures; accepted: with --scenes, the folder of its scenes",
+                out);
     if (run.with_opengl && options.before_opengl) options.before_opengl();
     return picture_work(run, options.scenes, options.import, options.make_opengl);
   }

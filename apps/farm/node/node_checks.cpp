@@ -57,7 +57,7 @@ NodeCheck check_sandbox(const std::string& importer) {
   return {"sandbox", Verdict::Note, importer + " does not say what confines it"};
 }
 
-// Of a line such as "MemAvailable:   123 kB"; nullopt: there is none.
+// Number in a line such as "MemAvailable:   123 kB"; nullopt: there is none.
 std::optional<double> memory_available() {
   std::ifstream file("/proc/meminfo");
   std::string word;

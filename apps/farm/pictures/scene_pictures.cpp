@@ -78,7 +78,7 @@ SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const R
                            const DrawPicture& opengl) {
   SceneMembers out{scenes.read(k / work.scenes.per_unit, k), {}};
   Json& views = out.scene["views"] = Json::array();
-  if (out.scene.at("status") != "ok") return out;
+  if (out.scene.value("status", Json()) != "ok") return out;
   const std::string where = "scene " + std::to_string(k);
   const Layout layout = layout_of_poses(recipe, out.scene, where);
   const Scene stands = standing(layout, models, where);

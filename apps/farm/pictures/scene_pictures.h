@@ -22,8 +22,8 @@ struct PictureWork {
   std::function<DrawPicture()> make_opengl;
 };
 
-/// Of scene k: its JSON with "views", [{"name", "camera"}], and for each view members
-/// "K.VIEW.png" (the picture), "K.VIEW.depth.png", ".instances.png", ".classes.png",
+/// Pictures and labels of scene k: its JSON with "views", [{"name", "camera"}], and for each view
+/// members "K.VIEW.png" (the picture), "K.VIEW.depth.png", ".instances.png", ".classes.png",
 /// ".normals.png" as wanted, and, with labels, "K.VIEW.labels.json". Scenes that are not "ok" have
 /// no views. By rays in the calling thread; labels are the same bits on any machine, pictures where
 /// the mathematical library is the same.

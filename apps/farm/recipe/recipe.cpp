@@ -54,21 +54,22 @@ class Known {
     for (const std::string& known : m_taken)
       if (known == name || is_member_name(known, name) ||
           (m_groups.count(known) && is_member_name(name, known)))
-        place.refuse("a name that neither an object or group has, nor this group's objects: " +
-                     first_members(name));
+        place.refuse(say("a name that neither an object or group has, nor this group's objects: %1",
+                         first_members(name)));
     m_names.insert(name);
     m_taken.insert(name);
     m_groups.insert(name);
   }
   void expect(const JsonPlace& place, const std::string& name, bool floor) const {
     if (m_names.count(name) || (floor && m_floor && name == "floor")) return;
-    place.refuse((floor && m_floor ? "\"floor\", " : "") +
-                 std::string("the name of an object or of a group above") +
-                 did_you_mean(name, {m_names.begin(), m_names.end()}));
+    place.refuse(say("%1the name of an object or of a group above%2",
+                     std::string(floor && m_floor ? "\"floor\", " : ""),
+                     did_you_mean(name, {m_names.begin(), m_names.end()})));
   }
   void expect_group(const JsonPlace& place, const std::string& name) const {
     if (m_groups.count(name)) return;
-    place.refuse("the name of a group" + did_you_mean(name, {m_groups.begin(), m_groups.end()}));
+    place.refuse(
+        say("the name of a group%1", did_you_mean(name, {m_groups.begin(), m_groups.end()})));
   }
 
  private:
@@ -97,7 +98,7 @@ void check_top(const JsonPlace& root) {
                       "groups", "then", "accept", "on_refusal", "tries", "max_motions", "views"});
   const JsonPlace version = root.at("trivet_recipe");
   if (!version.value().is_number() || version.value() != kRecipeVersion)
-    version.refuse(std::to_string(kRecipeVersion) + ", the version of the recipe format");
+    version.refuse(say("%1, the version of the recipe format", kRecipeVersion));
 }
 
 void read_groups(const JsonPlace& root, Recipe& recipe) {

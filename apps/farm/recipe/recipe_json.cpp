@@ -4,7 +4,7 @@
 
 #include "core/base/limits.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/layout/label_keys.h"
 
 namespace trivet::farm {
@@ -85,11 +85,12 @@ PlaceRule read_place_rule(const JsonPlace& place) {
   const int num_ways =
       (place.find("on") ? 1 : 0) + (place.find("in") ? 1 : 0) + (place.find("heap") ? 1 : 0);
   if (num_ways != 1)
-    place.fail(std::to_string(num_ways) +
-               " of the keys \"on\", \"in\" and \"heap\"; accepted: exactly one, which says where");
+    place.fail(
+        say("%1 of the keys \"on\", \"in\" and \"heap\"; accepted: exactly one, which says where",
+            num_ways));
   const auto only_with = [&](const char* key, const char* other) {
     if (place.find(key) && !place.find(other))
-      place.at(key).fail("there is no \"" + std::string(other) + "\" for it");
+      place.at(key).fail(say("there is no \"%1\" for it", other));
   };
   only_with("keep", "on");
   only_with("region", "on");
@@ -118,7 +119,7 @@ void read_rotation_rule(const JsonPlace& place, RecipeGroup& group) {
 
 int read_integer(const JsonPlace& place, int lower, int upper) {
   if (!is_integer(place.value(), lower, upper))
-    place.refuse("a whole number from " + std::to_string(lower) + " to " + std::to_string(upper));
+    place.refuse(say("a whole number from %1 to %2", lower, upper));
   return static_cast<int>(place.value().get<double>());
 }
 

@@ -19,7 +19,7 @@ class Sha256 {
   Sha256& operator=(Sha256&&) noexcept;
 
   void add(std::string_view bytes);
-  /// Of all that was added. Called once.
+  /// Digest of all that was added. Called once.
   Digest digest();
 
  private:

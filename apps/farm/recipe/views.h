@@ -25,7 +25,7 @@ struct Views {
 /// @throws Error (BadInput) naming the place, the value and what is accepted.
 Views read_view_wishes(const JsonPlace& place);
 
-/// Those of a file: {"views": ...}, or a recipe with them; as text, keys sorted.
+/// Views of a file: {"views": ...}, or a recipe with them; as text, keys sorted.
 /// @throws Error (BadInput), also for a file without.
 std::string views_text(const std::string& text, const std::string& file);
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "apps/farm/scene/placing.h"
+#include "core/model/unit.h"
 #include "ops/base/interrupt.h"
 #include "ops/base/stopwatch.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/operations/perform.h"
 
 namespace trivet::farm {
@@ -100,7 +101,9 @@ void Attempt::draw_objects() {
       const std::string name = group.name + "_" + std::to_string(i);
       LayoutObject object = group.models[decide(name + "/model").weighted(weights)].object;
       object.name = name;
-      object.scale *= decide(name + "/scale").within(group.scale_range);
+      const LoadedModel& loaded = m_source.models.at({object.model, object.tessellation});
+      object.scale = metres_per_unit(object.scale, loaded.model.get()) *
+                     decide(name + "/scale").within(group.scale_range);
       m_out.layout.objects.push_back(std::move(object));
       members.push_back(name);
     }
@@ -146,6 +149,16 @@ void Attempt::record(const Operation& operation, OperationResult result) {
   m_out.run.operations.push_back({op_name(operation), object_name(operation), std::move(result)});
 }
 
+// A PUT exactly from the start that it was done from: the scene's layout needs no search.
+PutOperation as_done(PutOperation put, const OperationResult& result) {
+  if (!result.tried) return put;
+  const PutOperation exactly;
+  put.start = result.tried->start;
+  put.tries = exactly.tries;
+  put.within = exactly.within;
+  return put;
+}
+
 PutResult Attempt::try_to_put(const RecipeGroup& group, const std::string& name, int number) {
   const std::string prefix = name + (number > 0 ? "/try " + std::to_string(number) : "");
   Decision turn = decide(prefix + "/rotation"), where = decide(prefix + "/place");
@@ -161,7 +174,7 @@ PutResult Attempt::try_to_put(const RecipeGroup& group, const std::string& name,
     return {result, result.reason()};
   }
   PutResult put = put_by(m_out.run.scene, *placing, m_options.settle, m_clock.context());
-  record(placing->put, put.result);
+  record(as_done(placing->put, put.result), put.result);
   return put;
 }
 

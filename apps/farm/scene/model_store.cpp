@@ -11,11 +11,16 @@
 #include "apps/farm/store/publish.h"
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
+#include "core/io/json.h"
+#include "core/io/model_folder.h"
+#include "ops/files/json/text.h"
 
 namespace trivet::farm {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;  // of a .gltf
 
 std::string sha256_of_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -40,8 +45,8 @@ std::string without_percent(const std::string& uri) {
 }
 
 std::vector<std::string> uris_of_gltf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const nlohmann::json document = nlohmann::json::parse(in, nullptr, false);
+  const auto document = json_if_valid<nlohmann::json>(read_text_file(file.string(), kMostBytes))
+                            .value_or(nlohmann::json());
   std::vector<std::string> out;
   for (const char* const list : {"buffers", "images"}) {
     if (!document.is_object() || !document.contains(list) || !document[list].is_array()) continue;
@@ -86,17 +91,17 @@ std::vector<std::string> references(const fs::path& file) {
   return {};
 }
 
-// Only the folder of the model and below: what the import sees.
-bool is_below(const fs::path& name) {
-  return !name.empty() && name.is_relative() && *name.begin() != "..";
+// Only the folder of the model and below, links followed: what the import sees.
+bool is_below(const ModelFolder& seen, const fs::path& folder, const fs::path& name) {
+  return !name.empty() && name.is_relative() && *name.begin() != ".." && seen.has(folder / name);
 }
 
-void add_references(const fs::path& folder, const fs::path& name, std::set<std::string>& found) {
+void add_references(const ModelFolder& seen, const fs::path& folder, const fs::path& name,
+                    std::set<std::string>& found) {
   for (const std::string& reference : references(folder / name)) {
     const fs::path other = (name.parent_path() / reference).lexically_normal();
-    std::error_code ignored;
-    if (!is_below(other) || !fs::is_regular_file(folder / other, ignored)) continue;
-    if (found.insert(other.generic_string()).second) add_references(folder, other, found);
+    if (!is_below(seen, folder, other)) continue;
+    if (found.insert(other.generic_string()).second) add_references(seen, folder, other, found);
   }
 }
 
@@ -119,7 +124,7 @@ BatchModel batch_model(const std::string& file) {
   if (!fs::is_regular_file(path, error))
     bad_file(file, "is no file; accepted: a model file, relative to the recipe");
   std::set<std::string> found;
-  add_references(path.parent_path(), path.filename(), found);
+  add_references(ModelFolder(file), path.parent_path(), path.filename(), found);
   found.erase(out.name);
   out.beside.assign(found.begin(), found.end());
   out.hash = hash_of(path.parent_path(), out.name, out.beside);

@@ -2,9 +2,10 @@
 
 #include <cmath>
 
+#include "apps/farm/store/damage.h"
 #include "core/base/bad_input.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/layout/named_objects.h"
 #include "ops/files/report/json_parts.h"
 
@@ -98,13 +99,24 @@ std::string json_line(const Json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-Layout layout_of_poses(const Recipe& recipe, const Json& scene, const std::string& where) {
-  Json json = {{"trivet", 1}, {"floor", recipe.base.floor}, {"objects", Json::array()}};
+namespace {
+
+Json placed_objects(const Json& scene) {
+  Json out = Json::array();
   for (Json object : scene.at("objects")) {
     if (object.at("position").is_null()) continue;
     object.erase("state");
-    json["objects"].push_back(std::move(object));
+    out.push_back(std::move(object));
   }
+  return out;
+}
+
+}  // namespace
+
+Layout layout_of_poses(const Recipe& recipe, const Json& scene, const std::string& where) {
+  const Json json = {{"trivet", 1},
+                     {"floor", recipe.base.floor},
+                     {"objects", read_undamaged(where, [&] { return placed_objects(scene); })}};
   Layout layout = parse_layout(json.dump(), where);
   layout.settle = recipe.base.settle;
   layout.material = recipe.base.material;

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr const char* kTemporaryMark = ".trivet-tmp.";
 
 [[noreturn]] void fail(const std::string& path, int error) {
-  throw Error(Error::Kind::Environment, path + ": cannot be written: " + std::strerror(error));
+  throw Error(Error::Kind::Environment, "%1: cannot be written: %2", path, std::strerror(error));
 }
 
 std::string folder_of_file(const std::string& path) {

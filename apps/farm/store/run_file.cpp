@@ -45,7 +45,7 @@ UnitFormat read_format(const JsonPlace& place) {
 int read_file_version(const JsonPlace& place) {
   for (int version = 1; version <= kRunVersion; ++version)
     if (place.value() == version) return version;
-  place.refuse("1 to " + std::to_string(kRunVersion) + ", of this version of the program");
+  place.refuse(say("1 to %1, of this version of the program", kRunVersion));
 }
 
 std::uint64_t read_count(const JsonPlace& place) {
@@ -114,17 +114,18 @@ void check_run(const std::string& out, const BatchRun& run) {
   }
   const BatchRun there = read_run(out);
   if (run.views.empty() != there.views.empty())
-    bad_input(path_in(out) + ": there are " + (there.views.empty() ? "scenes" : "pictures") +
-              " in this folder; accepted: another --out");
+    bad_input("%1: there are %2 in this folder; accepted: another --out", path_in(out),
+              (there.views.empty() ? "scenes" : "pictures"));
   Json ours = json_of(run), theirs = json_of(there);
   for (Json* const json : {&ours, &theirs}) json->erase("sha256");
   ours["with_contacts"] = run.with_contacts, theirs["with_contacts"] = there.with_contacts;
   ours["with_opengl"] = run.with_opengl, theirs["with_opengl"] = there.with_opengl;
   for (const auto& [key, value] : ours.items())
     if (theirs.at(key) != value)
-      bad_input(path_in(out) + ": another batch is in this folder: " + key + " is " +
-                shown(theirs.at(key)) + ", here " + shown(value) +
-                "; accepted: the same recipe, models, options and version, or another --out");
+      bad_input(
+          "%1: another batch is in this folder: %2 is %3, here %4; accepted: the same recipe, "
+          "models, options and version, or another --out",
+          path_in(out), key, shown(theirs.at(key)), shown(value));
 }
 
 void claim_run(const std::string& out, const BatchRun& run) {

@@ -9,8 +9,8 @@
 
 namespace trivet::farm {
 
-/// Of run.json and of what units say of it: 1 had no hash of itself, and units named no batch. Such
-/// folders are read, not continued.
+/// Version of run.json and of what units say of it: 1 had no hash of itself, and units named no
+/// batch. Such folders are read, not continued.
 inline constexpr int kRunVersion = 2;
 
 /// All that the bytes of a batch depend on.
@@ -21,7 +21,7 @@ struct BatchRun {
   UnitFormat format = UnitFormat::Tar;
   bool with_scene = false, with_contacts = false, with_report = false;
   std::string version;  // of the program
-  // Of a batch of pictures of another batch's scenes; else empty.
+  // For a batch of pictures of another batch's scenes; else empty.
   std::string views, scenes_sha256;  // JSON, see farm/recipe/views.h; of that batch's run.json
   bool with_opengl = false;          // pictures by OpenGL, not by rays
 

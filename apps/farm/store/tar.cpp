@@ -57,8 +57,8 @@ namespace {
 void check_written(TarWriter::State& state, bool ok) {
   if (state.error) std::rethrow_exception(std::exchange(state.error, nullptr));
   if (!ok)
-    throw Error(Error::Kind::Environment,
-                std::string("a tar cannot be written: ") + archive_error_string(state.tar.get()));
+    throw Error(Error::Kind::Environment, "a tar cannot be written: %1",
+                archive_error_string(state.tar.get()));
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ TarReader::~TarReader() = default;
 
 void TarReader::fail() const {
   const char* const why = archive_error_string(m_state->tar.get());
-  bad_file(m_path, std::string("cannot be read as a tar: ") + (why ? why : "unknown"));
+  bad_file(m_path, "is damaged, or no tar: %1", (why ? why : "unknown"));
 }
 
 std::optional<std::string> TarReader::next() {

@@ -3,9 +3,11 @@
 #include <fstream>
 #include <sstream>
 
+#include "apps/farm/store/damage.h"
 #include "apps/farm/store/tar.h"
 #include "apps/farm/store/unit.h"
 #include "core/base/bad_input.h"
+#include "core/io/json.h"
 
 namespace trivet::farm {
 namespace {
@@ -43,9 +45,9 @@ void visit_members(const fs::path& path, UnitFormat format, const TarVisitor& vi
 }
 
 Json parsed(const std::string& line, const std::string& where) {
-  Json json = Json::parse(line, nullptr, false);
-  if (!json.is_object()) bad_file(where, "is damaged: a line is no JSON object");
-  return json;
+  std::optional<Json> json = json_if_valid<Json>(line);
+  if (!json || !json->is_object()) bad_file(where, "is damaged: a line is no JSON object");
+  return std::move(*json);
 }
 
 /// Splits lines that all end with a line feed.
@@ -157,9 +159,10 @@ std::string check_poses(const UnitName& unit, const SceneVisitor& visit) {
 
 }  // namespace
 
-void visit_rows(const std::string& out, std::uint64_t number, UnitFormat format,
-                const std::string& batch, const std::function<void(const Json& row)>& visit) {
-  const UnitName unit{fs::path(out) / unit_name(number, format), number, batch};
+namespace {
+
+void visit_rows(const UnitName& unit, UnitFormat format,
+                const std::function<void(const Json& row)>& visit) {
   if (format == UnitFormat::Poses) {
     for (const Json& scene : rows_of(file_bytes(unit.path), unit)) visit(manifest_row(scene));
     return;
@@ -172,6 +175,14 @@ void visit_rows(const std::string& out, std::uint64_t number, UnitFormat format,
       if (name == kManifest) manifest = read();
     });
   for (const Json& row : rows_of(manifest, unit)) visit(row);
+}
+
+}  // namespace
+
+void visit_rows(const std::string& out, std::uint64_t number, UnitFormat format,
+                const std::string& batch, const std::function<void(const Json& row)>& visit) {
+  const UnitName unit{fs::path(out) / unit_name(number, format), number, batch};
+  read_undamaged(unit.path.string(), [&] { visit_rows(unit, format, visit); });
 }
 
 std::string check_unit(const std::string& out, std::uint64_t number, UnitFormat format,
@@ -225,7 +236,8 @@ Json SceneReader::read(std::uint64_t unit, std::uint64_t k) {
   if (!m_goes_on || unit != m_unit || k <= m_last) open(unit);
   m_goes_on = false;  // after an error from the beginning
   Json scene;
-  if (!find(k, scene)) bad_file(m_path, "has no scene " + std::to_string(k));
+  if (!read_undamaged(m_path, [&] { return find(k, scene); }))
+    bad_file(m_path, "has no scene %1", k);
   m_goes_on = true;
   m_last = k;
   return scene;

@@ -8,12 +8,13 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/io/sentence_json.h"
 #include "ops/files/json/text.h"
 
 namespace trivet::farm {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) { throw Error(Error::Kind::Environment, what); }
+[[noreturn]] void fail(const Sentence& what) { throw Error(Error::Kind::Environment, what); }
 
 WorkerNews news_of(const Message& message) {
   WorkerNews news;
@@ -55,7 +56,7 @@ Message Pool::next_message() {
   if (!message) fail("the process that has read the models has died; is there enough memory?");
   if (message->bytes[0] == 'E')
     throw Error(message->bytes[1] == '2' ? Error::Kind::BadInput : Error::Kind::Environment,
-                message->bytes.substr(2));
+                sentence_from_json(message->bytes.substr(2)));
   return std::move(*message);
 }
 

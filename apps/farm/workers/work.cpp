@@ -23,7 +23,7 @@ std::vector<ModelRequest> requests_of(const Recipe& recipe) {
   return {requests.begin(), requests.end()};
 }
 
-// Of each object as in the report, and no more of it.
+// Contacts of each object as in the report, and no more of it.
 std::string contacts_text(const Scene& scene) {
   OrderedJson contacts = OrderedJson::object();
   for (const ObjectId id : scene.ids())

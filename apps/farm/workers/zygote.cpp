@@ -16,6 +16,7 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "core/io/sentence_json.h"
 
 namespace trivet::farm {
 namespace {
@@ -74,7 +75,7 @@ class ZygoteProcess {
       return send_message(m_control, "R");
     } catch (const Error& e) {
       const char kind = e.kind() == Error::Kind::BadInput ? '2' : '3';
-      send_message(m_control, std::string("E") + kind + e.what());
+      send_message(m_control, std::string("E") + kind + to_json(e.sentence()));
     } catch (const std::exception& e) {
       send_message(m_control, std::string("E3reading models: ") + e.what());
     }
@@ -142,8 +143,7 @@ Zygote start_zygote(const Work& work, const WorkLimits& limits) {
     ZygoteProcess(work, limits, sockets.b.number()).run();
   }
   if (id < 0)
-    throw Error(Error::Kind::Environment,
-                std::string("no process can be started: ") + std::strerror(errno));
+    throw Error(Error::Kind::Environment, "no process can be started: %1", std::strerror(errno));
   return {id, std::move(sockets.a)};
 }
 

@@ -15,9 +15,8 @@ std::string shape_text(const Doubles& array) {
   return py::str(array.attr("shape")).cast<std::string>();
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& given,
-                         const std::string& accepted) {
-  bad_input(what + ": " + given + " is not accepted; accepted: " + accepted);
+[[noreturn]] void refuse(const std::string& what, const Sentence& given, const Sentence& accepted) {
+  bad_input("%1: %2 is not accepted; accepted: %3", what, given, accepted);
 }
 
 }  // namespace
@@ -51,7 +50,7 @@ py::array_t<double> array_of(const Rotation& r) {
 
 Similarity similarity_of(const Doubles& matrix, const std::string& what) {
   if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4)
-    refuse(what, "an array of shape " + shape_text(matrix), "shape (4, 4)");
+    refuse(what, say("an array of shape %1", shape_text(matrix)), "shape (4, 4)");
   const auto m = matrix.unchecked<2>();
   Mat3 linear;
   Similarity out;
@@ -79,7 +78,7 @@ Similarity similarity_of(const Doubles& matrix, const std::string& what) {
 
 Vec3 vector_of(const Doubles& array, const std::string& what) {
   if (array.ndim() != 1 || array.shape(0) != 3)
-    refuse(what, "an array of shape " + shape_text(array), "3 numbers");
+    refuse(what, say("an array of shape %1", shape_text(array)), "3 numbers");
   Vec3 out(array.at(0), array.at(1), array.at(2));
   if (!out.allFinite())
     refuse(what, py::str(array.attr("tolist")()).cast<std::string>(), "finite numbers");
@@ -88,7 +87,7 @@ Vec3 vector_of(const Doubles& array, const std::string& what) {
 
 std::vector<Vec3> vectors_of(const Doubles& array, const std::string& what) {
   if (array.ndim() != 2 || array.shape(1) != 3)
-    refuse(what, "an array of shape " + shape_text(array), "shape (n, 3)");
+    refuse(what, say("an array of shape %1", shape_text(array)), "shape (n, 3)");
   std::vector<Vec3> out(static_cast<size_t>(array.shape(0)));
   if (!out.empty())
     std::memcpy(static_cast<void*>(out.data()), array.data(), out.size() * sizeof(Vec3));

@@ -40,10 +40,10 @@ Mat3 rotation_of(const Doubles& matrix) {
 void read_intrinsics(const Doubles& k, PinholeCamera& camera) {
   const std::string what = "intrinsics";
   if (k.ndim() != 2 || k.shape(0) != 3 || k.shape(1) != 3)
-    bad_input(what + ": an array of another shape than (3, 3) is not accepted");
+    bad_input("%1: an array of another shape than (3, 3) is not accepted", what);
   if (k.at(0, 1) != 0 || k.at(1, 0) != 0 || k.at(2, 0) != 0 || k.at(2, 1) != 0 || k.at(2, 2) != 1)
-    bad_input(what + ": " + py::str(k.attr("tolist")()).cast<std::string>() +
-              " is not accepted; accepted: [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]");
+    bad_input("%1: %2 is not accepted; accepted: [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]", what,
+              py::str(k.attr("tolist")()).cast<std::string>());
   camera.fx = k.at(0, 0), camera.fy = k.at(1, 1);
   camera.cx = k.at(0, 2), camera.cy = k.at(1, 2);
 }

@@ -19,7 +19,7 @@ std::unique_ptr<DataSetWriter> writer_of(const std::string& form, const std::str
                                          const LabelledScene& scene, double depth_unit) {
   if (form == "coco") return make_coco_writer(folder, scene);
   if (form == "bop") return make_bop_writer(folder, scene, depth_unit);
-  bad_input("form: \"" + form + "\" is not accepted; accepted: \"coco\" or \"bop\"");
+  bad_input("form: \"%1\" is not accepted; accepted: \"coco\" or \"bop\"", form);
 }
 
 struct DataSetRequest {

@@ -34,8 +34,8 @@ class Drag {
   }
   py::dict follow_amount(double amount) {
     if (!(std::abs(amount) <= kMaxAmount))
-      bad_input("amount: " + py::str(py::float_(amount)).cast<std::string>() +
-                " is not accepted; accepted: finite numbers");
+      bad_input("amount: %1 is not accepted; accepted: finite numbers",
+                py::str(py::float_(amount)).cast<std::string>());
     return follow(amount);
   }
   py::dict finish() {

@@ -116,13 +116,14 @@ void save(SharedScene& scene, const std::string& path) {
 
 py::dict export_to(SharedScene& scene, const std::string& path, const std::string& collision,
                    std::optional<double> friction, std::optional<double> density,
-                   double max_overlap) {
+                   double max_overlap, int mujoco) {
   const Snapshot now = snapshot(scene);
   SimulationOptions options;
   options.collision = collision_rule_from_name(collision);
   options.friction = friction;
   options.density = density;
   options.max_overlap = max_overlap;
+  options.files.mujoco = mujoco;
   const SimulationExport done = without_gil([&] {
     check_collision_rule(options.collision, path);
     return export_simulation(now.scene, path, options);
@@ -132,8 +133,8 @@ py::dict export_to(SharedScene& scene, const std::string& path, const std::strin
     overlaps.append(py::make_tuple(one.a, one.b, one.depth, one.allowed));
   py::dict masses;
   for (const SimulationBody& body : done.scene.bodies) masses[py::str(body.name)] = body.mass;
-  return py::dict("files"_a = done.files, "notes"_a = done.notes, "overlaps"_a = overlaps,
-                  "masses"_a = masses);
+  return py::dict("files"_a = done.files, "notes"_a = in_english(done.notes),
+                  "overlaps"_a = overlaps, "masses"_a = masses);
 }
 
 }  // namespace
@@ -155,7 +156,7 @@ void bind_files(py::module_& m, SceneClass& scene) {
       .def("restore", &restore, "snapshot"_a)
       .def("save", &save, "path"_a)
       .def("export", &export_to, "path"_a, "collision"_a, "friction"_a, "density"_a,
-           "max_overlap"_a);
+           "max_overlap"_a, "mujoco"_a);
 }
 
 }  // namespace trivet::python

@@ -22,7 +22,9 @@ Body body_of(const PythonShape& shape, const Similarity& place) {
 double usual_clearance(const Body& a, const Body& b) {
   Aabb box = a.world_box;
   box.extend(b.world_box);
-  return kRelativeClearance * std::max(box.diagonal(), box.max_abs_coordinate());
+  const double size = std::max(box.diagonal(), box.max_abs_coordinate());
+  const double larger = std::max(a.world_box.diagonal(), b.world_box.diagonal());
+  return kRelativeClearance * std::min(size, std::max(kClearanceReach, kCoarseDiagonals * larger));
 }
 
 py::dict first_contact_dict(const FirstContact& contact, double amount) {
@@ -103,12 +105,11 @@ Placed placed(const py::tuple& entry) {
   if (!entry[2].is_none()) {
     out.positions = vectors_of(entry[2].cast<Doubles>(), "positions");
     if (out.positions.size() != own.size())
-      bad_input("positions: " + std::to_string(out.positions.size()) + " of a shape with " +
-                std::to_string(own.size()) + " vertices; accepted: one for each");
+      bad_input("positions: %1 of a shape with %2 vertices; accepted: one for each",
+                out.positions.size(), own.size());
   }
   for (size_t i = 0; i < own.size(); ++i) {
-    if (!out.positions[i].allFinite())
-      bad_input("positions: row " + std::to_string(i) + " is not finite");
+    if (!out.positions[i].allFinite()) bad_input("positions: row %1 is not finite", i);
     out.slack = std::max(out.slack, (out.positions[i] - own[i]).norm());
     out.box.extend(out.positions[i]);
   }

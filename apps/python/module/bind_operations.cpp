@@ -6,13 +6,14 @@
 #include "apps/python/module/operation_values.h"
 #include "apps/python/module/python_shape.h"
 #include "core/base/bad_input.h"
+#include "core/model/unit.h"
 
 namespace trivet::python {
 namespace {
 
 using namespace py::literals;
 
-// Of an object that must still be there.
+// Performs an operation on an object that must still be there.
 py::dict perform(SharedScene& scene, const py::dict& values, ObjectKey key, double budget) {
   const Operation operation = operation_of(values);
   const SceneGuard guard(scene, SceneGuard::Use::Change);
@@ -30,11 +31,11 @@ py::dict perform_all(SharedScene& scene, const std::vector<py::dict>& values, do
 UpAxis up_of(const std::string& up) {
   if (up == "y") return UpAxis::Y;
   if (up == "z") return UpAxis::Z;
-  bad_input("up: \"" + up + "\" is not accepted; accepted: \"y\" or \"z\"");
+  bad_input("up: \"%1\" is not accepted; accepted: \"y\" or \"z\"", up);
 }
 
 py::dict add(SharedScene& scene, const std::string& name, const PythonShape& shape,
-             const std::optional<Doubles>& matrix, double scale, bool fixed,
+             const std::optional<Doubles>& matrix, std::optional<double> scale, bool fixed,
              const std::optional<std::string>& up, const py::object& material) {
   AppendOperation append;
   append.object = name;
@@ -48,7 +49,7 @@ py::dict add(SharedScene& scene, const std::string& name, const PythonShape& sha
   StandOperation stand;
   if (matrix) {
     const Similarity place = similarity_of(*matrix, "pose of \"" + name + "\"");
-    append.scale *= place.scale;
+    append.scale = metres_per_unit(append.scale, shape.model.get()) * place.scale;
     stand.object = name;
     stand.pose = place.pose;
   }

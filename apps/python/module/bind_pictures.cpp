@@ -134,7 +134,7 @@ void add_objects(const FoundLabels& found, py::dict& out) {
   out["visible_share"] = column(share);
 }
 
-// What f makes of the drawn scene, in a thread that alone owns it: to free it may take long, too.
+// Runs f on the drawn scene in a thread that alone owns it: to free it may take long, too.
 template <class F>
 auto of_drawn(SharedScene& shared, const Names& classes, int num_threads, F f) {
   auto drawn = std::make_shared<DrawnScene>(shared, classes);

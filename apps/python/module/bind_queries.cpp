@@ -116,11 +116,12 @@ void add_stability(const Scene& scene, const Stability& stability, py::dict& out
   out["force"] = array_of(force);
 }
 
-// Of a copy, with contacts up to date: the scene itself stays as it is.
+// Checks a copy, with contacts up to date: the scene itself stays as it is.
 py::dict check(SharedScene& shared, std::optional<double> friction, int num_threads) {
   if (friction && !(*friction >= kMinFriction && *friction <= kMaxFriction))
-    bad_input("friction: " + py::str(py::float_(*friction)).cast<std::string>() +
-              " is not accepted; accepted: 0.001 to 10, or None for that of the materials");
+    bad_input(
+        "friction: %1 is not accepted; accepted: 0.001 to 10, or None for that of the materials",
+        py::str(py::float_(*friction)).cast<std::string>());
   Scene scene;
   SettleOptions settle;
   double clearance = 0;

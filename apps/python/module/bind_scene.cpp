@@ -53,7 +53,7 @@ ScenePointer standing(const py::list& entries, bool floor, const py::object& flo
     Object object;
     object.name = text_of(values[0], "name");
     if (!is_object_name(object.name))
-      bad_input("name: \"" + object.name + "\" is not accepted; accepted: any but \"floor\"");
+      bad_input("name: \"%1\" is not accepted; accepted: any but \"floor\"", object.name);
     const auto shape = values[1].cast<std::shared_ptr<PythonShape>>();
     object.shape = shape->shape;
     object.model = shape->model;
@@ -148,7 +148,7 @@ void bind_scene(py::module_& m) {
       .def_property_readonly("notes",
                              [](SharedScene& s) {
                                const SceneGuard guard(s);
-                               return s.opened().notes;
+                               return in_english(s.opened().notes);
                              })
       .def("entries", &entries)
       .def("find", &find, "name"_a)

@@ -15,6 +15,7 @@
 #include "core/io/model_bytes.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/mesh/hull.h"
+#include "core/mesh/part_masses.h"
 #include "core/mesh/weld_arrays.h"
 #include "core/picture/face_colours.h"
 
@@ -29,9 +30,8 @@ void check_size(std::span<const Vec3> vertices) {
   for (size_t row = 0; row < vertices.size(); ++row)
     for (const double x : vertices[row])
       if (std::abs(x) > kMaxCoordinate)
-        bad_input("vertices: row " + std::to_string(row) + ": " +
-                  py::str(py::float_(x)).cast<std::string>() +
-                  " is not accepted; accepted: coordinates from -1e30 to 1e30");
+        bad_input("vertices: row %1: %2 is not accepted; accepted: coordinates from -1e30 to 1e30",
+                  row, py::str(py::float_(x)).cast<std::string>());
 }
 
 ShapePointer shape_of_arrays(const Doubles& vertices, const Indices& faces) {
@@ -174,7 +174,11 @@ void bind_shape(py::module_& m) {
           [](const PythonShape& s) { return s.model && s.model->up == UpAxis::Y ? "y" : "z"; })
       .def_property_readonly("notes",
                              [](const PythonShape& s) {
-                               return s.model ? s.model->notes : std::vector<std::string>();
+                               std::vector<std::string> out;
+                               if (s.model) out = in_english(s.model->notes);
+                               for (const Sentence& note : mass_notes(s.shape->mass))
+                                 out.push_back(in_english(note));
+                               return out;
                              })
       .def("state", &state_of)
       .def_static("of_state", &shape_of_state, "state"_a);

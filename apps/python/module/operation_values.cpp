@@ -5,7 +5,7 @@
 #include "apps/python/module/arrays.h"
 #include "apps/python/module/python_json.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/report/json_parts.h"
 
 namespace trivet::python {
@@ -79,15 +79,16 @@ py::dict dict_of(const PhysicsMaterial& material) {
 }
 
 py::dict dict_of(const OperationResult& result) {
-  py::dict out(
-      "status"_a = trivet::to_string(result.status), "code"_a = "", "reason"_a = "",
-      "objects"_a = py::tuple(), "numbers"_a = py::dict(), "end"_a = to_string(result.end),
-      "moved"_a = result.moved, "turned_deg"_a = result.turned_deg,
-      "blocked_by"_a = result.blocked_by.name, "blocked_at"_a = py::none(),
-      "carried"_a = tuple_of(result.carried), "unsupported"_a = tuple_of(result.unsupported),
-      "settled"_a = tuple_of(result.settled), "gave_way"_a = gave_way_of(result.gave_way),
-      "interpenetrates"_a = tuple_of(result.interpenetrates), "num_motions"_a = result.num_motions,
-      "seconds"_a = 1e-3 * result.milliseconds, "path"_a = path_of(result.steps));
+  py::dict out("status"_a = trivet::to_string(result.status), "code"_a = "", "reason"_a = "",
+               "objects"_a = py::tuple(), "numbers"_a = py::dict(), "end"_a = to_string(result.end),
+               "moved"_a = result.moved, "turned_deg"_a = result.turned_deg,
+               "blocked_by"_a = result.blocked_by.name, "blocked_at"_a = py::none(),
+               "carried"_a = tuple_of(result.carried),
+               "unsupported"_a = tuple_of(result.unsupported),
+               "settled"_a = tuple_of(result.settled), "gave_way"_a = gave_way_of(result.gave_way),
+               "interpenetrates"_a = tuple_of(result.interpenetrates),
+               "unsound"_a = tuple_of(result.unsound), "num_motions"_a = result.num_motions,
+               "seconds"_a = 1e-3 * result.milliseconds, "path"_a = path_of(result.steps));
   if (!result.blocked_by.name.empty()) out["blocked_at"] = array_of(result.blocked_at);
   if (const auto& tried = result.tried) {
     out["try_number"] = tried->number;

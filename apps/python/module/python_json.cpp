@@ -18,9 +18,8 @@ std::string shown(const py::handle& value) {
   return py::bytes(text.attr("encode")("utf-8", "backslashreplace"));
 }
 
-[[noreturn]] void refuse(const std::string& what, const py::handle& value,
-                         const std::string& accepted) {
-  bad_input(what + ": " + shown(value) + " is not accepted; accepted: " + accepted);
+[[noreturn]] void refuse(const Sentence& what, const py::handle& value, const Sentence& accepted) {
+  bad_input("%1: %2 is not accepted; accepted: %3", what, shown(value), accepted);
 }
 
 nlohmann::json json_of_float(double value, const std::string& what) {
@@ -65,13 +64,13 @@ nlohmann::json read(const py::handle& value, const std::string& what, int depth)
   if (PyFloat_Check(value.ptr())) return json_of_float(value.cast<double>(), what);
   if (PyUnicode_Check(value.ptr())) return text_of(value, what);
   if (depth >= kMaxDepth)
-    bad_input(what + ": nested too deep; accepted: up to " + std::to_string(kMaxDepth) + " levels");
+    bad_input("%1: nested too deep; accepted: up to %2 levels", what, kMaxDepth);
   if (PyDict_Check(value.ptr()))
     return read_dict(py::reinterpret_borrow<py::dict>(value), what, depth);
   if (PyList_Check(value.ptr()) || PyTuple_Check(value.ptr()))
     return read_sequence(value, what, depth);
   const auto type = py::str(py::type::of(value).attr("__name__")).cast<std::string>();
-  refuse(what + ": of type " + type, value, "numbers, texts, and lists and dicts of them");
+  refuse(say("%1: of type %2", what, type), value, "numbers, texts, and lists and dicts of them");
 }
 
 }  // namespace

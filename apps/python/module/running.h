@@ -75,7 +75,7 @@ auto apart(const std::shared_ptr<std::atomic<bool>>& cancel, F f) {
 
 bool in_main_thread();
 
-/// How many forks by Python lie between this process and the one that imported the module.
+/// Number of forks by Python between this process and the one that imported the module.
 int num_forks();
 
 /// Once, when the module is imported.

@@ -44,7 +44,7 @@ OperationResult SharedScene::perform(const std::vector<Operation>& operations, d
   return result;
 }
 
-// Of several operations only where they led is known.
+// For several operations, only their result is known.
 void SharedScene::record(const std::vector<Operation>& operations, const OperationResult& result) {
   if (!film) return;
   if (operations.size() == 1)

@@ -9,14 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arrays, _trivet
-from ._errors import SceneBusy
-from ._options import checked_options
+from ._errors import BadInputError, SceneBusy
+from ._given import given
+from ._operations import PARAMETERS
 from ._results import Result, done, result_of
 
 if TYPE_CHECKING:
     from ._scene import Scene
 
-# What an operation needs to begin; a drag gives its extent as it goes.
+# Arguments that an operation needs to begin; a drag gives its extent as it goes.
 _EXTENT: dict[str, dict[str, Any]] = {
     "push": {"direction": [1.0, 0.0], "distance": 0.0},
     "turn": {"angle_deg": 0.0},
@@ -24,6 +25,14 @@ _EXTENT: dict[str, dict[str, Any]] = {
     "translate": {"by": [0.0, 0.0, 0.0]},
     "rotate": {"axis": [0.0, 0.0, 1.0], "angle_deg": 0.0},
 }
+
+
+def _options(op: str, options: dict[str, Any], scene: Scene) -> dict[str, Any]:
+    parameters = PARAMETERS[op]
+    for name in options:
+        if name not in parameters:
+            raise BadInputError(f'{op}: unknown option "{name}"; accepted: {", ".join(parameters)}')
+    return given(scene, *((parameters[name][0], name, parameters[name][1], value, None) for name, value in options.items()))
 
 
 class Drag:
@@ -42,7 +51,7 @@ class Drag:
         if not isinstance(op, str) or op not in _EXTENT:
             raise _arrays.refuse("op", _arrays.short(op), ", ".join(_EXTENT))
         self._scene = scene
-        self._operation = {"op": op, "object": name, **_EXTENT[op], **checked_options(options, scene)}
+        self._operation = {"op": op, "object": name, **_EXTENT[op], **_options(op, options, scene)}
         self._drag: Optional[_trivet.Drag] = None
         self.result: Optional[Result] = None
 

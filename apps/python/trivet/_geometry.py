@@ -18,7 +18,7 @@ def _shape(mesh: Any) -> Shape:
 
 
 def first_contact(moving: Any, moving_pose: ArrayLike, fixed: Any, fixed_pose: ArrayLike, *,
-                  along: Optional[ArrayLike] = None, distance: float = 1.0,
+                  along: Optional[ArrayLike] = None, distance: Optional[float] = None,
                   about: Optional[Tuple[ArrayLike, ArrayLike]] = None, degrees: float = 360.0,
                   clearance: float = 0.0) -> Optional[FirstContact]:
     """When a moving shape first touches another: exact for faces, nothing stepped over, turns too.
@@ -29,7 +29,8 @@ def first_contact(moving: Any, moving_pose: ArrayLike, fixed: Any, fixed_pose: A
     moving_pose, fixed_pose : (4, 4) arrays
         World from shape; with a uniform scale.
     along, distance : (3,) array and float
-        A translation in this direction (of any length but 0), metres.
+        A translation in this direction (of any length but 0) by `distance` metres; nothing: by `along` itself, so that its
+        length is the way.
     about, degrees : (axis, centre), each (3,), and float
         Instead: a right-handed turn about the axis through `centre`.
     clearance : float
@@ -56,7 +57,8 @@ def first_contact(moving: Any, moving_pose: ArrayLike, fixed: Any, fixed_pose: A
         amount = _arrays.number("degrees", degrees, "-3600 to 3600", -3600.0, 3600.0)
     else:
         axis = _arrays.vector("along", along, 3)
-        amount = _arrays.number("distance", distance, "0 to 1e15 metres", 0.0, 1e15)
+        way = np.linalg.norm(axis) if distance is None else distance
+        amount = _arrays.number("distance", way, "0 to 1e15 metres", 0.0, 1e15)
     found = _trivet.first_contact(_shape(moving)._shape, _arrays.matrix("moving_pose", moving_pose),
                                   _shape(fixed)._shape, _arrays.matrix("fixed_pose", fixed_pose), np.array(axis), centre,
                                   amount, _arrays.number("clearance", clearance))

@@ -161,6 +161,9 @@ class Properties:
         given = {key: value for key, value in operation.items() if value is not None}
         return result_of(self._scene._scene.perform(given, self._key, _arrays.seconds("budget", budget)))
 
+    def _perform(self, op: str, budget: Optional[float], arguments: dict[str, Any]) -> Result:
+        return self._try(budget, op=op, **arguments)
+
     def _do(self, **operation: Any) -> Result:
         operation["object"] = self._name
         return done(self._scene._scene.perform(operation, self._key, 0.0))

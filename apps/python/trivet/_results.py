@@ -46,6 +46,8 @@ class Result:
     gave_way : tuple of GaveWay
     interpenetrates : tuple of str
         After a free move.
+    unsound : tuple of str
+        Objects below it, directly or not, that are held, unsupported or invalid: it may not stay.
     path : (n, 4, 4) array
         Poses of the object after each motion, metres, world.
     num_motions : int
@@ -72,6 +74,7 @@ class Result:
     settled: tuple[str, ...]
     gave_way: tuple[GaveWay, ...]
     interpenetrates: tuple[str, ...]
+    unsound: tuple[str, ...]
     num_motions: int
     seconds: float
     path: Floats = field(repr=False)

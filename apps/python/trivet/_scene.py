@@ -35,7 +35,7 @@ class Scene(Files, Pictures, Questions):
     floor_material : str or dict, optional
         A name of `materials`, or "friction", "density", "restitution"; nothing: friction 0.5.
     clearance : float
-        Metres that objects stay apart; 0: 2^-20 of the scene's size.
+        Metres that objects stay apart; 0: 2^-20 of the size of what is within 10 m, at most 0.0095 mm (more for large objects).
     **options
         How to settle: `perfect_friction`, `whole_at_rest`, `accept_wedged` (bool), `max_motions` (int); what is left out
         is as in the program `trivet`.
@@ -56,7 +56,7 @@ class Scene(Files, Pictures, Questions):
 
     # Objects.
 
-    def add(self, name: str, shape: Union[Shape, Any], *, pose: Optional[ArrayLike] = None, scale: float = 1.0,
+    def add(self, name: str, shape: Union[Shape, Any], *, pose: Optional[ArrayLike] = None, scale: Optional[float] = None,
             fixed: bool = False, up: Optional[str] = None, material: Optional[Material] = None) -> Object:
         """A new object; out of the scene until it is put, or standing exactly at `pose`.
 
@@ -67,8 +67,8 @@ class Scene(Files, Pictures, Questions):
         shape : Shape, or a mesh as `Shape` takes one
         pose : (4, 4) array, optional
             World from shape: rotation, translation, and a uniform scale. Tested for interpenetration, not settled.
-        scale : float
-            Metres for each unit of the shape.
+        scale : float, optional
+            Metres for each unit of the shape; nothing: what the shape's file states, else 1.
         fixed : bool
             It never moves and carries everything.
         up : "y" or "z", optional
@@ -92,7 +92,9 @@ class Scene(Files, Pictures, Questions):
             raise _arrays.refuse("up", _arrays.short(up), '"y" or "z"')
         given = shape if isinstance(shape, Shape) else Shape(shape)
         matrix = None if pose is None else _arrays.matrix(f'pose of "{name}"', pose)
-        metres = _arrays.number("scale", scale, "a number from 1e-15 to 1e15", 1e-15, 1e15)
+        metres = None
+        if scale is not None:
+            metres = _arrays.number("scale", scale, "a number from 1e-15 to 1e15", 1e-15, 1e15)
         done(self._scene.add(name, given._shape, matrix, metres, _arrays.flag("fixed", fixed), up, material_of(material)))
         return self[name]
 

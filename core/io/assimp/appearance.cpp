@@ -15,11 +15,6 @@ namespace {
 // Version 1; glTF 2 has a reader of its own.
 bool is_gltf(const Model& model) { return model.format == "gltf"; }
 
-// Replaces out-of-range and non-finite numbers of broken files by the default.
-float unit_interval(float value, float otherwise) {
-  return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : otherwise;
-}
-
 bool get(const aiMaterial& material, const char* key, unsigned type, unsigned index, float& out) {
   return material.Get(key, type, index, out) == aiReturn_SUCCESS;
 }
@@ -81,9 +76,13 @@ void read_fbx_frame(const aiScene& scene, Model& model) {
     }
   }
   float centimetres = 0;
-  if (scene.mMetaData->Get("UnitScaleFactor", centimetres) && std::isfinite(centimetres) &&
-      centimetres > 0)
-    model.metres_per_unit = 0.01 * static_cast<double>(centimetres);
+  if (!scene.mMetaData->Get("UnitScaleFactor", centimetres)) return;
+  // Most state 1, 2.54 or 100: float32 digits behind these are none of the file's.
+  const double metres = std::round(static_cast<double>(centimetres) * 1e6) / 1e8;
+  if (metres >= 1e-8 && metres <= 1e8)
+    model.metres_per_unit = metres;
+  else
+    model.notes.push_back("the unit of the file is out of range, and left out");
 }
 
 }  // namespace

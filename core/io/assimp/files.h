@@ -11,7 +11,7 @@
 namespace trivet {
 
 /// Opens for reading the model itself and regular files in its folder and below; all others are not
-/// there. Numbers of OBJ that begin with their point get a zero before it.
+/// there. What it opens is noted (note_opened()).
 class FolderIoSystem : public Assimp::DefaultIOSystem {
  public:
   explicit FolderIoSystem(const std::string& model) : m_model(model), m_folder(model) {}

@@ -41,9 +41,8 @@ std::vector<Instance> instances_of(const aiScene& scene, Model& model) {
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
       const unsigned id = node->mMeshes[i];
       if (id >= scene.mNumMeshes)
-        throw Error(Error::Kind::BadInput, model.path + ": node '" + node->mName.C_Str() +
-                                               "' refers to mesh " + std::to_string(id) + " of " +
-                                               std::to_string(scene.mNumMeshes));
+        throw Error(Error::Kind::BadInput, "%1: node '%2' refers to mesh %3 of %4", model.path,
+                    node->mName.C_Str(), id, scene.mNumMeshes);
       instances.push_back({scene.mMeshes[id], node, affine_of(object_from_node)});
     }
     for (unsigned i = node->mNumChildren; i-- > 0;)
@@ -101,8 +100,8 @@ class Reader {
     }
   }
 
-  void note(const char* what, std::int64_t count) {
-    if (count > 0) m_model.notes.push_back(what + (": " + std::to_string(count)));
+  void note(const Sentence& what, std::int64_t count) {
+    if (count > 0) m_model.notes.push_back(say("%1: %2", what, count));
   }
 
   void note_left_out() {

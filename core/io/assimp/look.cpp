@@ -86,7 +86,7 @@ class LookMaker {
     for (const unsigned id : ids) {
       const aiMesh& mesh = *m_scene.mMeshes[id];
       if (!has_triangles(mesh)) continue;
-      GltfJson primitive = primitive_of_assimp(mesh, m_model.format != "stl", m_builder);
+      GltfJson primitive = primitive_of_assimp(mesh, m_builder);
       primitive["material"] = m_materials.material(mesh.mMaterialIndex);
       primitives.push_back(std::move(primitive));
     }
@@ -218,7 +218,7 @@ std::shared_ptr<const Appearance> appearance_of_assimp(const aiScene& scene,
   try {
     return LookMaker(scene, limits, model).make();
   } catch (const Error& e) {
-    model.notes.push_back(std::string("hierarchy and textures left out: ") + e.what());
+    model.notes.push_back(say("hierarchy and textures left out: %1", e.what()));
     return nullptr;
   }
 }

@@ -4,11 +4,13 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "core/io/appearance.h"
 #include "core/io/colour.h"
+#include "core/io/model_folder.h"
+#include "core/io/opened_files.h"
 #include "core/io/writers.h"
 
 namespace trivet {
@@ -16,14 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kRepeat = 10497, kClamp = 33071, kMirror = 33648;  // of the glTF specification
-
 int wrap_of(const aiMaterial& material, const char* key, unsigned kind, unsigned index) {
   int mode = aiTextureMapMode_Wrap;
   material.Get(key, kind, index, mode);
-  return mode == aiTextureMapMode_Mirror ? kMirror
-         : mode == aiTextureMapMode_Wrap ? kRepeat
-                                         : kClamp;
+  return mode == aiTextureMapMode_Mirror ? gltf::kMirror
+         : mode == aiTextureMapMode_Wrap ? gltf::kRepeat
+                                         : gltf::kClamp;
 }
 
 // v runs up in assimp and down in glTF.
@@ -60,7 +60,10 @@ GltfJson emissive_of(const aiMaterial& material, bool textured) {
 
 MaterialConverter::MaterialConverter(const aiScene& scene, const ImportLimits& limits, Model& model,
                                      GltfBuilder& builder)
-    : m_scene(scene), m_limits(limits), m_model(model), m_builder(builder), m_folder(model.path) {}
+    : m_scene(scene),
+      m_builder(builder),
+      m_model(model),
+      m_textures(model.path, limits, builder, model.notes) {}
 
 size_t MaterialConverter::material(unsigned id) {
   if (id >= m_scene.mNumMaterials) id = 0;
@@ -83,12 +86,8 @@ GltfJson MaterialConverter::converted(unsigned id) {
   };
   put(pbr, "baseColorTexture", {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
   if (pbr.contains("baseColorTexture")) {
-    // OBJ multiplies by its colour, so black is an exporter's error; in other formats the texture
-    // replaces the colour.
-    GltfJson& factor = pbr["baseColorFactor"];
-    const bool black = factor[0] == 0 && factor[1] == 0 && factor[2] == 0;
-    if (black || m_model.format != "obj")
-      for (int i = 0; i < 3; ++i) factor[i] = 1;
+    GltfJson& factor = pbr["baseColorFactor"];  // which the texture replaces
+    for (int i = 0; i < 3; ++i) factor[i] = 1;
   }
   put(out, "normalTexture", {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA});
   put(out, "occlusionTexture", {aiTextureType_AMBIENT_OCCLUSION, aiTextureType_LIGHTMAP});
@@ -98,11 +97,12 @@ GltfJson MaterialConverter::converted(unsigned id) {
     out["emissiveFactor"] = std::move(emissive);
   if (material.GetTextureCount(aiTextureType_OPACITY) && has_base_texture(material))
     out["alphaMode"] = "BLEND";
-  for (const auto& [kind, what] : {std::pair(aiTextureType_HEIGHT, "bump maps"),
-                                   std::pair(aiTextureType_METALNESS, "maps of metalness"),
-                                   std::pair(aiTextureType_DIFFUSE_ROUGHNESS, "maps of roughness"),
-                                   std::pair(aiTextureType_SPECULAR, "maps of specular colour")})
-    if (material.GetTextureCount(kind)) note(std::string("left out: ") + what);
+  for (const auto& [kind, what] :
+       {std::pair(aiTextureType_HEIGHT, TRIVET_SENTENCE("bump maps")),
+        std::pair(aiTextureType_METALNESS, TRIVET_SENTENCE("maps of metalness")),
+        std::pair(aiTextureType_DIFFUSE_ROUGHNESS, TRIVET_SENTENCE("maps of roughness")),
+        std::pair(aiTextureType_SPECULAR, TRIVET_SENTENCE("maps of specular colour"))})
+    if (material.GetTextureCount(kind)) m_textures.note(say("left out: %1", Sentence(what)));
   return out;
 }
 
@@ -113,78 +113,52 @@ GltfJson MaterialConverter::texture(const aiMaterial& material, int kind_number)
     return {};
   const SharedBytes bytes = image_bytes(path.C_Str());
   if (!bytes) return {};
-  const GltfJson sampler = {{"wrapS", wrap_of(material, AI_MATKEY_MAPPINGMODE_U(kind, 0))},
-                            {"wrapT", wrap_of(material, AI_MATKEY_MAPPINGMODE_V(kind, 0))}};
-  const auto add_once = [&](std::map<GltfJson, size_t>& known, const char* list,
-                            const GltfJson& item) {
-    const auto [entry, is_new] = known.try_emplace(item, 0);
-    if (is_new) entry->second = m_builder.add(list, item);
-    return entry->second;
-  };
-  std::string name = path.C_Str();
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const size_t image = m_builder.add_image(
-      {{"name", fs::path(name).stem().string()}, {"mimeType", image_type(*bytes)}}, bytes);
-  GltfJson shown = {{"sampler", add_once(m_samplers, "samplers", sampler)}};
-  if (image_type(*bytes) == "image/webp") {
-    shown["extensions"]["EXT_texture_webp"]["source"] = image;
-    m_builder.use_extension("EXT_texture_webp", true);
-  } else {
-    shown["source"] = image;
-  }
-  GltfJson out = {{"index", add_once(m_textures, "textures", shown)}};
+  AddedTexture added{path.C_Str(),
+                     bytes,
+                     wrap_of(material, AI_MATKEY_MAPPINGMODE_U(kind, 0)),
+                     wrap_of(material, AI_MATKEY_MAPPINGMODE_V(kind, 0)),
+                     0,
+                     transform_of(material, kind)};
   int coordinates = 0;
   if (material.Get(AI_MATKEY_UVWSRC(kind, 0), coordinates) == aiReturn_SUCCESS && coordinates > 0 &&
       coordinates < AI_MAX_NUMBER_OF_TEXTURECOORDS)
-    out["texCoord"] = coordinates;
-  if (GltfJson transform = transform_of(material, kind); !transform.is_null()) {
-    out["extensions"]["KHR_texture_transform"] = std::move(transform);
-    m_builder.use_extension("KHR_texture_transform", false);
-  }
-  return out;
+    added.set = coordinates;
+  return m_textures.add(added);
+}
+
+std::vector<fs::path> places_of_texture(const std::string& model, const std::string& texture) {
+  std::string relative = texture;
+  std::replace(relative.begin(), relative.end(), '\\', '/');
+  const fs::path folder = fs::path(model).parent_path(), name = fs::path(relative).filename();
+  return {folder / relative, folder / name, folder / "textures" / name};
+}
+
+void note_textures(const aiScene& scene, const std::string& model) {
+  const ModelFolder folder(model);
+  for (unsigned i = 0; i < scene.mNumMaterials; ++i)
+    for (int kind = aiTextureType_NONE; kind <= AI_TEXTURE_TYPE_MAX; ++kind) {
+      const auto type = static_cast<aiTextureType>(kind);
+      for (unsigned k = 0; k < scene.mMaterials[i]->GetTextureCount(type); ++k) {
+        aiString name;
+        if (scene.mMaterials[i]->GetTexture(type, k, &name) != aiReturn_SUCCESS) continue;
+        for (const fs::path& place : places_of_texture(model, name.C_Str()))
+          if (folder.has(place)) note_opened(model, {place.string()});
+      }
+    }
 }
 
 SharedBytes MaterialConverter::image_bytes(const std::string& path) {
-  const auto [entry, is_new] = m_images.try_emplace(path, nullptr);
+  const aiTexture* const embedded = m_scene.GetEmbeddedTexture(path.c_str());
+  if (!embedded) return m_textures.file(path);
+  const auto [entry, is_new] = m_embedded.try_emplace(path, nullptr);
   if (!is_new) return entry->second;
-  if (const aiTexture* embedded = m_scene.GetEmbeddedTexture(path.c_str())) {
-    // Height 0: a complete, encoded image file.
-    if (embedded->mHeight == 0 && embedded->pcData)
-      entry->second = std::make_shared<const std::string>(
-          reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
-    if (entry->second && image_type(*entry->second).empty()) entry->second = nullptr;
-  } else {
-    entry->second = file_bytes(path);
-  }
-  if (!entry->second)
-    note("left out: the texture \"" + path +
-         "\", missing, outside the model's folder, or neither PNG, JPEG nor WebP");
+  // Height 0: a complete, encoded image file.
+  if (embedded->mHeight == 0 && embedded->pcData)
+    entry->second = std::make_shared<const std::string>(
+        reinterpret_cast<const char*>(embedded->pcData), embedded->mWidth);
+  if (entry->second && image_type(*entry->second).empty()) entry->second = nullptr;
+  if (!entry->second) m_textures.note_missing(path);
   return entry->second;
-}
-
-// Looked up at the stated path, else beside the model: models get moved, and their paths break.
-SharedBytes MaterialConverter::file_bytes(const std::string& path) const {
-  std::string relative = path;
-  std::replace(relative.begin(), relative.end(), '\\', '/');
-  const fs::path folder = fs::path(m_model.path).parent_path();
-  for (const fs::path& candidate : {folder / relative, folder / fs::path(relative).filename(),
-                                    folder / "textures" / fs::path(relative).filename()}) {
-    std::error_code error;
-    if (!m_folder.has(candidate)) continue;
-    const std::uintmax_t size = fs::file_size(candidate, error);
-    if (error || size == 0 || size > m_limits.max_file_bytes) continue;
-    std::string bytes(size, '\0');
-    std::ifstream file(candidate, std::ios::binary);
-    if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) continue;
-    // Passes on images only, whatever an untrusted file's path points to.
-    if (!image_type(bytes).empty()) return std::make_shared<const std::string>(std::move(bytes));
-  }
-  return nullptr;
-}
-
-void MaterialConverter::note(const std::string& text) {
-  auto& notes = m_model.notes;
-  if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(text);
 }
 
 }  // namespace trivet

@@ -2,13 +2,24 @@
 // library.
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "core/io/gltf/builder.h"
-#include "core/io/model_folder.h"
+#include "core/io/textures/texture_adder.h"
 
 struct aiScene;
 struct aiMaterial;
 
 namespace trivet {
+
+/// Where a texture may lie that a model names: at the stated path, else beside the model, as models
+/// get moved, and their paths break.
+std::vector<std::filesystem::path> places_of_texture(const std::string& model,
+                                                     const std::string& texture);
+/// Notes all textures that the materials name, whether they are shown or not.
+void note_textures(const aiScene& scene, const std::string& model);
 
 /// Adds materials to a glTF asset, each on first use.
 class MaterialConverter {
@@ -22,17 +33,13 @@ class MaterialConverter {
   /// Reference to a texture of that kind (aiTextureType); null if there is none.
   GltfJson texture(const aiMaterial& material, int kind);
   SharedBytes image_bytes(const std::string& path);
-  SharedBytes file_bytes(const std::string& path) const;
-  void note(const std::string& text);
 
   const aiScene& m_scene;
-  const ImportLimits& m_limits;
-  Model& m_model;
   GltfBuilder& m_builder;
-  const ModelFolder m_folder;
+  Model& m_model;
+  TextureAdder m_textures;
   std::map<unsigned, size_t> m_materials;
-  std::map<std::string, SharedBytes> m_images;
-  std::map<GltfJson, size_t> m_samplers, m_textures;
+  std::map<std::string, SharedBytes> m_embedded;
 };
 
 }  // namespace trivet

@@ -1,10 +1,9 @@
 #include "core/io/assimp/primitive.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 
 #include "core/io/colour.h"
+#include "core/io/gltf/row_set.h"
 #include "core/io/mesh/normals.h"
 
 namespace trivet {
@@ -12,61 +11,11 @@ namespace {
 
 bool is_triangle(const aiFace& face) { return face.mNumIndices == 3; }
 
-/// Rows of floats; equal rows are stored once, in order of first occurrence.
-class RowSet {
- public:
-  explicit RowSet(size_t width) : m_width(width), m_table(64, kEmpty) {}
-
-  std::uint32_t add(const std::vector<float>& row) {
-    if (2 * m_count >= m_table.size()) grow();
-    std::uint32_t& slot = find(row.data());
-    if (slot == kEmpty) {
-      slot = static_cast<std::uint32_t>(m_count++);
-      m_rows.insert(m_rows.end(), row.begin(), row.end());
-    }
-    return slot;
-  }
-
-  /// Adjacent columns of all rows.
-  std::vector<float> columns(size_t first, size_t count) const {
-    std::vector<float> out;
-    out.reserve(m_count * count);
-    for (size_t row = 0; row < m_count; ++row)
-      out.insert(out.end(), m_rows.begin() + static_cast<long>(row * m_width + first),
-                 m_rows.begin() + static_cast<long>(row * m_width + first + count));
-    return out;
-  }
-
- private:
-  static constexpr std::uint32_t kEmpty = 0xffffffff;
-
-  std::uint32_t& find(const float* row) {
-    size_t hash = 0;
-    for (size_t i = 0; i < m_width; ++i)
-      hash = (hash ^ std::bit_cast<std::uint32_t>(row[i])) * 0x9E3779B97F4A7C15u;
-    for (size_t i = hash >> 20;; ++i) {
-      std::uint32_t& slot = m_table[i & (m_table.size() - 1)];
-      if (slot == kEmpty) return slot;
-      if (std::memcmp(&m_rows[slot * m_width], row, 4 * m_width) == 0) return slot;
-    }
-  }
-
-  void grow() {
-    m_table.assign(2 * m_table.size(), kEmpty);
-    for (std::uint32_t row = 0; row < m_count; ++row) find(&m_rows[row * m_width]) = row;
-  }
-
-  const size_t m_width;
-  size_t m_count = 0;
-  std::vector<float> m_rows;
-  std::vector<std::uint32_t> m_table;
-};
-
 /// One mesh of assimp as a primitive of glTF.
 class PrimitiveMaker {
  public:
-  PrimitiveMaker(const aiMesh& mesh, bool normals_count) : m_mesh(mesh) {
-    if (!normals_count || !mesh.HasNormals()) m_smooth = smooth();
+  explicit PrimitiveMaker(const aiMesh& mesh) : m_mesh(mesh) {
+    if (!mesh.HasNormals()) m_smooth = smooth();
   }
 
   GltfJson make(GltfBuilder& builder) const {
@@ -150,8 +99,8 @@ bool has_triangles(const aiMesh& mesh) {
   return std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces, is_triangle);
 }
 
-GltfJson primitive_of_assimp(const aiMesh& mesh, bool normals_count, GltfBuilder& builder) {
-  return PrimitiveMaker(mesh, normals_count).make(builder);
+GltfJson primitive_of_assimp(const aiMesh& mesh, GltfBuilder& builder) {
+  return PrimitiveMaker(mesh).make(builder);
 }
 
 }  // namespace trivet

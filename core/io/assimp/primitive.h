@@ -3,9 +3,8 @@
 
 #include <assimp/mesh.h>
 
-#include <cmath>
-
 #include "core/io/gltf/builder.h"
+#include "core/io/gltf/row_set.h"
 
 namespace trivet {
 
@@ -13,9 +12,7 @@ namespace trivet {
 bool has_triangles(const aiMesh& mesh);
 
 /// The triangles of a mesh with normals, texture coordinates and colours; equal corners are stored
-/// once. @param normals_count  false: smooth normals take the place of the file's.
-GltfJson primitive_of_assimp(const aiMesh& mesh, bool normals_count, GltfBuilder& builder);
-
-inline float finite_or_zero(float value) { return std::isfinite(value) ? value : 0; }
+/// once.
+GltfJson primitive_of_assimp(const aiMesh& mesh, GltfBuilder& builder);
 
 }  // namespace trivet

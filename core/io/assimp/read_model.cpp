@@ -1,25 +1,27 @@
-#include "core/io/read_model.h"
+#include "core/io/assimp/read_model.h"
 
 #include <assimp/importerdesc.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <cmath>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <sstream>
 
 #include "core/base/bad_input.h"
 #include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/base/printable.h"
 #include "core/io/assimp/appearance.h"
 #include "core/io/assimp/files.h"
 #include "core/io/assimp/geometry.h"
 #include "core/io/assimp/look.h"
-#include "core/io/cad_format.h"
-#include "core/io/gltf/model.h"
+#include "core/io/assimp/materials.h"
+#include "core/io/assimp/polygons.h"
 #include "core/io/process/preflight.h"
-#include "core/io/textures/surface_look.h"
+#include "core/io/surface/file_surface.h"
 #include "core/model/model.h"
 
 namespace trivet {
@@ -30,19 +32,21 @@ namespace fs = std::filesystem;
 void check_extension(const Assimp::Importer& importer, const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
   if (!extension.empty() && importer.IsExtensionSupported(extension)) return;
-  bad_file(path, (extension.empty() ? "has no file extension" : "no importer for " + extension) +
-                     ("; accepted: .obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, "
-                      ".brep and others"));
+  bad_file(path, "%1; accepted: %2",
+           extension.empty() ? "has no file extension" : say("no importer for %1", extension),
+           TRIVET_SENTENCE(".obj, .ply, .stl, .gltf, .glb, .fbx, .dae, .3ds, .step, .iges, .brep "
+                           "and others"));
 }
 
-// First extension in the importer's list.
+// First extension in the importer's list; glTF 1 and 2 share theirs and differ in the name.
 std::string format_of(const Assimp::Importer& importer) {
   const aiImporterDesc* description =
       importer.GetImporterInfo(importer.GetPropertyInteger("importerIndex", -1));
   if (!description) return "";
   std::string format;
   std::istringstream(description->mFileExtensions) >> format;
-  return format;
+  const bool gltf2 = std::string(description->mName).find("glTF2") != std::string::npos;
+  return gltf2 ? "gltf2" : format;
 }
 
 // A message of assimp, which may span lines and contain bytes of the file.
@@ -57,69 +61,54 @@ std::string name_in_file(const std::string& file, const std::string& model) {
   return before ? file.substr(folder.size() + 1) : file;
 }
 
-// In two steps, as the second trusts what the first left behind; the result is that of one.
-const aiScene& import_scene(Assimp::Importer& importer, const FolderIoSystem& files,
-                            const std::string& path) {
-  const aiScene* scene = importer.ReadFile(path, 0);
-  if (scene && scene->mRootNode) {
-    check_faces(path, *scene);
-    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-  }
+std::unique_ptr<aiScene> import_scene(Assimp::Importer& importer, const FolderIoSystem& files,
+                                      const std::string& path) {
+  const aiScene* const scene = importer.ReadFile(path, 0);
   if (!scene && std::string(importer.GetErrorString()).find("bad_alloc") != std::string::npos)
     throw std::bad_alloc();
   if ((!scene || !scene->mRootNode) && !files.outside().empty())
     bad_file(path, outside_folder(name_in_file(files.outside().front(), path)));
   if (!scene || !scene->mRootNode)
-    bad_file(path, "cannot be read as a model: " + why(importer.GetErrorString()));
-  return *scene;
+    bad_file(path, "cannot be read as a model: %1", why(importer.GetErrorString()));
+  check_faces(path, *scene);
+  return std::unique_ptr<aiScene>(importer.GetOrphanedScene());
 }
 
-Model read_with_assimp(const std::string& path, const ImportLimits& limits) {
-  Assimp::Importer importer;
-  auto* const files = new FolderIoSystem(path);
-  importer.SetIOHandler(files);  // owns it from here on
-  check_extension(importer, path);
-  const aiScene& scene = import_scene(importer, *files, path);
-  Model model;
-  for (const std::string& name : files->outside())
-    model.notes.push_back("left out: it " + outside_folder(name_in_file(name, path)));
-  model.path = path;
-  model.format = format_of(importer);
-  read_materials(scene, model);
-  read_frame(scene, model);
-  read_geometry(scene, limits, model);
-  model.appearance = appearance_of_assimp(scene, limits, model);
-  return model;
-}
-
-Model read_by_format(const std::string& path, const ImportLimits& limits) {
-  if (may_be_gltf(path))
-    if (auto model = read_gltf_model(path, limits)) return *std::move(model);
-  return read_with_assimp(path, limits);
+// assimp has float32 where FBX and text have doubles: told where it shows.
+void note_lost_digits(Model& model) {
+  constexpr double kVisible = 1e-6;  // of the model's size
+  const Aabb box = model.mesh.box();
+  const double step = std::ldexp(box.max_abs_coordinate(), -24);
+  if (!(step > kVisible * box.diagonal())) return;
+  model.notes.push_back(
+      say("coordinates are read as float32, so far from the origin in steps of up "
+          "to %1: digits of the file may be lost",
+          figure(2 * step, 2)));
 }
 
 }  // namespace
 
-Model read_model(const std::string& path, const ImportLimits& limits) {
-  check_file(path, limits);
-  if (const std::string format = cad_format(path); !format.empty())
-    bad_file(
-        path,
-        format + " files are read only by the program trivet-import-cad, never in this process");
-  try {
-    Model model = read_by_format(path, limits);
-    // Here, as this is the process that may crash: renderers decode the same bytes again.
-    for (std::string& note : undrawn_textures(model)) model.notes.push_back(std::move(note));
-    return model;
-  } catch (const Error& e) {
-    const std::string message = e.what();
-    if (message.rfind(path, 0) == 0) throw;
-    bad_file(path, message);
-  } catch (const std::bad_alloc&) {
-    bad_file(path, "runs out of memory; the file is broken or too large");
-  } catch (const std::exception& e) {
-    bad_file(path, "cannot be read as a model: " + why(e.what()));
-  }
+Model read_assimp_model(const std::string& path, const ImportLimits& limits) {
+  Assimp::Importer importer;
+  auto* const files = new FolderIoSystem(path);
+  importer.SetIOHandler(files);  // owns it from here on
+  check_extension(importer, path);
+  const std::unique_ptr<aiScene> owned = import_scene(importer, *files, path);
+  const std::int64_t num_fans = triangulate_polygons(*owned);
+  const aiScene& scene = *owned;
+  Model model;
+  note_count(model.notes, "polygons that cross themselves, read as fans", num_fans);
+  for (const std::string& name : files->outside())
+    model.notes.push_back(say("left out: it %1", outside_folder(name_in_file(name, path))));
+  model.path = path;
+  model.format = format_of(importer);
+  note_textures(scene, path);
+  read_materials(scene, model);
+  read_frame(scene, model);
+  read_geometry(scene, limits, model);
+  note_lost_digits(model);
+  model.appearance = appearance_of_assimp(scene, limits, model);
+  return model;
 }
 
 }  // namespace trivet

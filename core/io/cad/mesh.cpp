@@ -27,8 +27,8 @@ namespace {
 
 constexpr double kMetresPerMillimetre = 1e-3;
 
-[[noreturn]] void fail(const Model& model, const std::string& reason) {
-  throw Error(Error::Kind::BadInput, model.path + ": " + reason);
+[[noreturn]] void fail(const Model& model, const Sentence& reason) {
+  throw Error(Error::Kind::BadInput, "%1: %2", model.path, reason);
 }
 
 std::string metres(double millimetres) {
@@ -168,8 +168,8 @@ class Polygoniser {
   void check_count(const PartMesh& mesh) const {
     const auto count = static_cast<std::int64_t>(m_triangles.size()) + mesh.num_triangles();
     if (count > m_limits.max_triangles)
-      fail(m_model, "gives more than " + std::to_string(m_limits.max_triangles) +
-                        " triangles, the limit, at a chord of " + metres(m_chord));
+      fail(m_model, say("gives more than %1 triangles, the limit, at a chord of %2",
+                        m_limits.max_triangles, metres(m_chord)));
   }
 
   static int num_original(const PreparedShape& shape, const std::vector<TopoDS_Face>& faces) {
@@ -255,8 +255,8 @@ void polygonise(const CadParts& parts, const ImportLimits& limits, Model& model)
   const double wanted = model.tessellation.chord / kMetresPerMillimetre;
   const double chord = wanted > 0 ? wanted : kRelativeChord * size;
   if (chord < kSmallestRelativeChord * size)
-    fail(model, "a chord of " + metres(chord) + " is too small for its size; accepted: at least " +
-                    metres(kSmallestRelativeChord * size));
+    fail(model, say("a chord of %1 is too small for its size; accepted: at least %2", metres(chord),
+                    metres(kSmallestRelativeChord * size)));
   model.polygonised.emplace().chord = chord * kMetresPerMillimetre;
   Polygoniser polygoniser(limits, chord, size, model);
   for (const CadPart& part : parts.parts) polygoniser.add(part);

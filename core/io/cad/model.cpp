@@ -30,8 +30,8 @@ Model read_cad_model(const std::string& path, const ImportLimits& limits,
                      const Tessellation& tessellation) {
   const std::lock_guard lock(cad_mutex());
   check_file(path, limits);
-  const auto fail = [&](const std::string& reason) {
-    throw Error(Error::Kind::BadInput, path + ": " + reason);
+  const auto fail = [&](const Sentence& reason) {
+    throw Error(Error::Kind::BadInput, "%1: %2", path, reason);
   };
   Model model;
   model.path = path;
@@ -44,7 +44,7 @@ Model read_cad_model(const std::string& path, const ImportLimits& limits,
     model.num_nodes = static_cast<int>(parts.parts.size());
     polygonise(parts, limits, model);
   } catch (const Standard_Failure& e) {
-    fail(std::string("cannot be read: ") + e.GetMessageString());
+    fail(say("cannot be read: %1", e.GetMessageString()));
   } catch (const std::bad_alloc&) {
     fail("runs out of memory; the chord is too small or the file is broken");
   }

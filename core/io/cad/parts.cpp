@@ -139,8 +139,9 @@ void refuse_other_files(const std::string& path, const STEPCAFControl_Reader& re
   for (Standard_Integer i = 1; i <= references.NbExternRefs(); ++i) {
     const Standard_CString name = references.FileName(i);
     if (!name || !*name) continue;
-    bad_file(path, "names another file, " + quoted(std::string(name).substr(0, kMaxNameLength)) +
-                       ", which is not opened; accepted: one STEP file with all parts");
+    bad_file(path,
+             "names another file, %1, which is not opened; accepted: one STEP file with all parts",
+             quoted(std::string(name).substr(0, kMaxNameLength)));
   }
 }
 void refuse_other_files(const std::string&, const IGESCAFControl_Reader&) {}
@@ -152,7 +153,7 @@ void transfer(const std::string& path, const char* format, CadParts& out) {
   reader.SetNameMode(true);
   reader.SetColorMode(true);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-    bad_file(path, std::string("cannot be read as ") + format);
+    bad_file(path, "cannot be read as %1", format);
   refuse_other_files(path, reader);
   reader.Transfer(document.get());  // broken parts are left out
   Walk(document, out).all();

@@ -1,4 +1,4 @@
-// What compressed parts of glTF hold, decoded by libraries that are optional. Private.
+// Compressed parts of glTF, decoded by libraries that are optional. Private.
 #pragma once
 
 #include <cstdint>

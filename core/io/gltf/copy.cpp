@@ -37,6 +37,8 @@ size_t GltfCopier::once(const GltfDocument& source, const char* list, const Gltf
   return id;
 }
 
+void GltfCopier::leave_out(Sentence what) { m_left_out.emplace(in_english(what), std::move(what)); }
+
 void GltfCopier::keep_known_extensions(const GltfDocument& source, GltfJson& object) {
   const auto found = object.find("extensions");
   if (found == object.end()) return;
@@ -46,7 +48,7 @@ void GltfCopier::keep_known_extensions(const GltfDocument& source, GltfJson& obj
       m_target.use_extension(name, is_required(source, name));
       kept[name] = content;
     } else {
-      m_left_out.insert("the extension " + name.substr(0, 100));
+      leave_out(say("the extension %1", name.substr(0, 100)));
     }
   }
   if (kept.empty())
@@ -83,8 +85,8 @@ size_t GltfCopier::copy_node(const GltfDocument& source, int node, int depth) {
     out["camera"] = once(source, "cameras", out["camera"], [&](GltfJson camera) {
       return m_target.add("cameras", std::move(camera));
     });
-  if (out.erase("skin")) m_left_out.insert("skins (geometry is in bind pose)");
-  if (out.erase("weights")) m_left_out.insert("morph target weights");
+  if (out.erase("skin")) leave_out("skins (geometry is in bind pose)");
+  if (out.erase("weights")) leave_out("morph target weights");
   if (const GltfJson& light = member(member(out, "extensions"), "KHR_lights_punctual");
       !light.is_null())
     out["extensions"]["KHR_lights_punctual"]["light"] = copy_light(source, member(light, "light"));
@@ -103,7 +105,7 @@ size_t GltfCopier::copy_node(const GltfDocument& source, int node, int depth) {
 
 size_t GltfCopier::copy_mesh(const GltfDocument& source, const GltfJson& mesh) {
   return once(source, "meshes", mesh, [&](GltfJson out) {
-    if (out.erase("weights")) m_left_out.insert("morph target weights");
+    if (out.erase("weights")) leave_out("morph target weights");
     for (GltfJson& primitive : out["primitives"])
       primitive = primitive_of(source, std::move(primitive));
     return m_target.add("meshes", std::move(out));
@@ -195,8 +197,10 @@ void GltfCopier::copy_image(const GltfDocument& source, GltfJson& texture) {
   const size_t index = index_from(texture["source"]);
   if (index < source.images.size() && !source.images[index]) {
     const GltfJson& image = element(source.json, "images", texture["source"]);
-    m_left_out.insert("the image \"" + printable(name_of(image), 100) +
-                      "\", missing, outside the model's folder, or neither PNG, JPEG nor WebP");
+    leave_out(
+        say("the image \"%1\", missing, outside the model's folder, or neither PNG, JPEG nor "
+            "WebP",
+            printable(name_of(image), 100)));
     texture.erase("source");
     return;
   }

@@ -1,6 +1,7 @@
 // Copies nodes of one glTF asset, with all their dependencies, into another.
 #pragma once
 
+#include "core/base/sentence.h"
 #include "core/io/gltf/builder.h"
 
 namespace trivet {
@@ -18,7 +19,7 @@ class GltfCopier {
   /// @throws Error (BadInput).
   size_t copy_mesh(const GltfDocument& source, const GltfJson& mesh);
 
-  const std::set<std::string>& left_out() const { return m_left_out; }
+  const std::map<std::string, Sentence>& left_out() const { return m_left_out; }
 
  private:
   using Key = std::tuple<const GltfDocument*, std::string_view, size_t>;
@@ -34,19 +35,20 @@ class GltfCopier {
   void copy_image(const GltfDocument& source, GltfJson& texture);
   size_t copy_light(const GltfDocument& source, const GltfJson& index);
   void remap_textures(const GltfDocument& source, GltfJson& object, int depth);
+  void leave_out(Sentence what);
   void keep_known_extensions(const GltfDocument& source, GltfJson& object);
 
   GltfBuilder& m_target;
   std::map<Key, size_t> m_copied;
-  std::set<std::string> m_left_out;
-  std::set<int> m_tree;  // nodes of the tree being copied
+  std::map<std::string, Sentence> m_left_out;  // by their English, which sorts them
+  std::set<int> m_tree;                        // nodes of the tree being copied
 };
 
-/// What is below some nodes of an asset, as an asset.
+/// Everything below some nodes of an asset, as an asset.
 struct GltfPart {
   GltfDocument document;
   std::vector<int> roots;
-  std::set<std::string> left_out;
+  std::map<std::string, Sentence> left_out;  // by their English
 };
 /// @throws Error (BadInput): an index out of range, nodes that do not form a tree.
 GltfPart copied_part(const GltfDocument& source, const std::vector<int>& roots);

@@ -17,6 +17,7 @@
 #include "core/io/gltf/structure.h"
 #include "core/io/json.h"
 #include "core/io/model_folder.h"
+#include "core/io/opened_files.h"
 
 namespace trivet {
 namespace {
@@ -27,15 +28,14 @@ constexpr JsonLimits kGltfJsonLimits{.max_depth = 200};
 
 std::string whole_file(const fs::path& path, std::uintmax_t max_bytes) {
   std::error_code error;
-  if (fs::is_directory(path, error)) bad_input(path.string() + ": is a folder, not a file");
+  if (fs::is_directory(path, error)) bad_input("%1: is a folder, not a file", path.string());
   const auto bytes = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
-  if (error || bytes == 0) bad_input(path.string() + ": is missing or empty");
+  if (error || bytes == 0) bad_input("%1: is missing or empty", path.string());
   if (bytes > max_bytes)
-    bad_input(path.string() + ": " + std::to_string(bytes) + " bytes, more than the limit of " +
-              std::to_string(max_bytes));
+    bad_input("%1: %2 bytes, more than the limit of %3", path.string(), bytes, max_bytes);
   std::string out(bytes, '\0');
   if (!std::ifstream(path, std::ios::binary).read(out.data(), static_cast<long>(bytes)))
-    bad_input(path.string() + ": cannot be read");
+    bad_input("%1: cannot be read", path.string());
   return out;
 }
 
@@ -58,7 +58,7 @@ bool is_glb(const std::string& path) {
 // glTF is UTF-8; a byte order mark may be ignored.
 std::string without_mark(const std::string& path, std::string text) {
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-    bad_input(path + ": is UTF-16 text; accepted: glTF in UTF-8");
+    bad_input("%1: is UTF-16 text; accepted: glTF in UTF-8", path);
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
   return text;
 }
@@ -85,7 +85,9 @@ class DocumentReader {
       if (comma == std::string::npos) bad_input("a data URI is not base64");
       return decoded_base64(std::string_view(uri).substr(comma + 8));
     }
-    return whole_file(file_of_uri(uri), m_limits.max_file_bytes);
+    const fs::path path = file_of_uri(uri);
+    note_opened(m_path, {path.string()});
+    return whole_file(path, m_limits.max_file_bytes);
   }
 
   // Names should be percent-encoded, and often are not.
@@ -95,7 +97,7 @@ class DocumentReader {
       if (!m_folder.holds(folder / name)) bad_file(m_path, outside_folder(uri));
       if (m_folder.has(folder / name)) return folder / name;
     }
-    bad_file(m_path, "names \"" + printable(uri, 100) + "\", which is missing");
+    bad_file(m_path, "names \"%1\", which is missing", printable(uri, 100));
   }
 
   void read_buffers(std::string chunk) {
@@ -108,8 +110,7 @@ class DocumentReader {
       if (!uri.is_string() && i == 0) bytes = std::move(chunk);
       const size_t length = placeholder ? 0 : index_from(member(buffers[i], "byteLength"));
       if (length > bytes.size())
-        bad_input("buffer " + std::to_string(i) + " has " + std::to_string(bytes.size()) +
-                  " bytes, expected " + std::to_string(length));
+        bad_input("buffer %1 has %2 bytes, expected %3", i, bytes.size(), length);
       m_starts.push_back(m_document.binary.size());
       m_ends.push_back(m_starts.back() + length);
       m_document.binary.append(bytes, 0, length);
@@ -195,7 +196,8 @@ class DocumentReader {
 }  // namespace
 
 GltfJson parse_gltf_json(const std::string& path, const std::string& text) {
-  return json_from_text<GltfJson>(text, path + ": the glTF JSON is malformed", kGltfJsonLimits);
+  return json_from_text<GltfJson>(text, say("%1: the glTF JSON is malformed", path),
+                                  kGltfJsonLimits);
 }
 
 std::string read_gltf_text(const std::string& path) {
@@ -203,12 +205,12 @@ std::string read_gltf_text(const std::string& path) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_regular_file(path, error) &&
       !fs::is_directory(path, error))
-    bad_input(path + ": is a device or a pipe; accepted: a regular file");
+    bad_input("%1: is a device or a pipe; accepted: a regular file", path);
   if (is_glb(path)) return read_glb_json(path);
   std::string text = without_mark(path, whole_file(path, kMaxJson));
   const size_t first = text.find_first_not_of(" \t\r\n");
   if (first == text.npos || text[first] != '{')
-    bad_input(path + ": is not glTF, neither binary nor JSON; accepted: .glb and .gltf");
+    bad_input("%1: is not glTF, neither binary nor JSON; accepted: .glb and .gltf", path);
   return text;
 }
 
@@ -220,10 +222,11 @@ GltfDocument resolved_gltf(const std::string& path, GltfJson json, const ImportL
   try {
     return DocumentReader(path, limits).read(std::move(json));
   } catch (const GltfJson::exception& e) {
-    bad_input(path + ": is not valid glTF: " + complaint_of(e));
+    bad_input("%1: is not valid glTF: %2", path, complaint_of(e));
   } catch (const Error& e) {
     const std::string message = e.what();
-    bad_input(message.rfind(path, 0) == 0 ? message : path + ": is not valid glTF: " + message);
+    if (message.rfind(path, 0) == 0) bad_input(e.sentence());
+    bad_input("%1: is not valid glTF: %2", path, e.sentence());
   }
 }
 
@@ -250,10 +253,9 @@ const GltfJson& element(const GltfJson& root, const char* list, const GltfJson& 
   const GltfJson& found = member(root, list);
   const size_t i = index_from(index);
   if (!found.is_array() || i >= found.size())
-    bad_input("refers to element " + std::to_string(i) + " of \"" + list + "\", which has " +
-              std::to_string(found.is_array() ? found.size() : 0));
-  if (!found[i].is_object())
-    bad_input("element " + std::to_string(i) + " of \"" + list + "\" is not an object");
+    bad_input("refers to element %1 of \"%2\", which has %3", i, list,
+              found.is_array() ? found.size() : 0);
+  if (!found[i].is_object()) bad_input("element %1 of \"%2\" is not an object", i, list);
   return found[i];
 }
 
@@ -268,8 +270,8 @@ size_t index_from(const GltfJson& value) {
       value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
   if (unsigned_or_positive && value.get<std::uint64_t>() < std::uint64_t{1} << 53)
     return value.get<size_t>();
-  bad_input(value.dump(-1, ' ', false, GltfJson::error_handler_t::replace).substr(0, 40) +
-            " is not an index or a size");
+  bad_input("%1 is not an index or a size",
+            value.dump(-1, ' ', false, GltfJson::error_handler_t::replace).substr(0, 40));
 }
 
 std::vector<int> scene_roots(const GltfJson& root) {

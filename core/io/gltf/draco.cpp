@@ -29,7 +29,7 @@ GltfValues values_of(const draco::Mesh& mesh, const DracoAttribute& wanted) {
   const draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(wanted.id);
   if (!attribute || attribute->num_components() < 1 ||
       attribute->num_components() > kMostComponents)
-    bad_input("its Draco data has no attribute " + std::to_string(wanted.id));
+    bad_input("its Draco data has no attribute %1", wanted.id);
   GltfValues out;
   out.num_components = attribute->num_components();
   const auto width = static_cast<size_t>(out.num_components);
@@ -51,7 +51,7 @@ DracoMesh decoded_draco(std::string_view bytes, const std::vector<DracoAttribute
   draco::Decoder decoder;
   auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
   if (!decoded.ok())
-    bad_input("its Draco data is damaged: " + printable(decoded.status().error_msg_string()));
+    bad_input("its Draco data is damaged: %1", printable(decoded.status().error_msg_string()));
   const draco::Mesh& mesh = *decoded.value();
   DracoMesh out;
   out.indices.reserve(3 * static_cast<size_t>(mesh.num_faces()));

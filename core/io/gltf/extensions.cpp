@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 13> kKnown = {"KHR_texture_transform",
                                                      kInstancing,
                                                      "KHR_animation_pointer"};
 
-// Those of materials change how a surface looks, not where it is.
+// Extensions of materials change how a surface looks, not where it is.
 bool is_of_materials(const std::string& extension) {
   return extension.rfind("KHR_materials_", 0) == 0;
 }
@@ -48,8 +48,8 @@ void check_required(const std::string& path, const GltfJson& root) {
     missing += (missing.empty() ? "" : ", ") + printable(extension, 100);
   }
   if (!missing.empty())
-    bad_file(path, "requires " + printable(missing) +
-                       ", which Trivet does not have; accepted: files that do without");
+    bad_file(path, "requires %1, which Trivet does not have; accepted: files that do without",
+             printable(missing));
 }
 
 const GltfJson& compression_of(const GltfJson& view) {

@@ -17,7 +17,7 @@ bool is_known(const std::string& extension);
 /// does not have.
 void check_required(const std::string& path, const GltfJson& root);
 
-/// What compresses a buffer view (EXT_meshopt_compression, KHR_meshopt_compression); null: it is
+/// Compression of a buffer view (EXT_meshopt_compression, KHR_meshopt_compression); null: it is
 /// plain.
 const GltfJson& compression_of(const GltfJson& view);
 

@@ -87,7 +87,7 @@ class GeometryReader {
       } catch (const Error& e) {
         const std::string what = e.what();
         if (what.rfind("mesh '", 0) == 0) throw;
-        bad_input("mesh '" + name + "', primitive " + std::to_string(number) + ": " + what);
+        bad_input("mesh '%1', primitive %2: %3", name, number, what);
       }
       morphed |= !member(primitive, "targets").empty();
       ++number;
@@ -127,8 +127,8 @@ class GeometryReader {
     return found->second;
   }
 
-  void note(const char* what, std::uint64_t count) {
-    if (count > 0) m_model.notes.push_back(what + (": " + std::to_string(count)));
+  void note(const Sentence& what, std::uint64_t count) {
+    if (count > 0) m_model.notes.push_back(say("%1: %2", what, count));
   }
 
   void note_counts() {

@@ -36,11 +36,9 @@ static_assert(sizeof(Header) == kHeaderBytes + kChunkHeaderBytes);
 void check_header(const std::string& path, const Header& header, std::uintmax_t file_bytes) {
   if (header.magic != kGlbMagic)
     bad_file(path, "is not binary glTF: it does not begin with 'glTF'");
-  if (header.version != 2)
-    bad_file(path, "glTF version " + std::to_string(header.version) + "; accepted: 2");
+  if (header.version != 2) bad_file(path, "glTF version %1; accepted: 2", header.version);
   if (header.total_bytes > file_bytes)
-    bad_file(path, "is truncated: " + std::to_string(file_bytes) + " bytes of " +
-                       std::to_string(header.total_bytes));
+    bad_file(path, "is truncated: %1 bytes of %2", file_bytes, header.total_bytes);
   if (header.json_type != kJsonChunk) bad_file(path, "the first glTF chunk is not JSON");
   if (sizeof(Header) + std::uint64_t{header.json_bytes} > header.total_bytes)
     bad_file(path, "the glTF JSON chunk is longer than the file");
@@ -53,8 +51,8 @@ std::string pack_glb(std::string json, const std::string& binary) {
       kHeaderBytes + kChunkHeaderBytes + (json.size() + 3) / 4 * 4 +
       (binary.empty() ? 0 : kChunkHeaderBytes + (binary.size() + 3) / 4 * 4);
   if (total > std::numeric_limits<std::uint32_t>::max())
-    throw Error(Error::Kind::BadInput, "the scene needs " + std::to_string(total) +
-                                           " bytes, more than the 4 GiB limit of binary glTF");
+    throw Error(Error::Kind::BadInput,
+                "the scene needs %1 bytes, more than the 4 GiB limit of binary glTF", total);
   std::string out;
   out.reserve(total);
   append_bytes(out, kGlbMagic);
@@ -70,12 +68,12 @@ std::string read_glb_json(const std::string& path) {
   if (std::filesystem::is_directory(path, error)) bad_file(path, "is a folder, not a scene file");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (!in) bad_file(path, std::string("cannot be read: ") + std::strerror(errno));
+  if (!in) bad_file(path, "cannot be read: %1", std::strerror(errno));
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
-  if (error) bad_file(path, "cannot be read: " + error.message());
+  if (error) bad_file(path, "cannot be read: %1", error.message().c_str());
   Header header;
   if (file_bytes < sizeof header || !in.read(reinterpret_cast<char*>(&header), sizeof header))
-    bad_file(path, "is not binary glTF: only " + std::to_string(file_bytes) + " bytes");
+    bad_file(path, "is not binary glTF: only %1 bytes", file_bytes);
   check_header(path, header, file_bytes);
   std::string json(header.json_bytes, '\0');
   if (!in.read(json.data(), header.json_bytes)) bad_file(path, "cannot be read to its end");

@@ -15,8 +15,7 @@ bool read_floats(const GltfJson& node, const char* key, std::array<float, N>& ou
   const GltfJson& given = member(node, key);
   if (given.is_null()) return false;
   const auto wrong = [&] {
-    bad_input(quoted(printable(name_of(node), 100)) + ": a node's " + key + " has not " +
-              std::to_string(N) + " numbers");
+    bad_input("%1: a node's %2 has not %3 numbers", quoted(printable(name_of(node), 100)), key, N);
   };
   if (!given.is_array() || given.size() != N) wrong();
   for (size_t i = 0; i < N; ++i) {
@@ -66,8 +65,7 @@ GltfTree gltf_tree(const GltfJson& root, const std::vector<int>& roots) {
     open.pop_back();
     const GltfJson& node = element(root, "nodes", GltfJson(static_cast<unsigned>(id)));
     if (seen[static_cast<size_t>(id)])
-      bad_input("its nodes do not form a tree: two have node " + std::to_string(id) +
-                " among their children");
+      bad_input("its nodes do not form a tree: two have node %1 among their children", id);
     seen[static_cast<size_t>(id)] = true;
     const Matrix4 object_from_node = product(object_from_parent, node_matrix(node));
     tree.nodes.push_back(id);

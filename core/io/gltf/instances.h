@@ -21,7 +21,7 @@ struct GltfTree {
   std::vector<GltfInstance> instances;  // nodes with meshes: depth first, children in order
   std::vector<int> nodes;               // all, in the same order
 };
-/// What is below these nodes, transforms included. @throws Error (BadInput): no tree.
+/// The tree below these nodes, transforms included. @throws Error (BadInput): no tree.
 GltfTree gltf_tree(const GltfJson& root, const std::vector<int>& roots);
 
 }  // namespace trivet

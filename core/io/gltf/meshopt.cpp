@@ -16,22 +16,22 @@ std::string text_or(const GltfJson& value, const char* otherwise) {
   return value.is_string() ? value.get<std::string>() : otherwise;
 }
 
-[[noreturn]] void fail(const std::string& what) { bad_input("a compressed buffer view " + what); }
+[[noreturn]] void fail(const Sentence& what) { bad_input("a compressed buffer view %1", what); }
 
 struct Stream {
   size_t count = 0, stride = 0;
   std::string mode, filter;
 };
 
-// What the library takes for granted.
+// Checks the preconditions of the library.
 void check(const Stream& s, size_t num_bytes) {
   const auto refuse = [&](bool wrong) {
     if (wrong)
-      fail("of mode " + printable(s.mode, 40) + " and filter " + printable(s.filter, 40) + " has " +
-           std::to_string(s.count) + " items of " + std::to_string(s.stride) + " bytes");
+      fail(say("of mode %1 and filter %2 has %3 items of %4 bytes", printable(s.mode, 40),
+               printable(s.filter, 40), s.count, s.stride));
   };
   const bool indices = s.mode == "TRIANGLES" || s.mode == "INDICES";
-  if (!indices && s.mode != "ATTRIBUTES") fail("has the mode " + printable(s.mode, 40));
+  if (!indices && s.mode != "ATTRIBUTES") fail(say("has the mode %1", printable(s.mode, 40)));
   refuse(indices && s.stride != 2 && s.stride != 4);
   refuse(s.mode == "TRIANGLES" && s.count % 3 != 0);
   refuse(!indices && (s.stride == 0 || s.stride > kMostStride || s.stride % 4 != 0));
@@ -40,8 +40,7 @@ void check(const Stream& s, size_t num_bytes) {
   refuse(s.filter == "COLOR" && s.stride != 4 && s.stride != 8);
   refuse(indices && s.filter != "NONE");
   if (s.count > (num_bytes + 64) * kMostPerByte / s.stride)
-    fail("of " + std::to_string(num_bytes) + " bytes claims to hold " + std::to_string(s.count) +
-         " items of " + std::to_string(s.stride));
+    fail(say("of %1 bytes claims to hold %2 items of %3", num_bytes, s.count, s.stride));
 }
 
 void apply_filter(const Stream& s, std::string& out) {
@@ -54,8 +53,8 @@ void apply_filter(const Stream& s, std::string& out) {
   else if (s.filter == "COLOR")
     apply_colour_filter(out, s.stride);
   else if (s.filter != "NONE")
-    fail("has the filter " + printable(s.filter, 40) +
-         "; accepted: NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL and COLOR");
+    fail(say("has the filter %1; accepted: NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL and COLOR",
+             printable(s.filter, 40)));
 }
 
 // By the library, but for what is later than it.

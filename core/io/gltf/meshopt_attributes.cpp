@@ -63,7 +63,7 @@ class Deltas {
     }
   }
 
-  // What has all its bits set stands for a byte behind the group.
+  // A value with all its bits set stands for a byte behind the group.
   void read_group(int bits, Byte* out) {
     const std::string_view packed = take(kGroup * static_cast<size_t>(bits) / 8);
     if (!m_whole || bits == 0) return;

@@ -26,7 +26,7 @@ void check_version(const GltfJson& root) {
   const GltfJson& version = member(member(root, "asset"), "version");
   if (version.is_string() && version.get_ref<const std::string&>().rfind("2.", 0) == 0) return;
   const std::string given = version.is_string() ? version.get<std::string>() : "unknown";
-  bad_input("glTF version " + printable(given, 40) + "; accepted: 2");
+  bad_input("glTF version %1; accepted: 2", printable(given, 40));
 }
 
 void note_other_scenes(const GltfJson& root, Model& model) {
@@ -37,8 +37,7 @@ void note_other_scenes(const GltfJson& root, Model& model) {
   for (size_t i = 0; i < scenes.size() && names.size() < 200; ++i)
     if (i != number)
       names += (names.empty() ? "" : ", ") + quoted(printable(name_of(scenes[i]), 40));
-  model.notes.push_back("other scenes left out: " + std::to_string(scenes.size() - 1) + " (" +
-                        names + ")");
+  model.notes.push_back(say("other scenes left out: %1 (%2)", scenes.size() - 1, names));
 }
 
 Model model_of(const std::string& path, GltfJson json, const ImportLimits& limits) {
@@ -71,11 +70,10 @@ std::optional<Model> read_gltf_model(const std::string& path, const ImportLimits
     if (is_version_1(json)) return std::nullopt;
     return model_of(path, std::move(json), limits);
   } catch (const GltfJson::exception& e) {
-    bad_file(path, "is not valid glTF: " + complaint_of(e));
+    bad_file(path, "is not valid glTF: %1", complaint_of(e));
   } catch (const Error& e) {
-    const std::string message = e.what();
-    if (message.rfind(path, 0) == 0) throw;
-    bad_file(path, message);
+    if (std::string(e.what()).rfind(path, 0) == 0) throw;
+    bad_file(path, e.sentence());
   }
 }
 

@@ -129,8 +129,8 @@ class Plainer {
         make_plain_primitive(primitives[i]);
       } catch (const Error& e) {
         const std::string name = printable(name_of(m_json["meshes"][mesh]), 100);
-        bad_input("mesh '" + (name.empty() ? "number " + std::to_string(mesh) : name) +
-                  "', primitive " + std::to_string(i) + ": " + e.what());
+        bad_input("mesh '%1', primitive %2: %3",
+                  (name.empty() ? "number " + std::to_string(mesh) : name), i, e.what());
       }
   }
 
@@ -215,7 +215,7 @@ class Plainer {
     std::vector<GltfJson> instances = instances_of(attributes);
     m_num_instances += instances.size();
     if (m_num_instances > kMostInstances)
-      bad_input("has more than " + std::to_string(kMostInstances) + " instances, the limit");
+      bad_input("has more than %1 instances, the limit", kMostInstances);
     GltfJson children = GltfJson::array();
     for (GltfJson& instance : instances) {
       instance["mesh"] = mesh;
@@ -235,17 +235,15 @@ class Plainer {
       if (id.is_null()) continue;
       const GltfValues values = gltf_values(m_document, id);
       if (values.num_components != (std::string(key) == "rotation" ? 4 : 3))
-        bad_input(std::string("instances have a ") + name + " of " +
-                  std::to_string(values.num_components) + " components");
+        bad_input("instances have a %1 of %2 components", name, values.num_components);
       if (out.empty()) out.resize(std::min(values.size(), kMostInstances + 1));
       if (out.size() != std::min(values.size(), kMostInstances + 1))
-        bad_input("instances have " + std::to_string(values.size()) + " values of " + name +
-                  " for " + std::to_string(out.size()) + " instances");
+        bad_input("instances have %1 values of %2 for %3 instances", values.size(), name,
+                  out.size());
       for (size_t i = 0; i < out.size(); ++i)
         for (size_t c = 0; c < static_cast<size_t>(values.num_components); ++c) {
           const float value = values.values[i * static_cast<size_t>(values.num_components) + c];
-          if (!std::isfinite(value))
-            bad_input("instance " + std::to_string(i) + " has a " + name + " that is not finite");
+          if (!std::isfinite(value)) bad_input("instance %1 has a %2 that is not finite", i, name);
           out[i][key].push_back(value);
         }
     }

@@ -15,9 +15,10 @@ std::string dump_extras(const GltfJson& object) {
 SceneExtras read_scene_extras(const std::string& path) {
   const GltfJson root = parse_gltf_json(path, read_gltf_text(path));
   if (!member(root, "asset").is_object())
-    throw Error(Error::Kind::BadInput, path +
-                                           ": is not glTF: its JSON has no asset; accepted: a "
-                                           "scene, which trivet run makes of a layout");
+    throw Error(Error::Kind::BadInput,
+                "%1: is not glTF: its JSON has no asset; accepted: a scene, which trivet run makes "
+                "of a layout",
+                path);
   SceneExtras out;
   const GltfJson& scenes = member(root, "scenes");
   const GltfJson& scene = member(root, "scene");

@@ -11,9 +11,9 @@ constexpr const char* kLists[] = {
     "scenes",    "skins",      "textures", "extensionsUsed", "extensionsRequired"};
 
 void check_kind(const GltfJson& value, const std::string& place, bool as_it_should_be,
-                const char* accepted) {
+                const Sentence& accepted) {
   if (!as_it_should_be)
-    bad_input(place + ": has the type " + value.type_name() + "; accepted: " + accepted);
+    bad_input("%1: has the type %2; accepted: %3", place, value.type_name(), accepted);
 }
 
 void check_array(const GltfJson& owner, const char* key, const std::string& place) {

@@ -1,4 +1,4 @@
-// What all readers of glTF rely on. Private: exposes the JSON library.
+// Structure that all readers of glTF rely on. Private: exposes the JSON library.
 #pragma once
 
 #include "core/io/gltf/document.h"

@@ -26,7 +26,7 @@ int bytes_of_component(int component) {
     case gltf::kFloat:
       return 4;
     default:
-      bad_input("an accessor has the component type " + std::to_string(component));
+      bad_input("an accessor has the component type %1", component);
   }
 }
 
@@ -84,8 +84,8 @@ Items items_of(const GltfDocument& document, const GltfJson& accessor) {
   if (accessor.contains("bufferView")) {
     find_rows(document, accessor, out);
   } else if (bytes_of_component(out.component); out.count > kMostWithoutData) {
-    bad_input("an accessor has " + std::to_string(out.count) +
-              " items and no data; accepted: up to " + std::to_string(kMostWithoutData));
+    bad_input("an accessor has %1 items and no data; accepted: up to %2", out.count,
+              kMostWithoutData);
   }
   return out;
 }
@@ -119,8 +119,7 @@ std::uint32_t id_at(const char* at, int component) {
     case gltf::kUnsignedInt:
       return loaded<std::uint32_t>(at);
     default:
-      bad_input("indices have the component type " + std::to_string(component) +
-                "; accepted: 5121, 5123 and 5125");
+      bad_input("indices have the component type %1; accepted: 5121, 5123 and 5125", component);
   }
 }
 
@@ -147,8 +146,7 @@ void for_each_replaced(const GltfDocument& document, const GltfJson& accessor, c
   for (size_t i = 0; i < rows.count; ++i) {
     const size_t row = id_at(rows.first + i * rows.stride, rows.component);
     if (row >= items.count)
-      bad_input("a sparse accessor of " + std::to_string(items.count) + " items replaces item " +
-                std::to_string(row));
+      bad_input("a sparse accessor of %1 items replaces item %2", items.count, row);
     replace(row, values.first + i * values.stride);
   }
 }
@@ -162,8 +160,7 @@ std::vector<std::uint32_t> all_ids(size_t count) {
 int mode_of(const GltfJson& primitive) {
   const GltfJson& given = member(primitive, "mode");
   const size_t mode = given.is_null() ? kTriangles : index_from(given);
-  if (mode > kFan)
-    bad_input("a primitive has the mode " + std::to_string(mode) + "; accepted: 0 to 6");
+  if (mode > kFan) bad_input("a primitive has the mode %1; accepted: 0 to 6", mode);
   return static_cast<int>(mode);
 }
 
@@ -203,8 +200,7 @@ std::vector<std::uint32_t> gltf_indices(const GltfDocument& document, const Gltf
   });
   for (size_t i = 0; i < out.size(); ++i)
     if (out[i] >= num_vertices)
-      bad_input("index " + std::to_string(i) + " refers to vertex " + std::to_string(out[i]) +
-                " of " + std::to_string(num_vertices));
+      bad_input("index %1 refers to vertex %2 of %3", i, out[i], num_vertices);
   return out;
 }
 

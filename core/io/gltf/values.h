@@ -28,7 +28,7 @@ GltfValues gltf_values(const GltfDocument& document, const GltfJson& accessor);
 std::vector<std::uint32_t> gltf_indices(const GltfDocument& document, const GltfJson& accessor,
                                         size_t num_vertices);
 
-/// What a primitive draws, by its mode.
+/// Faces that a primitive draws, by its mode.
 struct GltfFaces {
   std::uint64_t triangles = 0, lines = 0, points = 0;
   std::uint64_t left_over = 0;  // vertices that are too few for another triangle

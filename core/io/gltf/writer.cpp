@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kPivotName = "pivot";
 constexpr const char* kOriginName = "origin";
+constexpr const char* kPlaceName = "place";
 
 /// One vertex of a primitive: glTF has one index for position and normal together.
 struct CornerKey {
@@ -69,8 +70,7 @@ GltfJson parsed_extras(const std::string& text, const std::string& whose) {
   try {
     return GltfJson::parse(text);
   } catch (const GltfJson::exception& e) {
-    throw Error(Error::Kind::BadInput,
-                "the extras of " + whose + " are not valid JSON: " + e.what());
+    throw Error(Error::Kind::BadInput, "the extras of %1 are not valid JSON: %2", whose, e.what());
   }
 }
 
@@ -100,9 +100,17 @@ class SceneWriter {
   GltfDocument write(const ExportScene& scene) {
     reserve(scene);
     GltfJson roots = GltfJson::array();
-    for (const ExportObject& object : scene.objects)
-      roots.push_back(add_object(relative_to(scene.origin, object)));
-    if (!roots.empty() && !scene.origin.isZero(0)) roots = {add_origin(scene.origin, roots)};
+    std::map<std::array<double, 3>, GltfJson> at_places;
+    for (const ExportObject& object : scene.objects) {
+      const ExportObject near = relative_to(scene.origin, object);
+      const Vec3 place = export_place(near.world_from_object, near.model->mesh.box());
+      GltfJson& siblings = place.isZero(0) ? roots : at_places[{place.x(), place.y(), place.z()}];
+      siblings.push_back(add_object(relative_to(place, near)));
+    }
+    for (const auto& [place, nodes] : at_places)
+      roots.push_back(add_origin(kPlaceName, {place[0], place[1], place[2]}, nodes));
+    if (!roots.empty() && !scene.origin.isZero(0))
+      roots = {add_origin(kOriginName, scene.origin, roots)};
     GltfJson scene_json = GltfJson::object();
     if (!roots.empty()) scene_json["nodes"] = std::move(roots);
     if (!scene.extras_json.empty())
@@ -123,11 +131,11 @@ class SceneWriter {
   }
 
   // In double, as JSON's numbers are: readers that compute so lose nothing.
-  size_t add_origin(const Vec3& origin, const GltfJson& children) {
+  size_t add_origin(const char* name, const Vec3& origin, const GltfJson& children) {
     const Vec3 y_up(origin.x(), origin.z(), 0.0 - origin.y());
-    return m_builder.add("nodes", {{"name", kOriginName},
-                                   {"translation", {y_up.x(), y_up.y(), y_up.z()}},
-                                   {"children", children}});
+    return m_builder.add(
+        "nodes",
+        {{"name", name}, {"translation", {y_up.x(), y_up.y(), y_up.z()}}, {"children", children}});
   }
 
   size_t add_object(const ExportObject& object) {

@@ -27,8 +27,7 @@ bool is_within(const Vec3& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() 
 
 void ModelAssembly::expect(std::uint64_t num_triangles) {
   if (num_triangles > static_cast<std::uint64_t>(m_limits.max_triangles))
-    bad_input(std::to_string(num_triangles) + " faces, more than the limit of " +
-              std::to_string(m_limits.max_triangles));
+    bad_input("%1 faces, more than the limit of %2", num_triangles, m_limits.max_triangles);
   m_triangles.reserve(num_triangles);
   m_model.face_material.reserve(num_triangles);
   m_model.corner_normals.reserve(num_triangles);
@@ -51,9 +50,11 @@ void ModelAssembly::check(std::uint32_t vertex, const Vec3& point) const {
   if (is_within(point)) return;
   const Eigen::Vector3f& own = m_mesh.positions[vertex];
   const bool own_fault = !is_within(own.cast<double>());
-  bad_input("mesh '" + m_mesh.name + "': vertex " + std::to_string(vertex) + " " +
-            coordinates(own) + (point.allFinite() ? " lies beyond 1e30" : " is not finite") +
-            (own_fault ? "" : " after the transform of its node"));
+  bad_input("mesh '%1': %2", m_mesh.name,
+            say(point.allFinite() ? TRIVET_SENTENCE("vertex %1 %2 lies beyond 1e30%3")
+                                  : TRIVET_SENTENCE("vertex %1 %2 is not finite%3"),
+                vertex, coordinates(own),
+                own_fault ? Sentence() : Sentence(" after the transform of its node")));
 }
 
 // The zero vector stands for a missing normal until fill_missing_normals().
@@ -90,8 +91,8 @@ void ModelAssembly::add(const Corners& corners, Index material) {
 
 void ModelAssembly::finish(bool keeps_normals) {
   if (m_triangles.empty())
-    bad_input("contains no triangle" +
-              (m_model.notes.empty() ? "" : " (" + m_model.notes.front() + ")"));
+    bad_input(m_model.notes.empty() ? "contains no triangle"
+                                    : say("contains no triangle (%1)", m_model.notes.front()));
   m_model.mesh = weld(m_vertices, m_triangles).mesh;
   if (m_has_normals && keeps_normals)
     fill_missing_normals(m_model.mesh, m_model.corner_normals);

@@ -129,8 +129,8 @@ Counts count(const ExportScene& scene, const char* format) {
   }
   constexpr size_t kMax = std::numeric_limits<std::int32_t>::max();
   if (out.vertices > kMax || out.faces > kMax)
-    throw Error(Error::Kind::BadInput, "the scene has " + std::to_string(out.faces) +
-                                           " triangles, more than" + format + " supports");
+    throw Error(Error::Kind::BadInput, "the scene has %1 triangles, more than %2 supports",
+                out.faces, format);
   return out;
 }
 

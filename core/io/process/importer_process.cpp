@@ -58,8 +58,8 @@ int status_of(pid_t id) {
 
 }  // namespace
 
-void fail_environment(const std::string& what, int error) {
-  throw Error(Error::Kind::Environment, what + ": " + std::strerror(error));
+void fail_environment(const Sentence& what, int error) {
+  throw Error(Error::Kind::Environment, "%1: %2", what, std::strerror(error));
 }
 
 std::vector<std::string> ImportRequest::texts() const {
@@ -103,7 +103,7 @@ ImporterProcess::ImporterProcess(const std::string& program,
   const int error = posix_spawn(&m_id, program.c_str(), &actions, nullptr, pointers.data(),
                                 environment.variables());
   posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) fail_environment(program + ": cannot be started", error);
+  if (error != 0) fail_environment(say("%1: cannot be started", program), error);
 }
 
 ImporterProcess::~ImporterProcess() {

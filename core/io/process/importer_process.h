@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/io/process/local_sockets.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
@@ -15,7 +16,7 @@
 namespace trivet {
 
 /// @param error  as errno.   @throws Error (Environment)
-[[noreturn]] void fail_environment(const std::string& what, int error);
+[[noreturn]] void fail_environment(const Sentence& what, int error);
 
 /// A file to read and its limits; as texts, the program's arguments.
 struct ImportRequest {

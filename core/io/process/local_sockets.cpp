@@ -53,9 +53,8 @@ void Descriptor::reset() {
 SocketPair socket_pair(int type) {
   int ends[2];
   if (socketpair(AF_UNIX, type | SOCK_CLOEXEC, 0, ends) != 0)
-    throw Error(Error::Kind::Environment,
-                std::string("no socket for a process: ") + std::strerror(errno) +
-                    (errno == EMFILE ? "; accepted: fewer --jobs, or a larger ulimit -n" : ""));
+    throw Error(Error::Kind::Environment, "no socket for a process: %1%2", std::strerror(errno),
+                (errno == EMFILE ? "; accepted: fewer --jobs, or a larger ulimit -n" : ""));
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 

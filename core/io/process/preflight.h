@@ -10,8 +10,7 @@ struct aiScene;
 
 namespace trivet {
 
-/// Checks before assimp opens the file that it exists, is readable, not empty, within the limit,
-/// and free of the truncated PLY on which assimp 5.2 loops forever or invents data.
+/// Checks before the file is opened that it exists, is readable, not empty and within the limit.
 /// @throws Error (BadInput) naming the file and the reason.
 void check_file(const std::string& path, const ImportLimits& limits);
 

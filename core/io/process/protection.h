@@ -1,4 +1,4 @@
-// What confines an importer.
+// Parts that confine an importer.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace trivet {
 
-/// What keeps a process that reads an untrusted file from anything else. Every part is there where
-/// the system has it; an importer reports its parts before it opens the file.
+/// Parts that keep a process that reads an untrusted file from anything else. Every part is there
+/// where the system has it; an importer reports its parts before it opens the file.
 struct Protection {
   bool files = false;       // Landlock: opens nothing but the model's folder, and writes nothing
   bool calls = false;       // seccomp: no programs, processes, sockets, or files to write

@@ -13,10 +13,14 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <sstream>
 
 #include "core/base/bad_input.h"
+#include "core/base/extension.h"
 #include "core/io/cad_format.h"
 #include "core/io/model_bytes.h"
+#include "core/io/model_folder.h"
+#include "core/io/opened_files.h"
 #include "core/io/process/importer_process.h"
 #include "core/io/process/preflight.h"
 
@@ -24,6 +28,7 @@ namespace trivet {
 namespace {
 
 namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kBaseSeconds = 60, kSecondsPerByte = 1e-6;
@@ -49,9 +54,9 @@ std::string importer_of(const std::string& path, const ImportLimits& limits) {
   if (access(importer.c_str(), X_OK) == 0) return importer;
   throw Error(
       Error::Kind::Environment,
-      path + ": " + format + " files need " + importer +
-          ", which is missing: this build of Trivet lacks Open CASCADE; accepted: a "
-          "build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)");
+      "%1: %2 files need %3, which is missing: this build of Trivet lacks Open CASCADE; accepted: "
+      "a build with it (Debian: libocct-data-exchange-dev libocct-ocaf-dev; TRIVET_OCCT)",
+      path, format, importer);
 }
 
 /// Reads all output up to the deadline. @throws Error (BadInput) at the deadline, if the output
@@ -65,16 +70,16 @@ std::string received(int descriptor, const std::string& path, const ImportLimits
     if (cancel && *cancel) bad_file(path, "reading it was cancelled");
     const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
     if (left <= 0)
-      bad_file(path, "reading it took longer than the limit of " +
-                         std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
+      bad_file(path, "reading it took longer than the limit of %1 s",
+               static_cast<long>(std::ceil(limits.max_seconds)));
     pollfd waiting{descriptor, POLLIN, 0};
     const double wait = std::min(left, cancel ? kCancelSeconds : 1e3);
     const int ready = poll(&waiting, 1, static_cast<int>(wait * 1e3 + 1));
-    if (ready < 0 && errno != EINTR) fail_environment(path + ": cannot be awaited", errno);
+    if (ready < 0 && errno != EINTR) fail_environment(say("%1: cannot be awaited", path), errno);
     if (ready <= 0) continue;
     const ssize_t count = read(descriptor, block.data(), block.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail_environment(path + ": cannot be received", errno);
+    if (count < 0) fail_environment(say("%1: cannot be received", path), errno);
     if (count == 0) return out;
     out.append(block.data(), static_cast<size_t>(count));
     if (out.size() > limits.max_memory_bytes) bad_file(path, "output exceeds the memory limit");
@@ -85,16 +90,19 @@ void check_end(int status, const std::string& importer, const std::string& path,
                const ImportLimits& limits) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    throw Error(Error::Kind::Environment, importer + ": cannot be started");
+    throw Error(Error::Kind::Environment, "%1: cannot be started", importer);
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
-    bad_file(path, "reading it took longer than the limit of " +
-                       std::to_string(static_cast<long>(std::ceil(limits.max_seconds))) + " s");
-  bad_file(path, "cannot be read as a model: the importer ended with " +
-                     (signal ? std::string(strsignal(signal))
-                             : "status " + std::to_string(WEXITSTATUS(status))) +
-                     "; the file is broken, or needs more memory than the limit of " +
-                     std::to_string(limits.max_memory_bytes >> 20) + " MiB");
+    bad_file(path, "reading it took longer than the limit of %1 s",
+             static_cast<long>(std::ceil(limits.max_seconds)));
+  const std::string extension = lower_extension(path);
+  bad_file(
+      path,
+      "the reader for %1 stopped with %2: a fault of the reader, or it needs more memory than "
+      "the limit of %3 MiB",
+      extension.empty() ? Sentence("this file") : say("%1 files", extension),
+      signal ? Sentence(std::string(strsignal(signal))) : say("status %1", WEXITSTATUS(status)),
+      limits.max_memory_bytes >> 20);
 }
 
 bool write_all(int descriptor, std::string_view bytes) {
@@ -121,16 +129,39 @@ void remember(std::uint8_t bits) {
   }
 }
 
-// Takes it from the beginning of an answer. nullopt: it does not begin like one.
-std::optional<std::uint8_t> take_protection(std::string_view& answer) {
+// Takes it from the beginning of an answer.
+std::uint8_t take_protection(std::string_view& answer) {
   if (!answer.starts_with(kAnswerMagic) || answer.size() == kAnswerMagic.size())
-    return std::nullopt;
+    throw Error(Error::Kind::BadInput, "the importer's answer is incomplete");
   const auto bits = static_cast<std::uint8_t>(answer[kAnswerMagic.size()]);
   answer.remove_prefix(kAnswerMagic.size() + 1);
   return bits;
 }
 
-// Of this thread; null: each file has an importer of its own.
+// Names of the files that an importer opened come before the model: each name with its end, an
+// empty one.
+std::string bytes_of_names(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names) out += name + '\0';
+  return out + '\0';
+}
+
+// Takes them; those that a model cannot have opened are left out, as the importer is not trusted.
+std::vector<std::string> take_names(std::string_view& answer, const std::string& model) {
+  const ModelFolder folder(model);
+  std::vector<std::string> out;
+  while (true) {
+    const size_t end = answer.find('\0');
+    if (end == answer.npos)
+      throw Error(Error::Kind::BadInput, "the importer's answer is incomplete");
+    const std::string name(answer.substr(0, end));
+    answer.remove_prefix(end + 1);
+    if (name.empty()) return out;
+    if (folder.has(name)) out.push_back(name);
+  }
+}
+
+// Importers of this thread; null: each file has an importer of its own.
 thread_local SharedImporters* t_shared = nullptr;
 
 struct Pipe {
@@ -139,7 +170,7 @@ struct Pipe {
 
 Pipe make_pipe(const std::string& path) {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(path + ": cannot create a pipe", errno);
+  if (pipe2(ends, O_CLOEXEC) != 0) fail_environment(say("%1: cannot create a pipe", path), errno);
   fcntl(ends[0], F_SETPIPE_SZ, kPipeBytes);  // or as it is
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
@@ -189,7 +220,8 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   if (shared) t_shared->m_idle.push_back(std::move(shared));
   try {
     std::string_view answer = bytes;
-    const std::uint8_t protection = take_protection(answer).value_or(0);
+    const std::uint8_t protection = take_protection(answer);
+    note_opened(path, take_names(answer, path));
     Model model = model_from_bytes(answer, path, limits);
     remember(protection);
     if (model.polygonised) model.tessellation = tessellation;
@@ -197,14 +229,31 @@ Model read_model_sandboxed(const std::string& path, const ImportLimits& given,
   } catch (const Error& e) {
     const std::string message = e.what();
     if (message.rfind(path, 0) == 0 || e.kind() != Error::Kind::BadInput) throw;
-    bad_file(path, message);
+    bad_file(path, e.sentence());
   }
 }
 
+namespace {
+
+// Told where scenes apply it; metres need no word.
+void note_unit(Model& model, bool is_given) {
+  const double metres = model.metres_per_unit.value_or(1);
+  if (metres == 1) return;
+  std::ostringstream note;
+  note << "the unit is " << metres << " m, " << (is_given ? "as given" : "says the file")
+       << "; scenes apply it where no scale is given";
+  model.notes.push_back(note.str());
+}
+
+}  // namespace
+
 Model import_model(const std::string& path, const ImportLimits& limits,
                    const Tessellation& tessellation, const std::atomic<bool>* cancel) {
-  return limits.importer.empty() ? read_model(path, limits)
-                                 : read_model_sandboxed(path, limits, tessellation, cancel);
+  Model model = limits.importer.empty() ? read_model(path, limits)
+                                        : read_model_sandboxed(path, limits, tessellation, cancel);
+  if (limits.metres_per_unit > 0) model.metres_per_unit = limits.metres_per_unit;
+  note_unit(model, limits.metres_per_unit > 0);
+  return model;
 }
 
 std::optional<Protection> import_protection() {
@@ -223,8 +272,8 @@ std::optional<Protection> protection_of(const std::string& importer) {
   limits.max_memory_bytes = kAnswerMagic.size() + 1;
   const std::string bytes = received(pipe.input.number(), importer, limits, nullptr);
   std::string_view answer = bytes;
-  const auto bits = take_protection(answer);
-  return bits ? std::optional(protection_of_bits(*bits)) : std::nullopt;
+  if (bytes.empty()) return std::nullopt;
+  return protection_of_bits(take_protection(answer));
 }
 
 std::string find_importer() {
@@ -247,16 +296,17 @@ bool answer_protection(const Protection& protection, int descriptor) {
 int serve_import(const std::function<Model()>& read, const std::string& path,
                  const ImportLimits& limits, int descriptor) {
   const auto answer = [&](const std::string& bytes) {
-    return write_all(descriptor, bytes) ? 0 : 1;
+    const std::string names = bytes_of_names(files_opened_for(path).value_or(Names{}));
+    return write_all(descriptor, names) && write_all(descriptor, bytes) ? 0 : 1;
   };
   try {
     return answer(bytes_of_model(read()));
   } catch (const Error& e) {
-    return answer(bytes_of_error(e.kind(), e.what()));
+    return answer(bytes_of_error(e.kind(), e.sentence()));
   } catch (const std::bad_alloc&) {
-    return answer(bytes_of_error(Error::Kind::BadInput,
-                                 path + ": needs more memory than the limit of " +
-                                     std::to_string(limits.max_memory_bytes >> 20) + " MiB"));
+    return answer(
+        bytes_of_error(Error::Kind::BadInput, say("%1: needs more memory than the limit of %2 MiB",
+                                                  path, limits.max_memory_bytes >> 20)));
   }
 }
 

@@ -55,7 +55,7 @@ Model import_model(const std::string& path, const ImportLimits& limits,
                    const Tessellation& tessellation = {},
                    const std::atomic<bool>* cancel = nullptr);
 
-/// What confines the importers of this process: what all had that it has started for models so far.
+/// Protection of the importers of this process: what all had that it has started for models so far.
 /// @return nullopt: there was none. Thread-safe.
 std::optional<Protection> import_protection();
 

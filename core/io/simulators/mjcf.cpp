@@ -1,4 +1,4 @@
-// MuJoCo's MJCF, for version 2.2 and later.
+// MuJoCo's MJCF: version 3, or the older 2.2.
 #include <algorithm>
 #include <iterator>
 
@@ -21,8 +21,9 @@ std::string stem(const std::string& file) { return file.substr(0, file.rfind('.'
 
 class MjcfWriter {
  public:
-  MjcfWriter(const SimulationScene& scene, const MeshFiles& meshes, const std::string& folder)
-      : m_scene(scene), m_meshes(meshes), m_folder(folder) {
+  MjcfWriter(const SimulationScene& scene, const MeshFiles& meshes, const std::string& folder,
+             int version)
+      : m_scene(scene), m_meshes(meshes), m_folder(folder), m_version(version) {
     m_frictions.insert(scene.floor_friction);
     for (const SimulationBody& body : scene.bodies) {
       m_frictions.insert(body.friction);
@@ -93,8 +94,10 @@ class MjcfWriter {
     Element* const assets = add_child(root, "asset");
     std::set<std::string> known;  // models may share pieces
     const auto add_mesh = [&](const std::string& file) {
-      if (known.insert(file).second)
-        add_child(assets, "mesh", {{"name", stem(file)}, {"file", file}});
+      if (!known.insert(file).second) return;
+      Element* const mesh = add_child(assets, "mesh", {{"name", stem(file)}, {"file", file}});
+      // MuJoCo 3 refuses solids without volume, as open meshes are; inertias are stated by bodies.
+      if (m_version >= 3) mesh->SetAttribute("inertia", "shell");
     };
     for (size_t i = 0; i < m_scene.models.size(); ++i) {
       const ModelFiles& files = m_meshes.of_model(i);
@@ -123,7 +126,7 @@ class MjcfWriter {
                {"nconmax", std::to_string(contacts)}});
   }
 
-  // Of two geoms the one with the higher priority gives the friction: the smaller one.
+  // The geom with the higher priority gives the friction: here the smaller one.
   std::string priority_text(double friction) const {
     return std::to_string(std::distance(m_frictions.upper_bound(friction), m_frictions.end()));
   }
@@ -160,7 +163,7 @@ class MjcfWriter {
     return element;
   }
 
-  // Of a mesh on a plane MuJoCo finds three contacts, not always the same: what lies flat would
+  // MuJoCo finds three contacts of a mesh on a plane, not always the same: what lies flat would
   // rattle and creep. Spheres that only the floor sees hold it at all corners.
   void add_corners(Element* element, size_t index) const {
     const SimulationBody& body = m_scene.bodies[index];
@@ -178,6 +181,7 @@ class MjcfWriter {
   const SimulationScene& m_scene;
   const MeshFiles& m_meshes;
   const std::string m_folder;
+  const int m_version;
   std::set<double> m_frictions;
   std::vector<std::vector<Vec3>> m_corners;  // of the bodies, see floor_corners()
   tinyxml2::XMLDocument m_document;
@@ -186,8 +190,8 @@ class MjcfWriter {
 }  // namespace
 
 std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                      const std::string& folder) {
-  return MjcfWriter(scene, meshes, folder).text();
+                      const std::string& folder, int version) {
+  return MjcfWriter(scene, meshes, folder, version).text();
 }
 
 }  // namespace trivet

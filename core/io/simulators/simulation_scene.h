@@ -52,7 +52,10 @@ struct SimulationFileOptions {
   /// Prefix of mesh paths in URDF and SDF, such as "package://my_robot/"; empty: paths relative to
   /// the scene file.
   std::string mesh_prefix;
+  /// Version of MuJoCo whose MJCF is written: 3, or 2, which refuses words of later ones.
+  int mujoco = 3;
 };
+inline constexpr int kOldestMujoco = 2, kNewestMujoco = 3;
 
 /// Writes .xml or .mjcf (MuJoCo), .urdf, .sdf or .world, .usda. Mesh names carry a hash of the
 /// content: a mesh file is never changed, scenes may share a folder, and the scene file, written

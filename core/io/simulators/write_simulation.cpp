@@ -24,8 +24,8 @@ Format format_of(const std::string& path) {
   std::string accepted;
   for (const std::string& e : simulation_extensions())
     accepted += (accepted.empty() ? "" : ", ") + e;
-  throw Error(Error::Kind::BadInput,
-              path + ": cannot write \"" + extension + "\"; accepted: " + accepted);
+  throw Error(Error::Kind::BadInput, "%1: cannot write \"%2\"; accepted: %3", path, extension,
+              accepted);
 }
 
 /// Names reserved by the format.
@@ -64,7 +64,7 @@ struct SimulationText {
 };
 
 SimulationText text_of(const SimulationScene& scene, Format format, const std::string& folder,
-                       const std::string& prefix) {
+                       const SimulationFileOptions& options) {
   SimulationText out;
   if (format == Format::Usda) {
     out.meshes = usda_meshes(scene);
@@ -75,9 +75,9 @@ SimulationText text_of(const SimulationScene& scene, Format format, const std::s
   }
   const MeshFiles meshes(scene, format == Format::Mjcf);
   out.meshes = meshes.files();
-  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder);
-  if (format == Format::Urdf) out.scene = urdf_text(scene, meshes, prefix + folder);
-  if (format == Format::Sdf) out.scene = sdf_text(scene, meshes, prefix + folder);
+  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder, options.mujoco);
+  if (format == Format::Urdf) out.scene = urdf_text(scene, meshes, options.mesh_prefix + folder);
+  if (format == Format::Sdf) out.scene = sdf_text(scene, meshes, options.mesh_prefix + folder);
   return out;
 }
 
@@ -101,8 +101,7 @@ std::vector<std::string> write_simulation(SimulationScene& scene, const std::str
   const fs::path wanted = options.mesh_folder.empty() ? fs::path(file.stem().string() + "_meshes")
                                                       : fs::path(options.mesh_folder);
   const fs::path folder = wanted.is_absolute() ? wanted : file.parent_path() / wanted;
-  const SimulationText text =
-      text_of(scene, format, wanted.generic_string() + "/", options.mesh_prefix);
+  const SimulationText text = text_of(scene, format, wanted.generic_string() + "/", options);
   std::vector<std::string> written{path};
   StagedFiles staged;
   if (!text.meshes.empty()) staged.add_folder(folder.string());

@@ -22,9 +22,7 @@ std::string message_of(j_common_ptr jpeg) {
   return text;
 }
 
-[[noreturn]] void fail_jpeg(const std::string& reason) {
-  bad_input("is a damaged JPEG: " + reason);
-}
+[[noreturn]] void fail_jpeg(const Sentence& reason) { bad_input("is a damaged JPEG: %1", reason); }
 void end_by_error(j_common_ptr jpeg) { fail_jpeg(message_of(jpeg)); }
 
 // Most warnings are of damaged data, which libjpeg would fill with grey.
@@ -37,7 +35,7 @@ void be_silent(j_common_ptr) {}
 
 void limit_scans(j_common_ptr jpeg) {
   if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMaxScans)
-    fail_jpeg("it has more than " + std::to_string(kMaxScans) + " scans");
+    fail_jpeg(say("it has more than %1 scans", kMaxScans));
 }
 
 struct JpegReader {

@@ -12,7 +12,7 @@ constexpr png_alloc_size_t kMaxChunkBytes = 8 << 20;  // of texts and profiles
 
 // libpng asks its user not to return.
 [[noreturn]] void fail_decoding(png_structp, png_const_charp reason) {
-  bad_input(std::string("is a damaged PNG: ") + reason);
+  bad_input("is a damaged PNG: %1", reason);
 }
 void ignore_warning(png_structp, png_const_charp) {}
 

@@ -23,9 +23,8 @@ std::string image_kind(std::string_view bytes) {
 void check_image_size(std::int64_t width, std::int64_t height) {
   const auto side_is_good = [](std::int64_t side) { return side >= 1 && side <= kMaxImageSide; };
   if (side_is_good(width) && side_is_good(height) && width * height <= kMaxImageTexels) return;
-  bad_input("has " + std::to_string(width) + " x " + std::to_string(height) +
-            " texels; accepted: 1 to " + std::to_string(kMaxImageSide) + " each way, at most " +
-            std::to_string(kMaxImageTexels >> 20) + " Mi together");
+  bad_input("has %1 x %2 texels; accepted: 1 to %3 each way, at most %4 Mi together", width, height,
+            kMaxImageSide, kMaxImageTexels >> 20);
 }
 
 DecodedImage decode_image(std::string_view bytes) {
@@ -33,7 +32,7 @@ DecodedImage decode_image(std::string_view bytes) {
   if (kind == "PNG") return decode_png(bytes);
   if (kind == "JPEG") return decode_jpeg(bytes);
   if (kind == "WebP") return decode_webp(bytes);
-  bad_input("is of the kind " + kind + "; accepted: PNG, JPEG, WebP");
+  bad_input("is of the kind %1; accepted: PNG, JPEG, WebP", kind);
 }
 
 }  // namespace trivet

@@ -21,7 +21,7 @@ struct DecodedImage {
 /// "unknown".
 std::string image_kind(std::string_view bytes);
 
-/// Of PNG by libpng, JPEG by libjpeg-turbo, WebP by libwebp (the first picture).
+/// Decodes PNG by libpng, JPEG by libjpeg-turbo, WebP by libwebp (the first picture).
 /// @throws Error (BadInput) with the reason: another kind, damaged, more than the limits above.
 DecodedImage decode_image(std::string_view bytes);
 

@@ -270,20 +270,20 @@ std::vector<ImageSummary> images_of(const Model& model) {
   return out;
 }
 
-std::vector<std::string> undrawn_textures(const Model& model) {
+std::vector<Sentence> undrawn_textures(const Model& model) {
   if (!model.appearance || model.appearance->document->images.empty()) return {};
   std::vector<std::pair<size_t, bool>> images;
   undecoded_look(model, images);
   std::set<size_t> seen;
-  std::vector<std::string> notes;
+  std::vector<Sentence> notes;
   for (const auto& [image, srgb] : images) {
     const SharedBytes bytes = bytes_of_image(model, image);
     if (!bytes || !seen.insert(image).second) continue;
     try {
       decode_image(*bytes);
     } catch (const Error& error) {
-      notes.push_back("not drawn: the image \"" + name_of_image(model, image) + "\" " +
-                      error.what());
+      notes.push_back(
+          say("not drawn: the image \"%1\" %2", name_of_image(model, image), error.sentence()));
     }
   }
   return notes;

@@ -90,6 +90,6 @@ struct ImageSummary {
 std::vector<ImageSummary> images_of(const Model& model);
 
 /// Notes on what surface_look() will leave out, a line each. Decodes every image once.
-std::vector<std::string> undrawn_textures(const Model& model);
+std::vector<Sentence> undrawn_textures(const Model& model);
 
 }  // namespace trivet

@@ -6,7 +6,7 @@
 #include "core/io/animation.h"
 #include "core/io/mesh_model.h"
 #include "core/motion/pose_interpolation.h"
-#include "ops/operations/put.h"
+#include "ops/operations/put_parts.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {

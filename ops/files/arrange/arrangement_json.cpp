@@ -74,7 +74,7 @@ class ArrangementReader {
                                        : m_names.matching(place.at("objects"))) {
       const auto same = [&](const Thing& other) { return other.object == each; };
       if (std::any_of(m_out.things.begin(), m_out.things.end(), same))
-        place.fail("\"" + each + "\" is named before; accepted: each object once");
+        place.fail(say("\"%1\" is named before; accepted: each object once", each));
       thing.object = each;
       m_out.things.push_back(thing);
     }
@@ -166,7 +166,7 @@ void read_zones(const JsonPlace& place, const std::string& object, std::vector<Z
     if (!((zone.upper - zone.lower).minCoeff() >= kLeastZone))
       item.at("box").refuse("the lower corner first, the upper one 1 mm beyond it or more");
     out.push_back(std::move(zone));
-    if (out.size() > kMaxZones) item.fail("too many zones; accepted: " + std::to_string(kMaxZones));
+    if (out.size() > kMaxZones) item.fail(say("too many zones; accepted: %1", kMaxZones));
   }
 }
 

@@ -8,14 +8,14 @@ namespace {
 // A key of the section, for names and their marks.
 nlohmann::json& list_of(const JsonPlace& section, const char* key, nlohmann::json& out) {
   if (const auto list = section.find(key); list && !list->value().is_object())
-    list->refuse("an object of names and their " + std::string(key));
+    list->refuse(say("an object of names and their %1", key));
   return out[key];
 }
 
 void add_front(const JsonPlace& front, const std::string& name, nlohmann::json& fronts) {
   read_front(front);
   if (fronts.contains(name))
-    front.fail("/arrange/fronts has one for \"" + name + "\"; accepted: one front for an object");
+    front.fail(say("/arrange/fronts has one for \"%1\"; accepted: one front for an object", name));
   fronts[name] = front.value();
 }
 
@@ -29,8 +29,8 @@ void add_zones(const JsonPlace& zones, const std::string& name, nlohmann::json& 
 void add_surfaces(const JsonPlace& surfaces, const std::string& name, nlohmann::json& out) {
   read_surfaces(surfaces);
   if (out.contains(name))
-    surfaces.fail("/arrange/surfaces has some for \"" + name +
-                  "\"; accepted: those of an object in one place");
+    surfaces.fail(say(
+        "/arrange/surfaces has some for \"%1\"; accepted: those of an object in one place", name));
   out[name] = surfaces.value();
 }
 

@@ -21,7 +21,7 @@ Body standing(const Model& model, const Shape& shape) {
   return {shape, world_from_object({}, model.up, 1)};
 }
 
-// Of the likely ones; the shape outlives it.
+// Settled pose of a likely stable pose; the shape outlives it.
 std::optional<SettledPose> settled(const Model& model, const Shape& shape,
                                    const std::vector<StablePose>& poses, size_t i) {
   if (i >= kShownPoses) return std::nullopt;
@@ -74,7 +74,7 @@ void add_poses(const Model& model, const Shape& shape, OrderedJson& json) {
   }
   json["upright"] = nullptr;
   const auto upright = upright_pose(poses);
-  if (!upright) json["upright_reason"] = no_upright_pose(node_name(model), poses);
+  if (!upright) json["upright_reason"] = in_english(no_upright_pose(node_name(model), poses));
   for (size_t i = 0; upright && i < poses.size(); ++i)
     if (poses[i].tilt_deg == upright->tilt_deg && json["upright"].is_null()) json["upright"] = i;
 }
@@ -98,7 +98,8 @@ void write_poses(const Model& model, const Shape& shape, std::ostream& out) {
   }
   if (poses.size() > kShownPoses)
     out << "              and " << poses.size() - kShownPoses << " less likely ones: see --json\n";
-  if (!upright) out << "  upright     " << no_upright_pose(node_name(model), poses) << "\n";
+  if (!upright)
+    out << "  upright     " << in_english(no_upright_pose(node_name(model), poses)) << "\n";
 }
 
 void write_surfaces(const Model& model, const Shape& shape, std::ostream& out) {

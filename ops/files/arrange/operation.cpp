@@ -5,7 +5,7 @@
 #include "ops/arrange/as_operation.h"
 #include "ops/files/arrange/arrangement_json.h"
 #include "ops/files/arrange/section.h"
-#include "ops/operations/arrange_problem.h"
+#include "ops/operations/arrange.h"
 
 namespace trivet {
 namespace {
@@ -35,7 +35,7 @@ class WrittenProblem : public ArrangeProblem {
     } catch (const Error& e) {
       if (e.kind() != Error::Kind::BadInput) throw;
       Refusal why{Refusal::Cause::InvalidArgument};
-      why.detail = e.what();
+      why.detail = e.sentence();
       return refused(std::move(why));
     }
   }

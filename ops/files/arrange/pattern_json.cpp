@@ -17,7 +17,7 @@ Pattern::Align read_align(const JsonPlace& place, const std::vector<std::string>
     if (place.value() == accepted[i]) return static_cast<Pattern::Align>(i);
     list += (list.empty() ? "\"" : ", \"") + accepted[i] + "\"";
   }
-  place.refuse("one of " + list);
+  place.refuse(say("one of %1", list));
 }
 
 void read_pattern_values(const JsonPlace& place, const ProblemNames& names, Pattern& pattern) {
@@ -114,9 +114,10 @@ void read_stack(const JsonPlace& place, const ProblemNames& names, Arrangement& 
   place.expect_object({"is", "of", "on"}, {"level", "tolerance", "jitter"});
   if (place.find("tolerance") && place.find("jitter"))
     place.fail("accepted: either \"tolerance\" or \"jitter\", which are one");
-  Relation on = with_defaults(RelationKind::On), centred = with_defaults(RelationKind::Centred);
+  Relation on = usual<relations::On>(), centred = usual<relations::Centred>();
+  std::optional<int>& level_of = on.as<relations::On>()->level;
   on.b = names.one_or_floor(place.at("on"));
-  if (const auto level = place.find("level")) on.level = read_level(*level, names, on.b);
+  if (const auto level = place.find("level")) level_of = read_level(*level, names, on.b);
   if (const auto t = place.find("tolerance"))
     centred.tolerance = t->number(kMinTolerance, kMaxLength);
   if (const auto j = place.find("jitter")) centred.tolerance = j->number(kMinTolerance, kMaxLength);
@@ -126,7 +127,7 @@ void read_stack(const JsonPlace& place, const ProblemNames& names, Arrangement& 
     out.relations.push_back(on);
     if (!is_first) out.relations.push_back(centred);
     on.b = centred.b = name;
-    on.level.reset();
+    level_of.reset();
   }
 }
 

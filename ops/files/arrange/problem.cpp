@@ -10,7 +10,7 @@
 namespace trivet {
 namespace {
 
-// Those that stand nowhere and that no operation names.
+// Objects that stand nowhere and that no operation names.
 std::vector<std::string> left_over(const Layout& layout) {
   std::set<std::string> used;
   for (const Operation& operation : layout.operations) used.insert(object_name(operation));

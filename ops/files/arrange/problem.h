@@ -15,7 +15,7 @@ struct Problem {
   Arrangement arrangement;
 };
 
-/// Reads strictly; the language is described in ops/arrange/README.md and layout.schema.json.
+/// Reads strictly; the language is described in ops/arrange/README.md and `trivet schema`.
 /// @param file  name for messages.
 /// @throws Error (BadInput) naming the file, the place as a JSON pointer, the value and what is
 ///   accepted; unknown names with the nearest known one.

@@ -27,14 +27,14 @@ bool ProblemNames::knows(const std::string& name) const {
 
 std::string ProblemNames::one(const JsonPlace& place) const {
   std::string out = place.text();
-  if (!knows(out)) place.refuse("the name of one of /objects" + did_you_mean(out, *m_names));
+  if (!knows(out)) place.refuse(say("the name of one of /objects%1", did_you_mean(out, *m_names)));
   return out;
 }
 
 std::string ProblemNames::one_or_floor(const JsonPlace& place) const {
   std::string out = place.text();
   if (out != "floor" && !knows(out))
-    place.refuse("\"floor\" or the name of one of /objects" + did_you_mean(out, *m_names));
+    place.refuse(say("\"floor\" or the name of one of /objects%1", did_you_mean(out, *m_names)));
   return out;
 }
 
@@ -49,8 +49,8 @@ std::vector<std::string> ProblemNames::matching(const std::string& pattern,
   for (const std::string& name : *m_names)
     if (matches_name(name, pattern)) out.push_back(name);
   if (out.empty())
-    place.refuse("the name of one of /objects, or one with * for any letters" +
-                 did_you_mean(pattern, *m_names));
+    place.refuse(say("the name of one of /objects, or one with * for any letters%1",
+                     did_you_mean(pattern, *m_names)));
   return out;
 }
 

@@ -23,7 +23,7 @@ class ProblemNames {
   /// Surfaces of objects, by names of their own.
   using Surfaces = std::map<std::string, int>;
   void set_surfaces(std::map<std::string, Surfaces> surfaces) { m_surfaces = std::move(surfaces); }
-  /// Of this support; empty: it has none with names.
+  /// Surfaces of this support; empty: it has none with names.
   const Surfaces& surfaces(const std::string& support) const;
 
   std::string one(const JsonPlace& place) const;
@@ -33,7 +33,7 @@ class ProblemNames {
   std::vector<std::string> matching(const std::string& pattern, const JsonPlace& place) const;
   /// By a pattern, or a list of them: each object once, in that order.
   std::vector<std::string> listed(const JsonPlace& place) const;
-  /// What a relation is about: by a pattern the things to arrange, else objects; but for `other`.
+  /// Subjects of a relation: by a pattern the things to arrange, else objects; but for `other`.
   std::vector<std::string> subjects(const JsonPlace& place, const std::string& other) const;
 
  private:

@@ -1,7 +1,9 @@
 #include "ops/files/arrange/relation_json.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "core/base/limits.h"
 #include "core/base/nearest_name.h"
@@ -14,7 +16,6 @@ namespace {
 constexpr int kMaxLevel = 1000;
 constexpr size_t kMaxRelations = 100'000;  // those of patterns each for itself
 constexpr double kMaxWeight = 1e6, kMostFriction = 1e6;
-constexpr double kNextTo = 0.1, kAgainst = 0.01, kArm = 0.7;  // metres
 
 Side read_side(const JsonPlace& place) {
   for (const Side side : {Side::Front, Side::Back, Side::Left, Side::Right})
@@ -29,114 +30,119 @@ Vec2 read_axis(const JsonPlace& place) {
   return axis / length;
 }
 
-void read_along(const JsonPlace& place, Relation& r) {
+relations::Axes read_along(const JsonPlace& place) {
   if (place.value() != "x" && place.value() != "y" && place.value() != "both")
     place.refuse("\"x\", \"y\" or \"both\"");
-  r.along_x = place.value() != "y";
-  r.along_y = place.value() != "x";
+  return {place.value() != "y", place.value() != "x"};
 }
 
-struct KindKeys {
-  RelationKind kind;
-  std::initializer_list<const char*> required, optional;
-};
-
-const KindKeys kKeys[] = {
-    {RelationKind::On, {"is", "a", "b"}, {"level"}},
-    {RelationKind::In, {"is", "a", "b"}, {}},
-    {RelationKind::Against, {"is", "a", "b"}, {"side", "gap", "overlap", "tolerance", "weight"}},
-    {RelationKind::Near, {"is", "a", "b", "distance"}, {"tolerance", "weight"}},
-    {RelationKind::LeftOf, {"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"}},
-    {RelationKind::RightOf, {"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"}},
-    {RelationKind::InFrontOf, {"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"}},
-    {RelationKind::Behind, {"is", "a", "b"}, {"gap", "overlap", "tolerance", "weight"}},
-    {RelationKind::Facing, {"is", "a"}, {"b", "point", "tolerance", "weight"}},
-    {RelationKind::Away, {"is", "a"}, {"b", "point", "tolerance", "weight"}},
-    {RelationKind::Aligned, {"is", "a", "b"}, {"tolerance", "weight"}},
-    {RelationKind::Parallel, {"is", "a", "b"}, {"tolerance", "weight"}},
-    {RelationKind::Perpendicular, {"is", "a", "b"}, {"tolerance", "weight"}},
-    {RelationKind::Same, {"is", "a", "b"}, {"tolerance", "weight"}},
-    {RelationKind::Centred, {"is", "a", "b"}, {"along", "offset", "tolerance", "weight"}},
-    {RelationKind::Within, {"is", "a", "region"}, {"tolerance", "weight"}},
-    {RelationKind::At, {"is", "a", "point"}, {"tolerance", "weight"}},
-    {RelationKind::Symmetric, {"is", "a", "b"}, {"about", "point", "axis", "tolerance", "weight"}},
-    {RelationKind::AtEdge, {"is", "a", "b"}, {"side", "gap", "tolerance", "weight"}},
-    {RelationKind::Under, {"is", "a", "b"}, {"part", "tolerance", "weight"}},
-    {RelationKind::View, {"is", "a"}, {"b", "height", "point", "part", "tolerance", "weight"}},
-    {RelationKind::Reach, {"is", "a"}, {"b", "height", "point", "distance", "tolerance", "weight"}},
-};
-
-void expect_keys(const JsonPlace& place, RelationKind kind, bool next_to) {
-  if (next_to) return place.expect_object({"is", "a", "b"}, {"distance", "tolerance", "weight"});
-  for (const KindKeys& keys : kKeys)
-    if (keys.kind == kind) return place.expect_object(keys.required, keys.optional);
-}
-
-void read_gap(const JsonPlace& place, Relation& r) {
+void read_both_ends(const JsonPlace& place, relations::Gap& gap) {
   const auto both = place.numbers(2, 0, kMaxLength);
   if (both[0] > both[1]) place.refuse("[least, most] with the least first");
-  r.lower = both[0], r.upper = both[1];
+  gap.lower = both[0], gap.upper = both[1];
 }
 
-void read_values(const JsonPlace& place, const ProblemNames& names, Relation& r) {
+void read_gap(const JsonPlace& place, relations::GapForm form, relations::Gap& gap) {
+  using Form = relations::GapForm;
+  if (form == Form::Both || (form == Form::Either && place.value().is_array()))
+    return read_both_ends(place, gap);
+  if (form == Form::Either && !place.value().is_number())
+    place.refuse("a number, or [least, most]");
+  gap.upper = place.number(0, kMaxLength);
+}
+
+/// Reads one field of a kind by the type of its member.
+template <class K>
+class FieldReader {
+ public:
+  FieldReader(const relations::Field<K>& field, const JsonPlace& place, const ProblemNames& names,
+              const std::string& b, K& out)
+      : m_field(field), m_place(place), m_names(names), m_b(b), m_out(out) {}
+
+  void operator()(double K::*member) const {
+    m_out.*member = m_place.number(m_field.least, m_field.most);
+  }
+  void operator()(std::optional<int> K::*member) const {
+    m_out.*member = read_level(m_place, m_names, m_b);
+  }
+  void operator()(std::optional<Side> K::*member) const { m_out.*member = read_side(m_place); }
+  void operator()(Vec2 K::*member) const { m_out.*member = read_point(m_place); }
+  void operator()(std::optional<Vec2> K::*member) const { m_out.*member = read_point(m_place); }
+  void operator()(std::optional<Vec3> K::*member) const { m_out.*member = read_position(m_place); }
+  void operator()(std::vector<Vec2> K::*member) const { m_out.*member = read_region(m_place); }
+  void operator()(std::string K::*member) const { m_out.*member = m_names.one(m_place); }
+  void operator()(relations::Axes K::*member) const { m_out.*member = read_along(m_place); }
+  void operator()(const relations::Direction<K>& direction) const {
+    m_out.*direction.member = read_axis(m_place);
+  }
+  void operator()(relations::GapForm form) const {
+    if constexpr (std::is_base_of_v<relations::Gap, K>) read_gap(m_place, form, m_out);
+  }
+
+ private:
+  const relations::Field<K>& m_field;
+  const JsonPlace& m_place;
+  const ProblemNames& m_names;
+  const std::string& m_b;
+  K& m_out;
+};
+
+/// @param is_alias  the entry has the kind's other name: no field is required.
+template <class K>
+void expect_keys(const JsonPlace& place, bool is_alias) {
+  std::vector<const char*> required{"is", "a"}, optional;
+  if (K::kOther == relations::Other::Needed) required.push_back("b");
+  if (K::kOther == relations::Other::Optional) optional.push_back("b");
+  for (const auto& field : relations::fields_of<K>())
+    (field.is_required && !is_alias ? required : optional).push_back(field.key);
+  if (!K::kCarries) optional.insert(optional.end(), {"tolerance", "weight"});
+  place.expect_object(required, optional);
+}
+
+template <class K>
+Relation read_values(const JsonPlace& place, const ProblemNames& names) {
+  Relation out = usual<K>();
+  K& kind = *out.as<K>();
   if (const auto b = place.find("b"))
-    r.b = r.kind == RelationKind::On ? names.one_or_floor(*b) : names.one(*b);
-  if (const auto level = place.find("level")) r.level = read_level(*level, names, r.b);
-  if (const auto side = place.find("side")) r.side = read_side(*side);
-  if (const auto gap = place.find("gap")) read_gap(*gap, r);
-  if (const auto d = place.find("distance")) {
-    if (d->value().is_array() && r.kind == RelationKind::Near)
-      read_gap(*d, r);
-    else if (!d->value().is_number() && r.kind == RelationKind::Near)
-      d->refuse("a number, or [least, most]");
-    else
-      r.upper = d->number(0, kMaxLength);
-  }
-  for (const char* const key : {"overlap", "part"})
-    if (const auto overlap = place.find(key)) r.overlap = overlap->number(0, 1);
-  if (const auto height = place.find("height"))
-    r.eye_height = height->number(-kMaxLength, kMaxLength);
-  if (const auto along = place.find("along")) read_along(*along, r);
-  if (const auto offset = place.find("offset")) r.offset = read_point(*offset);
-  if (const auto point = place.find("point")) {
-    if (r.is_of_sight()) {
-      r.eye = read_position(*point);
-    } else {
-      r.point = read_point(*point);
-    }
-  }
-  if (const auto about = place.find("about")) r.about = names.one(*about);
-  if (const auto axis = place.find("axis")) r.axis = read_axis(*axis);
-  if (const auto region = place.find("region")) r.region = read_region(*region);
-  if (const auto t = place.find("tolerance")) r.tolerance = t->number(kMinTolerance, kMaxLength);
-  if (const auto weight = place.find("weight")) r.weight = weight->number(0, kMaxWeight);
+    out.b = K::kTakesFloor ? names.one_or_floor(*b) : names.one(*b);
+  for (const auto& field : relations::fields_of<K>())
+    if (const auto value = place.find(field.key))
+      std::visit(FieldReader<K>(field, *value, names, out.b, kind), field.member);
+  if (const auto t = place.find("tolerance")) out.tolerance = t->number(kMinTolerance, kMaxLength);
+  if (const auto weight = place.find("weight")) out.weight = weight->number(0, kMaxWeight);
+  const auto is_given = [&](const char* key) { return place.find(key).has_value(); };
+  if (const char* const wrong = kind.wrong(out, is_given)) place.fail(wrong);
+  return out;
 }
 
-void read_kind(const JsonPlace& place, RelationKind kind, bool next_to, const ProblemNames& names,
-               Arrangement& out) {
-  expect_keys(place, kind, next_to);
-  Relation relation = with_defaults(kind);
-  read_values(place, names, relation);
-  const bool turns = kind == RelationKind::Facing || kind == RelationKind::Away;
-  if (turns && relation.b.empty() != relation.point.has_value())
-    place.fail("accepted: either \"b\" or \"point\"");
-  const bool has_eye = kind == RelationKind::View || kind == RelationKind::Reach;
-  if (has_eye && relation.b.empty() != relation.eye.has_value())
-    place.fail("accepted: either \"b\" or \"point\"");
-  if (has_eye && relation.eye && place.find("height"))
-    place.fail("accepted: \"height\" with \"b\", a \"point\" has its own");
-  const bool has_point = relation.point.has_value(), has_axis = place.find("axis").has_value();
-  const bool has_plane = has_point && has_axis, has_part = has_point || has_axis;
-  if (kind == RelationKind::Symmetric && (relation.about.empty() ? !has_plane : has_part))
-    place.fail("accepted: either \"about\" an object, or \"point\" and \"axis\"");
+template <class K>
+void read_kind(const JsonPlace& place, bool is_alias, const ProblemNames& names, Arrangement& out) {
+  expect_keys<K>(place, is_alias);
+  Relation relation = read_values<K>(place, names);
   for (const std::string& a : names.subjects(place.at("a"), relation.b)) {
     if (a == relation.b) place.at("b").refuse("another object than a");
     relation.a = a;
     out.relations.push_back(relation);
     if (out.relations.size() > kMaxRelations)
-      place.fail("with this there are more than " + std::to_string(kMaxRelations) +
-                 " relations; accepted: fewer");
+      place.fail(say("with this there are more than %1 relations; accepted: fewer", kMaxRelations));
   }
+}
+
+struct KindName {
+  const char* name;
+  bool is_alias;
+  void (*read)(const JsonPlace&, bool, const ProblemNames&, Arrangement&);
+};
+
+template <size_t... I>
+std::vector<KindName> names_of_kinds(std::index_sequence<I...>) {
+  std::vector<KindName> out;
+  const auto add = [&]<class K>(const K*) {
+    out.push_back({K::kName, false, read_kind<K>});
+    if (K::kAlias) out.push_back({K::kAlias, true, read_kind<K>});
+  };
+  (add(static_cast<const std::variant_alternative_t<I, relations::Kind>*>(nullptr)), ...);
+  return out;
 }
 
 void read_keep(const JsonPlace& place, const ProblemNames& names, Arrangement& out) {
@@ -183,7 +189,7 @@ int read_level(const JsonPlace& place, const ProblemNames& names, const std::str
   if (place.value() == "top" || place.value() == "bottom") return read_level_number(place);
   std::string list;
   for (const auto& [name, level] : surfaces) list += "\"" + name + "\", ";
-  place.refuse(list + "\"top\", \"bottom\", or a number as trivet info --surfaces has them");
+  place.refuse(say("%1\"top\", \"bottom\", or a number as trivet info --surfaces has them", list));
 }
 
 int read_level_number(const JsonPlace& place) {
@@ -196,61 +202,22 @@ int read_level_number(const JsonPlace& place) {
       "negative");
 }
 
-Relation with_defaults(RelationKind kind) {
-  Relation out;
-  out.kind = kind;
-  switch (kind) {
-    case RelationKind::Against:
-      out.upper = kAgainst;
-      break;
-    case RelationKind::Near:
-      out.upper = kNextTo;
-      break;
-    case RelationKind::Facing:
-    case RelationKind::Away:
-      out.tolerance = 5;
-      break;
-    case RelationKind::Aligned:
-    case RelationKind::Parallel:
-    case RelationKind::Perpendicular:
-    case RelationKind::Same:
-      out.tolerance = 2;
-      break;
-    case RelationKind::AtEdge:
-      out.upper = kAgainst;
-      break;
-    case RelationKind::Reach:
-      out.upper = kArm;
-      out.tolerance = 0.01;
-      break;
-    case RelationKind::View:
-    case RelationKind::Under:
-    case RelationKind::Centred:
-    case RelationKind::At:
-    case RelationKind::Symmetric:
-      out.tolerance = 0.01;
-      break;
-    default:
-      break;
-  }
-  return out;
-}
-
 void read_relation(const JsonPlace& place, const ProblemNames& names, Arrangement& out) {
   const std::string is = place.at("is").text();
   if (read_pattern(place, is, names, out)) return;
   if (is == "keep") return read_keep(place, names, out);
   if (is == "stands") return read_stands(place, names, out);
-  if (is == "next_to") return read_kind(place, RelationKind::Near, true, names, out);
-  std::vector<std::string> known{"next_to", "row",   "grid", "circle", "facings",
-                                 "along",   "stack", "keep", "stands"};
-  for (const KindKeys& keys : kKeys) {
-    if (is == to_string(keys.kind)) return read_kind(place, keys.kind, false, names, out);
-    known.emplace_back(to_string(keys.kind));
+  static const std::vector<KindName> kinds =
+      names_of_kinds(std::make_index_sequence<std::variant_size_v<relations::Kind>>());
+  std::vector<std::string> known{"row",   "grid",  "circle", "facings",
+                                 "along", "stack", "keep",   "stands"};
+  for (const KindName& kind : kinds) {
+    if (is == kind.name) return kind.read(place, kind.is_alias, names, out);
+    known.insert(kind.is_alias ? known.begin() : known.end(), kind.name);
   }
   std::string list;
   for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
-  place.at("is").refuse("one of " + list + did_you_mean(is, known));
+  place.at("is").refuse(say("one of %1%2", list, did_you_mean(is, known)));
 }
 
 void read_count(const JsonPlace& place, const char* key, int lower, int upper, int& out) {

@@ -21,7 +21,16 @@ Vec2 read_point(const JsonPlace& place);
 int read_level(const JsonPlace& place, const ProblemNames& names, const std::string& support);
 /// "top", "bottom" or a number.
 int read_level_number(const JsonPlace& place);
-Relation with_defaults(RelationKind kind);
+/// As a problem has it that gives nothing but its objects.
+template <class K>
+Relation usual() {
+  K kind;
+  if constexpr (requires { kind.upper; }) kind.upper = K::kUsualUpper;
+  Relation out;
+  out.tolerance = K::kUsualTolerance;
+  out.kind = std::move(kind);
+  return out;
+}
 
 inline constexpr double kMinTolerance = 1e-5;
 

@@ -10,7 +10,7 @@ namespace {
 
 OrderedJson conflict_json(const Conflict& conflict) {
   OrderedJson out = {{"thing", conflict.thing},
-                     {"constraints", conflict.constraints},
+                     {"constraints", in_english(conflict.constraints)},
                      {"as_things_stand", conflict.as_they_stand}};
   out["missing"] = conflict.missing ? OrderedJson(*conflict.missing) : OrderedJson();
   return out;

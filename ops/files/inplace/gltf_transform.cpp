@@ -25,8 +25,7 @@ std::vector<double> numbers(const GltfJson& node, const char* key, std::vector<d
   const GltfJson& given = member(node, key);
   if (given.is_null()) return otherwise;
   if (!given.is_array() || given.size() != otherwise.size())
-    throw Error(Error::Kind::BadInput, std::string("a node's ") + key + " has not " +
-                                           std::to_string(otherwise.size()) + " numbers");
+    throw Error(Error::Kind::BadInput, "a node's %1 has not %2 numbers", key, otherwise.size());
   for (size_t i = 0; i < otherwise.size(); ++i) otherwise[i] = float_of(given[i]);
   return otherwise;
 }

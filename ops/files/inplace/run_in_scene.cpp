@@ -19,9 +19,8 @@ namespace {
 
 constexpr size_t kNamesTold = 20;
 
-[[noreturn]] void fail(const RunOptions& options, const std::string& place,
-                       const std::string& what) {
-  throw Error(Error::Kind::BadInput, options.layout_file + ": " + place + ": " + what);
+[[noreturn]] void fail(const RunOptions& options, const std::string& place, const Sentence& what) {
+  throw Error(Error::Kind::BadInput, "%1: %2: %3", options.layout_file, place, what);
 }
 
 std::string names_of(const GltfScene& scene) {
@@ -43,10 +42,10 @@ std::map<size_t, const LayoutObject*> picked_objects(const Layout& layout, const
     const auto found = index_of.find(object.name);
     if (found == index_of.end())
       fail(options, place,
-           quoted(object.name) + " is no object of the scene; accepted: " + names_of(scene));
+           say("%1 is no object of the scene; accepted: %2", quoted(object.name), names_of(scene)));
     const SceneNode& node = scene.objects()[found->second];
     if (!object.fixed && !node.immovable.empty())
-      fail(options, place, quoted(object.name) + " cannot be moved: " + node.immovable);
+      fail(options, place, say("%1 cannot be moved: %2", quoted(object.name), node.immovable));
     out[found->second] = &object;
   }
   return out;
@@ -59,12 +58,12 @@ void check_operations(const Layout& layout, const RunOptions& options) {
         std::holds_alternative<DuplicateOperation>(o) ||
         std::holds_alternative<DeleteOperation>(o) || std::holds_alternative<RenameOperation>(o))
       fail(options, "/operations/" + std::to_string(i) + "/op",
-           quoted(op_name(o)) + " is not accepted: a scene keeps its nodes");
+           say("%1 is not accepted: a scene keeps its nodes", quoted(op_name(o))));
     if (std::holds_alternative<FixOperation>(o))
       fail(options, "/operations/" + std::to_string(i) + "/op",
-           quoted(op_name(o)) +
-               " is not accepted: what the layout does not pick stays, and what it picks moves "
-               "unless it says \"fixed\"");
+           say("%1 is not accepted: what the layout does not pick stays, and what it picks moves "
+               "unless it says \"fixed\"",
+               quoted(op_name(o))));
   }
 }
 
@@ -163,11 +162,12 @@ LayoutRun run_in_scene(const Layout& layout, GltfScene& source, const RunOptions
   const std::map<size_t, const LayoutObject*> picked = picked_objects(layout, source, options);
   LayoutRun run;
   run.scene = make_scene(layout, source, picked, options);
-  if (!(options.settle.clearance > 0) && !export_origin(run.scene.box()).isZero(0))
-    options.settle.clearance = default_clearance_in_world(run.scene);
+  if (const double in_world = default_clearance_in_world(run.scene);
+      !(options.settle.clearance > 0) && in_world > default_clearance(run.scene))
+    options.settle.clearance = in_world;
   if (const auto why =
           refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
-    throw Error(Error::Kind::BadInput, source.path() + ": " + message(*why));
+    throw Error(Error::Kind::BadInput, "%1: %2", source.path(), message(*why));
   update_contacts(run.scene, options.settle.clearance, options.settle);
   run_operations(layout, options, run);
   finish_run(options, run);

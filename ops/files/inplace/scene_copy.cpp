@@ -44,9 +44,9 @@ void copy_companions(const GltfJson& root, const std::string& scene, const fs::p
       const fs::path file = decoded_uri(uri.get<std::string>());
       if (leaves_folder(file))
         throw Error(Error::Kind::BadInput,
-                    "the scene names \"" + printable(uri.get<std::string>(), 100) +
-                        "\", which lies outside its folder; accepted: an output in the scene's own "
-                        "folder");
+                    "the scene names \"%1\", which lies outside its folder; accepted: an output in "
+                    "the scene's own folder",
+                    printable(uri.get<std::string>(), 100));
       if (folder.has(from / file)) wanted.push_back(file.string());
     }
   std::erase_if(wanted, [&](const std::string& file) {
@@ -69,7 +69,7 @@ std::string with_json(const std::string& file, std::string json) {
   if (glb.size() >= kBeforeJson) std::memcpy(&old_json, glb.data() + 12, sizeof old_json);
   if (glb.size() < kBeforeJson + old_json || glb.compare(0, 4, "glTF") != 0)
     throw Error(Error::Kind::Environment,
-                file + ": has changed since it was read; accepted: a scene that stays as it is");
+                "%1: has changed since it was read; accepted: a scene that stays as it is", file);
   json.append((4 - json.size() % 4) % 4, ' ');
   const std::string rest = glb.substr(kBeforeJson + old_json);
   const auto total = static_cast<std::uint32_t>(kBeforeJson + json.size() + rest.size());
@@ -86,11 +86,11 @@ std::string with_json(const std::string& file, std::string json) {
 void write_scene_copy(const std::string& from, const GltfJson& original, const GltfJson& json,
                       const std::string& to) {
   if (lower_extension(to) != lower_extension(from))
-    throw Error(Error::Kind::BadInput,
-                to + ": the scene stays what it is; accepted: " + lower_extension(from));
+    throw Error(Error::Kind::BadInput, "%1: the scene stays what it is; accepted: %2", to,
+                lower_extension(from));
   const bool glb = lower_extension(to) == ".glb";
   const std::string text = json.dump(glb ? -1 : 1, ' ', false, GltfJson::error_handler_t::replace);
-  StagedFiles staged;
+  StagedFiles staged(to);
   copy_companions(original, from, to, staged);
   staged.add(to, glb ? with_json(from, text) : text);
   staged.commit();

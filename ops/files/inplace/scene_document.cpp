@@ -7,7 +7,7 @@
 namespace trivet {
 namespace {
 
-[[noreturn]] void fail(const std::string& reason) { throw Error(Error::Kind::BadInput, reason); }
+[[noreturn]] void fail(const Sentence& reason) { throw Error(Error::Kind::BadInput, reason); }
 
 const GltfJson& node_at(const GltfJson& root, int node) {
   return element(root, "nodes", GltfJson(static_cast<unsigned>(node)));

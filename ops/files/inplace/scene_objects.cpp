@@ -132,7 +132,7 @@ struct GltfScene::Document {
 
   void find_objects();
   std::string unique_name(int node, std::map<std::string, int>& taken) const;
-  std::string why_immovable(int node, const std::set<int>& animated) const;
+  Sentence why_immovable(int node, const std::set<int>& animated) const;
   bool has_skin_below(int node) const;
   Model read(size_t object) const;
 };
@@ -158,14 +158,14 @@ bool GltfScene::Document::has_skin_below(int node) const {
   return false;
 }
 
-std::string GltfScene::Document::why_immovable(int node, const std::set<int>& animated) const {
+Sentence GltfScene::Document::why_immovable(int node, const std::set<int>& animated) const {
   for (int n = node; n >= 0; n = tree.nodes[static_cast<size_t>(n)].parent)
-    if (animated.count(n)) return "it is animated";
-  if (has_skin_below(node)) return "it is deformed by a skeleton";
+    if (animated.count(n)) return TRIVET_SENTENCE("it is animated");
+  if (has_skin_below(node)) return TRIVET_SENTENCE("it is deformed by a skeleton");
   if (tree.nodes[static_cast<size_t>(node)].parent >= 0 &&
       !inverse(tree.nodes[static_cast<size_t>(tree.nodes[static_cast<size_t>(node)].parent)].world))
     return "a node above it has a scale of zero";
-  return "";
+  return {};
 }
 
 void GltfScene::Document::find_objects() {
@@ -182,7 +182,7 @@ void GltfScene::Document::find_objects() {
     up << 1, 0, 0, 0, 0, -1, 0, 1, 0;
     const std::optional<Mat3> rotation = rotation_of(world.linear * up.transpose());
     if (rotation) object.pose.rotation = Rotation::from_matrix(*rotation);
-    if (!rotation) object.immovable = "its transform flattens it";
+    if (!rotation) object.immovable = TRIVET_SENTENCE("its transform flattens it");
     object.pose.translation = world.translation;
     object.stretch = (object.pose.rotation.matrix() * up).transpose() * world.linear;
     const GltfJson shown = bare_node(original, node, rule);
@@ -193,7 +193,7 @@ void GltfScene::Document::find_objects() {
     objects.push_back(std::move(object));
   }
   if (objects.empty())
-    throw Error(Error::Kind::BadInput, path + ": has no objects: no node of its scene has a mesh");
+    throw Error(Error::Kind::BadInput, "%1: has no objects: no node of its scene has a mesh", path);
   moved.assign(objects.size(), false);
 }
 
@@ -217,10 +217,10 @@ GltfScene::GltfScene(const std::string& path, SceneRule rule, const ImportLimits
     drop_appearance(d.resolved.json);
     d.find_objects();
   } catch (const GltfJson::exception& e) {
-    throw Error(Error::Kind::BadInput, path + ": is no valid glTF: " + printable(e.what()));
+    throw Error(Error::Kind::BadInput, "%1: is no valid glTF: %2", path, printable(e.what()));
   } catch (const Error& e) {
-    const std::string message = e.what();
-    throw Error(e.kind(), message.rfind(path, 0) == 0 ? message : path + ": " + message);
+    if (std::string(e.what()).rfind(path, 0) == 0) throw;
+    throw Error(e.kind(), "%1: %2", path, e.sentence());
   }
 }
 
@@ -264,9 +264,9 @@ void GltfScene::move(const std::vector<Pose>& poses) {
       const Affine pose = world_from_object(poses[it->second], UpAxis::Y, 1);
       world[n] = y_up(composed(pose, {object.stretch, Vec3::Zero()}));
     }
-    const auto refuse = [&](const std::string& why) {
-      throw Error(Error::Kind::BadInput,
-                  d.path + ": \"" + object.name + "\" cannot be moved: " + why);
+    const auto refuse = [&](const Sentence& why) {
+      throw Error(Error::Kind::BadInput, "%1: \"%2\" cannot be moved: %3", d.path, object.name,
+                  why);
     };
     if (!object.immovable.empty()) refuse(object.immovable);
     const auto parent_inverse =

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/motion/pose.h"
 #include "ops/files/layout/layout.h"
 #include "ops/files/layout/load.h"
@@ -19,7 +20,7 @@ struct SceneNode {
   int node = 0;
   Pose pose;                        // where it is
   Mat3 stretch = Mat3::Identity();  // scale and shear that its geometry is read with
-  std::string immovable;            // why its transform cannot be changed; empty: it can
+  Sentence immovable;               // why its transform cannot be changed; empty: it can
 };
 
 class GltfScene {

@@ -32,7 +32,7 @@ class InputFile {
  public:
   explicit InputFile(const std::string& path)
       : m_path(path), m_descriptor(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
-    if (m_descriptor < 0) bad_input(path + ": cannot be opened: " + std::strerror(errno));
+    if (m_descriptor < 0) bad_input("%1: cannot be opened: %2", path, std::strerror(errno));
     struct stat status {};
     struct statfs system {};
     m_awaits_writer = fstat(m_descriptor, &status) == 0 && S_ISFIFO(status.st_mode) &&
@@ -52,12 +52,13 @@ class InputFile {
       if (count > 0 || (count == 0 && !m_awaits_writer)) return static_cast<size_t>(count);
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK)
-        bad_input(m_path + ": cannot be read: " + std::strerror(errno));
+        bad_input("%1: cannot be read: %2", m_path, std::strerror(errno));
       if (count < 0) m_awaits_writer = false;  // there is one, who has written nothing yet
       if (m_awaits_writer && Clock::now() > deadline)
-        bad_input(m_path + ": is a pipe that nobody has opened for writing within " +
-                  std::to_string(kSecondsForWriter) +
-                  " s; accepted: a file, or a pipe that is fed");
+        bad_input(
+            "%1: is a pipe that nobody has opened for writing within %2 s; accepted: a file, or a "
+            "pipe that is fed",
+            m_path, kSecondsForWriter);
       pollfd waiting{m_descriptor, POLLIN, 0};
       if (m_awaits_writer)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));  // poll() would not wait
@@ -79,14 +80,14 @@ class InputFile {
 
 std::string read_input_text(const std::string& path, std::uintmax_t max_bytes, TextKind kind) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) bad_input(path + ": is a folder, not a file");
+  if (std::filesystem::is_directory(path, ignored)) bad_input("%1: is a folder, not a file", path);
   InputFile file(path);
   std::string text;
   std::vector<char> block(1 << 16);
   while (const size_t count = file.read(block)) {
     text.append(block.data(), count);
     if (text.size() > max_bytes)
-      bad_input(path + ": is larger than the limit of " + std::to_string(max_bytes) + " bytes");
+      bad_input("%1: is larger than the limit of %2 bytes", path, max_bytes);
     // Other text may be endless; its beginning is enough for the parser to refuse it.
     if (kind == TextKind::Json && !may_be_json(text)) break;
   }

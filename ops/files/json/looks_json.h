@@ -1,4 +1,4 @@
-// Looks of objects and collections as JSON, as in layout.schema.json.
+// Looks of objects and collections as JSON, as the schema of layouts has them.
 #pragma once
 
 #include "ops/files/json/text.h"

@@ -15,8 +15,8 @@ PhysicsMaterial read_preset(const JsonPlace& place) {
   std::string accepted;
   for (const std::string& known : material_names())
     accepted.append(accepted.empty() ? "" : ", ").append(known);
-  place.refuse(accepted + ", or an object with friction, density and restitution" +
-               did_you_mean(name, material_names()));
+  place.refuse(say("%1, or an object with friction, density and restitution%2", accepted,
+                   did_you_mean(name, material_names())));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace trivet {
 /// @throws Error (BadInput) with the place, the value and what is accepted.
 PhysicsMaterial read_material(const JsonPlace& place);
 
-/// That read_material() reads to the same bits.
+/// Writes the material so that read_material() reads it to the same bits.
 nlohmann::ordered_json material_json(const PhysicsMaterial& material);
 
 /// All of it: {"name": of a preset or null, "friction", "density", "restitution"}.

@@ -10,7 +10,7 @@ namespace trivet {
 /// @throws Error (BadInput) with the place, the value and what is accepted.
 SettleRules read_settle_rules(const JsonPlace& place);
 
-/// Those that are stated.
+/// Writes the rules that are stated.
 nlohmann::ordered_json settle_rules_json(const SettleRules& rules);
 
 }  // namespace trivet

@@ -12,21 +12,22 @@
 namespace trivet {
 namespace {
 
-std::string joined(std::initializer_list<const char*> a, std::initializer_list<const char*> b) {
+using Keys = std::vector<const char*>;
+
+std::string joined(const Keys& a, const Keys& b) {
   std::string out;
-  for (const auto& list : {a, b})
-    for (const char* key : list) out += (out.empty() ? "" : ", ") + std::string(key);
+  for (const Keys* list : {&a, &b})
+    for (const char* key : *list) out += (out.empty() ? "" : ", ") + std::string(key);
   return out;
 }
 
-std::vector<std::string> joined_keys(std::initializer_list<const char*> a,
-                                     std::initializer_list<const char*> b) {
+std::vector<std::string> joined_keys(const Keys& a, const Keys& b) {
   std::vector<std::string> out(a.begin(), a.end());
   out.insert(out.end(), b.begin(), b.end());
   return out;
 }
 
-bool contains(std::initializer_list<const char*> keys, const std::string& key) {
+bool contains(const Keys& keys, const std::string& key) {
   return std::any_of(keys.begin(), keys.end(), [&](const char* k) { return key == k; });
 }
 
@@ -71,9 +72,9 @@ std::string read_text_file(const std::string& path, std::uintmax_t max_bytes) {
 
 nlohmann::json parse_json(const std::string& text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-    bad_input(file + ": is empty; accepted: a JSON object");
+    bad_input("%1: is empty; accepted: a JSON object", file);
   if (text.rfind("glTF", 0) == 0)
-    bad_input(file + ": is a scene or a model in binary glTF; accepted: JSON, as of a layout");
+    bad_input("%1: is a scene or a model in binary glTF; accepted: JSON, as of a layout", file);
   return json_from_text<nlohmann::json>(text, file);
 }
 
@@ -97,29 +98,41 @@ std::string JsonPlace::where() const {
   return m_pointer.empty() ? m_file : m_file + ": " + m_pointer;
 }
 
-void JsonPlace::fail(const std::string& what) const { bad_input(where() + ": " + what); }
+void JsonPlace::fail(const Sentence& what) const { bad_input("%1: %2", where(), what); }
 
-void JsonPlace::refuse(const std::string& accepted) const {
-  fail(shown(*m_value) + " is not accepted; accepted: " + accepted);
+void JsonPlace::refuse(const Sentence& accepted) const {
+  fail(say("%1 is not accepted; accepted: %2", shown(*m_value), accepted));
 }
 
 void JsonPlace::expect_object(std::initializer_list<const char*> required,
                               std::initializer_list<const char*> optional) const {
+  expect_object(Keys(required), Keys(optional), [](const std::string&) { return Sentence(); });
+}
+
+void JsonPlace::expect_object(std::span<const char* const> required,
+                              std::span<const char* const> optional) const {
+  expect_object(Keys(required.begin(), required.end()), Keys(optional.begin(), optional.end()),
+                [](const std::string&) { return Sentence(); });
+}
+
+void JsonPlace::expect_object(
+    const Keys& required, const Keys& optional,
+    const std::function<Sentence(const std::string& key)>& explain) const {
   const std::string accepted = joined(required, optional);
-  if (!m_value->is_object()) refuse("an object with the keys " + accepted);
+  if (!m_value->is_object()) refuse(say("an object with the keys %1", accepted));
   for (const auto& [key, value] : m_value->items())
     if (!contains(required, key) && !contains(optional, key))
       child(key, value)
-          .fail("unknown key; accepted: " + accepted +
-                did_you_mean(key, joined_keys(required, optional)));
+          .fail(say("unknown key; accepted: %1%2%3", accepted,
+                    did_you_mean(key, joined_keys(required, optional)), explain(key)));
   for (const char* key : required)
     if (!m_value->contains(key))
-      fail("the key \"" + std::string(key) + "\" is missing; required: " + joined(required, {}));
+      fail(say("the key \"%1\" is missing; required: %2", key, joined(required, {})));
 }
 
 JsonPlace JsonPlace::at(const char* key) const {
   if (const auto found = find(key)) return *found;
-  fail("the key \"" + std::string(key) + "\" is missing");
+  fail(say("the key \"%1\" is missing", key));
 }
 
 std::optional<JsonPlace> JsonPlace::find(const char* key) const {
@@ -139,7 +152,7 @@ std::vector<JsonPlace> JsonPlace::items() const {
 }
 
 std::string JsonPlace::text() const {
-  const char* const accepted = "text of at least one character, without control characters";
+  const Sentence accepted = "text of at least one character, without control characters";
   if (!m_value->is_string()) refuse(accepted);
   const auto& text = m_value->get_ref<const std::string&>();
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
@@ -160,13 +173,13 @@ double JsonPlace::number() const {
 double JsonPlace::number(double lower, double upper) const {
   const double value = m_value->is_number() ? m_value->get<double>() : NAN;
   if (!(lower <= value && value <= upper))
-    refuse("a number from " + short_number(lower) + " to " + short_number(upper));
+    refuse(say("a number from %1 to %2", figure(lower), figure(upper)));
   return value;
 }
 
 std::vector<double> JsonPlace::numbers(size_t count) const {
   if (!m_value->is_array() || m_value->size() != count)
-    refuse("an array of " + std::to_string(count) + " numbers");
+    refuse(say("an array of %1 numbers", count));
   std::vector<double> out;
   for (const JsonPlace& item : items()) out.push_back(item.number());
   return out;

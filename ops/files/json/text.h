@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
+
+#include "core/base/sentence.h"
 
 namespace trivet {
 
@@ -27,8 +31,14 @@ class JsonPlace {
       : m_value(&document), m_file(std::move(file)) {}
 
   /// An object that has all `required` keys and beside them only `optional` ones.
+  void expect_object(std::span<const char* const> required,
+                     std::span<const char* const> optional) const;
   void expect_object(std::initializer_list<const char*> required,
                      std::initializer_list<const char*> optional) const;
+  /// The same; `explain` adds to the message about an unknown key.
+  void expect_object(const std::vector<const char*>& required,
+                     const std::vector<const char*>& optional,
+                     const std::function<Sentence(const std::string& key)>& explain) const;
   JsonPlace at(const char* key) const;  // refuses when it is missing
   std::optional<JsonPlace> find(const char* key) const;
   std::vector<JsonPlace> items() const;  // of an array
@@ -44,9 +54,9 @@ class JsonPlace {
   /// "FILE: /objects/3/scale"
   std::string where() const;
   /// @throws Error "FILE: /objects/3/scale: 0 is not accepted; accepted: ..."
-  [[noreturn]] void refuse(const std::string& accepted) const;
+  [[noreturn]] void refuse(const Sentence& accepted) const;
   /// @throws Error "FILE: /objects/3/scale: `what`"
-  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail(const Sentence& what) const;
 
  private:
   JsonPlace(const nlohmann::json& value, std::string file, std::string pointer)

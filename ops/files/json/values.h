@@ -18,24 +18,18 @@ Vec3 read_vec3(const JsonPlace& place);
 std::vector<Vec2> read_region(const JsonPlace& place);
 /// Within kMaxLength.
 Vec3 read_position(const JsonPlace& place);
-/// By the type of the second.
-Vec2 read_vector(const JsonPlace& place, const Vec2&);
-Vec3 read_vector(const JsonPlace& place, const Vec3&);
 /// [w, x, y, z] of any length but zero.
 Rotation read_rotation(const JsonPlace& place);
 
 /// "position" and "rotation" (optional, the identity) of an object. See unit_rotation().
 Pose read_pose(const JsonPlace& place);
+/// Inverse of read_pose().
+void write_pose(const Pose& pose, nlohmann::ordered_json& json);
 /// "y" or "z".
 UpAxis read_up(const JsonPlace& place);
 /// "chord" and "facet_angle_deg" of a model; refused for formats of triangles.
 Tessellation read_tessellation(const JsonPlace& place, const std::string& model);
-
-/// The value of a key, if it is there.
-void read_to(const JsonPlace& place, const char* key, bool& out);
-void read_to(const JsonPlace& place, const char* key, double& out);
-void read_to(const JsonPlace& place, const char* key, double lower, double upper, double& out);
-void read_to(const JsonPlace& place, const char* key, std::optional<Vec3>& out);
-void read_to(const JsonPlace& place, const char* key, std::optional<std::string>& out);
+/// Inverse of read_tessellation(): values that are not the default.
+void write_tessellation(const Tessellation& tessellation, nlohmann::ordered_json& json);
 
 }  // namespace trivet

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "core/io/atomic_file.h"
 #include "core/io/export.h"
+#include "core/io/staged_files.h"
 #include "core/mesh/hull.h"
 #include "core/model/exported_floats.h"
 #include "core/picture/image_files.h"
@@ -54,21 +54,22 @@ class BopWriter : public DataSetWriter {
   BopWriter(const std::string& folder, const LabelledScene& scene, double depth_unit)
       : m_folder(folder), m_views(folder + "/000000"), m_scene(scene), m_unit(depth_unit) {
     for (const char* part : {"rgb", "depth", "mask", "mask_visib"})
-      make_folder(m_views + "/" + part);
-    make_folder(m_folder + "/models");
+      m_files.add_folder(m_views + "/" + part);
+    m_files.add_folder(m_folder + "/models");
   }
 
   void add(const LabelView& view, const Labels& labels, const std::string& picture) override;
   void finish() override;
 
  private:
-  void write_masks(const LabelView& view, const Labels& labels, std::size_t object) const;
+  void write_masks(const LabelView& view, const Labels& labels, std::size_t object);
   OrderedJson pose_json(const LabelView& view, const LabelledObject& object) const;
-  OrderedJson write_model(const std::string& name, const LabelledModel& model) const;
+  OrderedJson write_model(const std::string& name, const LabelledModel& model);
 
   std::string m_folder, m_views;
   const LabelledScene& m_scene;
   double m_unit;
+  StagedFiles m_files;
   int m_num_images = 0;
   OrderedJson m_first_camera;
   OrderedJson m_cameras = OrderedJson::object(), m_poses = OrderedJson::object(),
@@ -82,21 +83,20 @@ OrderedJson BopWriter::pose_json(const LabelView& view, const LabelledObject& ob
           {"obj_id", object.model_id}};
 }
 
-void BopWriter::write_masks(const LabelView& view, const Labels& labels, std::size_t object) const {
+void BopWriter::write_masks(const LabelView& view, const Labels& labels, std::size_t object) {
   const std::string file = number_text(m_num_images) + "_" + number_text(int(object)) + ".png";
   std::vector<bool> visible(labels.instances.size());
   for (std::size_t i = 0; i < visible.size(); ++i) visible[i] = labels.instances[i] == object + 1;
-  write_file_atomically(m_views + "/mask_visib/" + file,
-                        mask_png(visible, labels.width, labels.height));
-  write_file_atomically(m_views + "/mask/" + file,
-                        mask_png(object_silhouette(m_scene.picture, object, view.camera),
-                                 labels.width, labels.height));
+  m_files.add(m_views + "/mask_visib/" + file, mask_png(visible, labels.width, labels.height));
+  m_files.add(m_views + "/mask/" + file,
+              mask_png(object_silhouette(m_scene.picture, object, view.camera), labels.width,
+                       labels.height));
 }
 
 void BopWriter::add(const LabelView& view, const Labels& labels, const std::string& picture) {
   const std::string file = number_text(m_num_images) + ".png", key = std::to_string(m_num_images);
-  write_file_atomically(m_views + "/rgb/" + file, picture);
-  write_file_atomically(
+  m_files.add(m_views + "/rgb/" + file, picture);
+  m_files.add(
       m_views + "/depth/" + file,
       encode_grey_png(labels.width, labels.height,
                       std::span<const std::uint16_t>(depth_in_units(labels, m_unit).units)));
@@ -126,12 +126,12 @@ void BopWriter::add(const LabelView& view, const Labels& labels, const std::stri
   ++m_num_images;
 }
 
-OrderedJson BopWriter::write_model(const std::string& name, const LabelledModel& model) const {
+OrderedJson BopWriter::write_model(const std::string& name, const LabelledModel& model) {
   ExportObject object{name, model.model, model.metres_from_file, ""};
   object.world_from_object.linear *= kMillimetres;
   ExportScene scene;
   scene.objects.push_back(object);
-  write_file_atomically(m_folder + "/models/" + name + ".ply", scene_bytes(scene, ".ply"));
+  m_files.add(m_folder + "/models/" + name + ".ply", scene_bytes(scene, ".ply"));
   std::vector<Vec3> points;
   Aabb box;
   for (const Vec3& v : model.model->mesh.vertices) {
@@ -153,11 +153,12 @@ void BopWriter::finish() {
   for (std::size_t i = 0; i < m_scene.models.size(); ++i)
     models[std::to_string(i + 1)] =
         write_model("obj_" + number_text(int(i) + 1), m_scene.models[i]);
-  write_file_atomically(m_folder + "/models/models_info.json", readable_json(models));
-  write_file_atomically(m_folder + "/camera.json", readable_json(m_first_camera));
-  write_file_atomically(m_views + "/scene_camera.json", readable_json(m_cameras));
-  write_file_atomically(m_views + "/scene_gt.json", readable_json(m_poses));
-  write_file_atomically(m_views + "/scene_gt_info.json", readable_json(m_infos));
+  m_files.add(m_folder + "/models/models_info.json", readable_json(models));
+  m_files.add(m_folder + "/camera.json", readable_json(m_first_camera));
+  m_files.add(m_views + "/scene_camera.json", readable_json(m_cameras));
+  m_files.add(m_views + "/scene_gt.json", readable_json(m_poses));
+  m_files.add(m_views + "/scene_gt_info.json", readable_json(m_infos));
+  m_files.commit();
 }
 
 }  // namespace

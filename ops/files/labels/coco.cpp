@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "core/io/atomic_file.h"
+#include "core/io/staged_files.h"
 #include "ops/files/json/text.h"
 #include "ops/files/labels/data_sets.h"
 #include "ops/files/labels/folders.h"
@@ -8,7 +8,7 @@
 namespace trivet {
 namespace {
 
-// Of one instance within its box, else empty.
+// Mask of one instance within its box, else empty.
 std::vector<bool> instance_mask(const Labels& labels, int instance) {
   std::vector<bool> mask(labels.instances.size());
   const LabelBox& box = labels.objects[instance - 1].visible_box;
@@ -24,12 +24,12 @@ class CocoWriter : public DataSetWriter {
  public:
   CocoWriter(const std::string& folder, const LabelledScene& scene)
       : m_folder(folder), m_scene(scene) {
-    make_folder(folder + "/images");
+    m_files.add_folder(folder + "/images");
   }
 
   void add(const LabelView& view, const Labels& labels, const std::string& picture) override {
     const std::string file = number_text(m_num_images) + ".png";
-    write_file_atomically(m_folder + "/images/" + file, picture);
+    m_files.add(m_folder + "/images/" + file, picture);
     m_images.push_back({{"id", m_num_images},
                         {"file_name", file},
                         {"width", labels.width},
@@ -50,7 +50,8 @@ class CocoWriter : public DataSetWriter {
                              {"images", m_images},
                              {"categories", categories},
                              {"annotations", m_annotations}};
-    write_file_atomically(m_folder + "/annotations.json", readable_json(all));
+    m_files.add(m_folder + "/annotations.json", readable_json(all));
+    m_files.commit();
   }
 
  private:
@@ -78,6 +79,7 @@ class CocoWriter : public DataSetWriter {
 
   std::string m_folder;
   const LabelledScene& m_scene;
+  StagedFiles m_files;
   int m_num_images = 0;
   OrderedJson m_images = OrderedJson::array(), m_annotations = OrderedJson::array();
 };

@@ -8,7 +8,8 @@
 
 namespace trivet {
 
-/// Writes one view after another, and at the end what describes them all.
+/// Takes one view after another, and at the end has what describes them all. Files get their names
+/// together in finish(): without it, as when a disk is full, nothing is left.
 class DataSetWriter {
  public:
   virtual ~DataSetWriter() = default;

@@ -1,18 +1,6 @@
 #include "ops/files/labels/folders.h"
 
-#include <filesystem>
-
-#include "core/base/error.h"
-
 namespace trivet {
-
-void make_folder(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path))
-    throw Error(Error::Kind::Environment,
-                path + ": this folder cannot be made" + (error ? ": " + error.message() : ""));
-}
 
 std::string number_text(int number) {
   std::string digits = std::to_string(number);

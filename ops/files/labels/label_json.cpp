@@ -60,8 +60,8 @@ std::vector<std::vector<double>> rows(const JsonPlace& place, std::size_t least,
   std::vector<std::vector<double>> out;
   for (const JsonPlace& row : place.items()) out.push_back(row.numbers(columns));
   if (out.size() < least || out.size() > most)
-    place.refuse("a matrix of " + std::to_string(least) +
-                 (most > least ? " or " + std::to_string(most) : "") + " rows");
+    place.refuse(
+        say("a matrix of %1%2 rows", least, most > least ? say(" or %1", most) : Sentence()));
   return out;
 }
 
@@ -95,8 +95,9 @@ std::string read_view_name(const JsonPlace& place) {
                c == '_' || c == '-';
       });
   if (!accepted)
-    place.refuse("1 to " + std::to_string(kMaxName) +
-                 " letters a to z and A to Z, digits, _ and -, as it becomes a part of file names");
+    place.refuse(say(
+        "1 to %1 letters a to z and A to Z, digits, _ and -, as it becomes a part of file names",
+        kMaxName));
   return name;
 }
 
@@ -112,9 +113,8 @@ LabelView read_view(const JsonPlace& place, const std::string& name, int default
                                   : aimed_camera(place, width, height);
     check_camera(view.camera);
   } catch (const Error& error) {
-    const std::string what = error.what(), where = place.where();
-    if (what.rfind(where, 0) == 0) throw;
-    place.fail(what);
+    if (std::string(error.what()).rfind(place.where(), 0) == 0) throw;
+    place.fail(error.sentence());
   }
   return view;
 }
@@ -133,7 +133,7 @@ OrderedJson camera_json(const PinholeCamera& camera) {
 int read_pixels(const JsonPlace& place) {
   const double number = place.number(1, kMaxPictureSide);
   if (number != std::floor(number))
-    place.refuse("whole numbers from 1 to " + std::to_string(kMaxPictureSide));
+    place.refuse(say("whole numbers from 1 to %1", kMaxPictureSide));
   return static_cast<int>(number);
 }
 
@@ -143,7 +143,7 @@ std::vector<LabelView> read_views(const JsonPlace& list, int width, int height) 
   for (const JsonPlace& place : list.items()) {
     views.push_back(read_view(place, number_text(int(views.size())), width, height));
     if (!names.insert(views.back().name).second)
-      place.fail("\"" + views.back().name + "\" is already the name of a camera");
+      place.fail(say("\"%1\" is already the name of a camera", views.back().name));
   }
   if (views.empty()) list.refuse("at least one camera");
   return views;

@@ -10,7 +10,7 @@
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/looks_json.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/json/settle_json.h"
 #include "ops/files/json/text.h"
 #include "ops/files/layout/label_keys.h"
@@ -83,8 +83,8 @@ std::vector<LayoutObject> read_objects(const JsonPlace& place, bool of_scene) {
     objects.push_back(of_scene ? read_scene_object(item) : read_object(item));
     const auto [it, is_new] = index_of.emplace(objects.back().name, objects.size() - 1);
     if (!is_new)
-      item.at("name").fail(item.at("name").value().dump() + " is already the name of /objects/" +
-                           std::to_string(it->second) + "; accepted: a name of its own");
+      item.at("name").fail(say("%1 is already the name of /objects/%2; accepted: a name of its own",
+                               item.at("name").value().dump(), it->second));
   }
   return objects;
 }
@@ -96,8 +96,8 @@ Operation read_known(const JsonPlace& place, NamedObjects& objects) {
     check_names(place, objects.names());
     return operation;
   }
-  const auto refuse = [&](const JsonPlace& where, const std::string& accepted) {
-    where.refuse(accepted + did_you_mean(where.text(), objects.names()));
+  const auto refuse = [&](const JsonPlace& where, const Sentence& accepted) {
+    where.refuse(say("%1%2", accepted, did_you_mean(where.text(), objects.names())));
   };
   if (!std::holds_alternative<AppendOperation>(operation) &&
       !objects.contains(object_name(operation)))
@@ -144,7 +144,7 @@ Layout parse_layout(const std::string& text, const std::string& file) {
                       "operations", "looks", "arrange"});
   const JsonPlace version = root.at("trivet");
   if (!version.value().is_number() || version.value() != kLayoutVersion)
-    version.refuse(std::to_string(kLayoutVersion) + ", the version of the layout format");
+    version.refuse(say("%1, the version of the layout format", kLayoutVersion));
 
   Layout layout;
   if (const auto scene = root.find("scene")) layout.scene = scene->text();
@@ -193,7 +193,8 @@ std::string write_layout(const Layout& layout) {
   json["objects"] = Json::array();
   for (const LayoutObject& o : layout.objects) {
     Json entry = {{"name", o.name}};
-    if (layout.scene.empty()) entry.update({{"model", o.model}, {"scale", o.scale}});
+    if (layout.scene.empty()) entry["model"] = o.model;
+    if (layout.scene.empty() && o.scale) entry["scale"] = *o.scale;
     if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
     if (o.fixed) entry["fixed"] = true;
     if (o.material) entry["material"] = material_json(*o.material);

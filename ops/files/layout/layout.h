@@ -25,10 +25,10 @@ enum class SceneRule {
 };
 
 struct LayoutObject {
-  std::string name;          // unique, not "floor"; of Layout::scene, if there is one
-  std::string model;         // path relative to the layout file; empty: of the scene
-  double scale = 1;          // metres per file unit
-  std::optional<UpAxis> up;  // nothing: as the model's format says, else z
+  std::string name;             // unique, not "floor"; of Layout::scene, if there is one
+  std::string model;            // path relative to the layout file; empty: of the scene
+  std::optional<double> scale;  // metres per unit of the file; nothing: as it states, else 1
+  std::optional<UpAxis> up;     // nothing: as the model's format says, else z
   bool fixed = false;
   std::optional<Pose>
       pose;  // stands there from the start; nothing: out of the scene until it is put
@@ -58,7 +58,7 @@ struct Layout {
 /// magnitude kMinQuaternionComponent.
 std::optional<Rotation> unit_rotation(const std::array<double, 4>& quaternion);
 
-/// Reads a layout strictly: whatever is not in layout.schema.json is an error, and so are names
+/// Reads a layout strictly: whatever is not in its schema is an error, and so are names
 /// that come twice, keys that come twice and operations on unknown objects, which a schema cannot
 /// say. Models are not opened.
 /// @param file  name for messages.

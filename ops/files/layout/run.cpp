@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/contact/contact_memory.h"
+#include "core/model/unit.h"
 #include "core/scene/transaction.h"
 #include "ops/files/json/text.h"
 #include "ops/files/layout/scene_of_layout.h"
@@ -18,7 +19,7 @@
 namespace trivet {
 namespace {
 
-std::string place(const std::string& layout_file, size_t object, const std::string& key) {
+std::string place(const std::string& layout_file, size_t object, const std::string& key = "") {
   return layout_file + ": /objects/" + std::to_string(object) + key;
 }
 
@@ -34,7 +35,7 @@ ModelSource with_place(const Layout& layout, const ModelSource& models, const Ru
       };
       const auto it = std::find_if(layout.objects.begin(), layout.objects.end(), asks);
       const auto index = static_cast<size_t>(it - layout.objects.begin());
-      throw Error(e.kind(), place(options.layout_file, index, "/model: ") + e.what());
+      throw Error(e.kind(), "%1: %2", place(options.layout_file, index, "/model"), e.sentence());
     }
   };
 }
@@ -44,14 +45,13 @@ double reach_of(const LoadedModel& loaded) {
   return loaded.shape->box.max_abs_coordinate() * std::sqrt(3.0);
 }
 
-void check_reach(const LayoutObject& object, double reach, size_t index,
+void check_reach(const LayoutObject& object, double scale, double reach, size_t index,
                  const std::string& layout_file) {
   const double offset = object.pose ? object.pose->translation.cwiseAbs().maxCoeff() : 0;
-  const double total = object.scale * reach + offset;
+  const double total = scale * reach + offset;
   if (total <= kMaxLength) return;
-  throw Error(Error::Kind::BadInput, place(layout_file, index, ": \"") + object.name +
-                                         "\" reaches " + short_number(total) +
-                                         " metres; accepted: up to " + short_number(kMaxLength));
+  throw Error(Error::Kind::BadInput, "%1: \"%2\" reaches %3 metres; accepted: up to %4",
+              place(layout_file, index), object.name, figure(total), figure(kMaxLength));
 }
 
 LoadedModels load_all(const Layout& layout, const ModelSource& models, const RunOptions& options) {
@@ -89,7 +89,7 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
 
 namespace {
 
-// Of an operation that follows.
+// Clearance of the operation that follows.
 double clearance_of_next(const Scene& scene, const Operation& operation) {
   const auto* const put = std::get_if<PutOperation>(&operation);
   const auto id = put ? scene.find(put->object) : std::nullopt;
@@ -192,13 +192,14 @@ Scene make_scene(const Layout& layout, const LoadedModels& models, const std::st
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& wanted = layout.objects[i];
     const LoadedModel& loaded = models.at({wanted.model, wanted.tessellation});
-    check_reach(wanted, reach_of(loaded), i, layout_file);
+    const double scale = metres_per_unit(wanted.scale, loaded.model.get());
+    check_reach(wanted, scale, reach_of(loaded), i, layout_file);
     Object object;
     object.name = wanted.name;
     object.model = loaded.model;
     object.shape = loaded.shape;
     object.up = wanted.up.value_or(object.model->up);
-    object.scale = wanted.scale;
+    object.scale = scale;
     object.fixed = wanted.fixed;
     object.material = wanted.material.value_or(layout.material);
     scene.add(std::move(object));
@@ -208,9 +209,10 @@ Scene make_scene(const Layout& layout, const LoadedModels& models, const std::st
 
 Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptions& options) {
   if (!layout.scene.empty())
-    throw Error(Error::Kind::BadInput, options.layout_file +
-                                           ": /scene: is not accepted here; accepted: layouts of "
-                                           "models. Scenes in place are laid out by trivet run");
+    throw Error(Error::Kind::BadInput,
+                "%1: /scene: is not accepted here; accepted: layouts of models. Scenes in place "
+                "are laid out by trivet run",
+                options.layout_file);
   return make_scene(layout, load_all(layout, models, options), options.layout_file);
 }
 
@@ -275,7 +277,7 @@ LayoutRun run_start_only(const Layout& layout, const ModelSource& models, const 
   transaction.commit();
   if (const auto why =
           refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
-    throw Error(Error::Kind::BadInput, options.layout_file + ": " + message(*why));
+    throw Error(Error::Kind::BadInput, "%1: %2", options.layout_file, message(*why));
   finish_run(options, run);
   return run;
 }

@@ -1,4 +1,4 @@
-// How an editor shows the objects of a scene: kept in layouts and scene files, of no influence on
+// Appearance of a scene's objects in an editor: kept in layouts and scene files, of no influence on
 // any operation.
 #pragma once
 

@@ -3,10 +3,11 @@
 #include <map>
 #include <set>
 
+#include "core/base/extension.h"
 #include "core/io/json.h"
 #include "core/model/exported_floats.h"
 #include "ops/files/json/material_json.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/files/json/text.h"
 #include "ops/files/json/values.h"
 #include "ops/files/report/json_parts.h"
@@ -19,6 +20,12 @@ namespace {
 constexpr int kExtrasVersion = 1;
 constexpr double kMaxCount = 1e15;
 
+// True for files that may have more digits than float32, whoever gave the model.
+bool is_text_format(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".obj" || extension == ".stl" || extension == ".ply" || extension == ".3mf";
+}
+
 // @param shown  by a node of the scene.
 OrderedJson model_json(const Model& model, bool shown, const SceneFileOptions& options) {
   const StoredGeometry stored = stored_geometry(model);
@@ -30,7 +37,10 @@ OrderedJson model_json(const Model& model, bool shown, const SceneFileOptions& o
                {"centre", to_json(stored.centre)},
                {"face_order", stored.face_order}});
   if (stored.own_nodes) json["own_nodes"] = true;
-  if (model.path.empty() && (!shown || stored.stored_fingerprint != stored.fingerprint))
+  // Scenes come back to the bit without their models' files, but for those with many doubles that
+  // these have anyway: curved surfaces, nodes with transforms.
+  const bool lossy = stored.stored_fingerprint != stored.fingerprint;
+  if (model.path.empty() ? !shown || lossy : shown && lossy && is_text_format(model.path))
     json["mesh"] = stored_mesh_json(model, !shown);
   write_tessellation(model.tessellation, json);
   return json;

@@ -97,7 +97,7 @@ StoredGeometry stored_geometry(const Model& model) {
   StoredGeometry out;
   out.num_triangles = static_cast<std::int64_t>(model.mesh.triangles.size());
   out.fingerprint = geometry_fingerprint(model.mesh);
-  if (model.appearance) {
+  if (model.appearance && !model.rounded_appearance) {
     out.stored_fingerprint = out.fingerprint;
     out.centre = export_centre(&model, model.mesh.box());
     out.own_nodes = true;
@@ -110,7 +110,8 @@ StoredGeometry stored_geometry(const Model& model) {
     stored.vertices.push_back(local.centre + p.cast<double>());
   out.stored_fingerprint = geometry_fingerprint(stored);
   out.centre = local.centre;
-  out.face_order = face_order(model);
+  out.own_nodes = model.appearance != nullptr;
+  if (!out.own_nodes) out.face_order = face_order(model);
   return out;
 }
 
@@ -127,9 +128,9 @@ std::vector<Model> read_node_models(
   NodeModels parts(path, wanted, limits);
   Model all = import_model(parts.path(), limits);
   if (static_cast<std::int64_t>(all.mesh.triangles.size()) != total)
-    throw Error(Error::Kind::BadInput, path + ": has " + std::to_string(all.mesh.triangles.size()) +
-                                           " triangles, not " + std::to_string(total) +
-                                           " as Trivet wrote; another program has changed it");
+    throw Error(Error::Kind::BadInput,
+                "%1: has %2 triangles, not %3 as Trivet wrote; another program has changed it",
+                path, all.mesh.triangles.size(), total);
   all.path = path;
   std::vector<Model> models;
   size_t first = 0;

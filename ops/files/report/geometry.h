@@ -30,7 +30,7 @@ struct StoredGeometry {
   std::vector<std::array<std::int64_t, 2>> face_order;
 };
 
-/// Of all corners in the order of the triangles; -0 counts as 0. Not proof against malice.
+/// Hash of all corners in the order of the triangles; -0 counts as 0. Not proof against malice.
 std::string geometry_fingerprint(const Mesh& mesh);
 
 StoredGeometry stored_geometry(const Model& model);

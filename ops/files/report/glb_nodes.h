@@ -30,7 +30,7 @@ class NodeModels {
              const ImportLimits& limits);
 
   const std::string& path() const { return m_file->path(); }
-  /// Of a node with own nodes; else null.
+  /// Look of a node with own nodes; else null.
   std::shared_ptr<const Appearance> look(size_t node) const { return m_looks[node]; }
 
  private:
@@ -43,6 +43,7 @@ class NodeModels {
 struct NodePose {
   std::string name;
   std::vector<double> matrix;  // empty: given in another way than Trivet writes it
+  Vec3 place = Vec3::Zero();   // of a wide scene: translation of the node that it is below, z up
 };
 struct NodePoses {
   std::vector<NodePose> nodes;

@@ -118,6 +118,7 @@ void add_outcome(const OperationResult& result, OrderedJson& json) {
     json["gave_way"] = std::move(objects);
   }
   add("interpenetrates", result.interpenetrates);
+  add("unsound_supports", result.unsound);
 }
 
 OrderedJson contacts_json(const Scene& scene, const Object& object) {
@@ -146,6 +147,9 @@ OrderedJson object_json(const Scene& scene, const Object& object, const LoadSupp
   json["material"] = whole_material_json(object.material);
   json["state"] = to_string(object.state);
   json["supported_by"] = entry ? supports_json(scene, *entry) : OrderedJson::array();
+  if (entry)
+    for (const ObjectId id : unsound_supports(scene, entry->object))
+      json["unsound_supports"].push_back(scene.at(id).name);
   json["contacts"] = placed ? contacts_json(scene, object) : OrderedJson::array();
   const bool rests = placed && !object.fixed;
   json["stability_margin"] = rests ? OrderedJson(object.stability_margin) : OrderedJson();

@@ -7,6 +7,7 @@
 #include "core/base/count_of.h"
 #include "core/io/look.h"
 #include "core/io/textures/surface_look.h"
+#include "core/mesh/part_masses.h"
 #include "ops/files/json/text.h"
 #include "ops/files/report/json_parts.h"
 
@@ -22,8 +23,8 @@ std::string up_reason(const Model& model) {
                                                                    : "; likely so by its shape");
 }
 
-// How much an axis looks like up: 1 for a plane of the origin that the model stands on, and the
-// part of its outline that the lowest slice has.
+// Measures how much an axis looks like up: 1 for a plane of the origin that the model stands on,
+// and the part of its outline that the lowest slice has.
 double standing(const Mesh& mesh, const Aabb& box, int axis) {
   constexpr double kOnOrigin = 0.02, kSlice = 0.02;  // of the largest side
   const Vec3 size = box.upper - box.lower;
@@ -109,9 +110,52 @@ std::string polygonised_text(const Model& model) {
   return out.str();
 }
 
+constexpr size_t kMaxParts = 1000;  // that are listed
+
+std::string rule_of(const PartMass& part) {
+  if (part.is_cavity) return part.is_turned ? "cavity, turned" : "cavity";
+  return std::string(to_string(part.rule)) + (part.is_turned ? ", turned" : "");
+}
+
+OrderedJson parts_json(const Shape& shape) {
+  OrderedJson out = OrderedJson::array();
+  for (const PartMass& part : part_masses(shape.mesh, shape.adjacency)) {
+    if (out.size() == kMaxParts) break;
+    out.push_back({{"triangles", part.num_triangles},
+                   {"rule", to_string(part.rule)},
+                   {"cavity", part.is_cavity},
+                   {"turned", part.is_turned},
+                   {"volume", part.volume},
+                   {"area", part.area},
+                   {"centre", to_json(part.centre)}});
+  }
+  return out;
+}
+
+std::vector<Sentence> notes_of(const Model& model, const Shape& shape) {
+  std::vector<Sentence> out = model.notes;
+  for (Sentence& note : mass_notes(shape.mass)) out.push_back(std::move(note));
+  return out;
+}
+
 std::string vector_text(const Vec3& v) {
   std::ostringstream out;
   out << v.x() << " " << v.y() << " " << v.z();
+  return out.str();
+}
+
+// Lists the first few parts; a mesh of one part says the same as a whole.
+std::string parts_text(const Shape& shape) {
+  constexpr size_t kShown = 20;
+  const std::vector<PartMass> parts = part_masses(shape.mesh, shape.adjacency);
+  if (parts.size() < 2) return "";
+  std::ostringstream out;
+  out.precision(9);
+  for (size_t i = 0; i < std::min(parts.size(), kShown); ++i)
+    out << "  part " << i + 1 << "      " << count_of(parts[i].num_triangles, "triangle") << ", by "
+        << rule_of(parts[i]) << ", volume " << parts[i].volume << ", area " << parts[i].area
+        << ", centre " << vector_text(parts[i].centre) << "\n";
+  if (parts.size() > kShown) out << "  part        and " << parts.size() - kShown << " more\n";
   return out.str();
 }
 
@@ -183,7 +227,8 @@ std::string model_info_json(const Model& model, const Shape& shape) {
   json["centre"] = to_json(shape.mass.centre);
   json["volume"] = shape.mass.volume;
   json["area"] = shape.mass.area;
-  json["notes"] = model.notes;
+  json["parts"] = parts_json(shape);
+  json["notes"] = in_english(notes_of(model, shape));
   return readable_json(json);
 }
 
@@ -208,13 +253,15 @@ std::string model_info_text(const Model& model, const Shape& shape) {
       << ")\n"
       << "  unit        ";
   if (model.metres_per_unit)
-    out << *model.metres_per_unit << " metres, says the file (reported, not applied)\n";
+    out << *model.metres_per_unit << " metres, says the file; applied where no scale is given\n";
   else
     out << "the file does not say; by its size likely " << likely_unit(box) << "\n";
   out << "  mass        by " << to_string(shape.mass.rule) << ", centre "
       << vector_text(shape.mass.centre) << "\n"
       << "  volume      " << shape.mass.volume << ", area " << shape.mass.area << "\n";
-  for (const std::string& note : model.notes) out << "  note        " << note << "\n";
+  out << parts_text(shape);
+  for (const Sentence& note : notes_of(model, shape))
+    out << "  note        " << in_english(note) << "\n";
   return out.str();
 }
 

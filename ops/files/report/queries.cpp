@@ -87,13 +87,12 @@ std::string forces_text(const Scene& scene, const Stability& part, ObjectId obje
 }  // namespace
 
 std::vector<TouchedBy> held_by(const Scene& scene, ObjectId object) {
-  return contacts_where(scene, object,
-                        [](const ObjectContact& entry) { return holds_up(entry.contact); });
+  return contacts_where(scene, object, [](const ObjectContact& entry) { return holds_up(entry); });
 }
 
 std::vector<TouchedBy> lying_on(const Scene& scene, ObjectId object) {
   return contacts_where(scene, object, [](const ObjectContact& entry) {
-    return entry.with.is_object() && weighs_on(entry.contact);
+    return entry.with.is_object() && weighs_on(entry);
   });
 }
 

@@ -1,5 +1,6 @@
 #include "ops/files/report/report.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -13,8 +14,26 @@ namespace {
 
 constexpr int kReportVersion = 1;
 
-OrderedJson objects_json(const Scene& scene, const ReportOptions& options) {
-  const LoadSupport load_support_list = load_support(scene);
+// The load-support list, with whom the forces that balance the whole have carry an object, too.
+LoadSupport with_carriers(const Scene& scene, const Stability& stability, LoadSupport list) {
+  std::map<std::uint32_t, LoadSupport::Entry*> entry_of;
+  for (LoadSupport::Entry& e : list.entries) entry_of[e.object.index] = &e;
+  for (const CarriedBy& c : carried_by_forces(scene, stability)) {
+    LoadSupport::Entry& e = *entry_of.at(c.object.index);
+    if (c.by.is_floor())
+      e.on_floor = true;
+    else if (std::find(e.supports.begin(), e.supports.end(), c.by.object()) == e.supports.end())
+      e.supports.push_back(c.by.object());
+  }
+  for (LoadSupport::Entry& e : list.entries)
+    std::sort(e.supports.begin(), e.supports.end(),
+              [](ObjectId a, ObjectId b) { return a.index < b.index; });
+  return list;
+}
+
+OrderedJson objects_json(const Scene& scene, const Stability& stability,
+                         const ReportOptions& options) {
+  const LoadSupport load_support_list = with_carriers(scene, stability, load_support(scene));
   std::map<std::uint32_t, const LoadSupport::Entry*> entry_of;
   for (const LoadSupport::Entry& e : load_support_list.entries) entry_of[e.object.index] = &e;
 
@@ -48,7 +67,12 @@ OrderedJson operations_json(const std::vector<OperationRecord>& operations) {
 void append_pairs(const std::vector<SceneCheck::PairFinding>& findings, const char* kind,
                   OrderedJson& json) {
   for (const SceneCheck::PairFinding& f : findings)
-    json.push_back({{"a", f.a}, {"b", f.b}, {"kind", kind}, {"count", f.count}});
+    json.push_back({{"a", f.a},
+                    {"b", f.b},
+                    {"kind", kind},
+                    {"count", f.count},
+                    {"depth", f.depth},
+                    {"point", to_json(f.point)}});
 }
 
 OrderedJson check_json(const SceneCheck& check) {
@@ -56,11 +80,18 @@ OrderedJson check_json(const SceneCheck& check) {
   append_pairs(check.crossings, "crossing", pairs);
   append_pairs(check.float32_crossings, "float32_crossing", pairs);
   append_pairs(check.contained, "contained", pairs);
+  append_pairs(check.touching, "touching", pairs);
+  OrderedJson hovering = OrderedJson::array();
+  for (const SceneCheck::Hovering& h : check.hovering)
+    hovering.push_back({{"name", h.name},
+                        {"above", h.above.empty() ? OrderedJson() : OrderedJson(h.above)},
+                        {"height", h.above.empty() ? OrderedJson() : OrderedJson(h.height)}});
   return {{"interpenetrating_pairs", check.interpenetrating_pairs()},
           {"smallest_gap", check.smallest_gap},
           {"all_at_rest", check.not_at_rest.empty()},
           {"pairs", std::move(pairs)},
-          {"not_at_rest", check.not_at_rest}};
+          {"not_at_rest", check.not_at_rest},
+          {"hovering", std::move(hovering)}};
 }
 
 OrderedJson importer_json(const Protection& protection) {
@@ -100,7 +131,7 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
   if (options.work) json["work"] = work_json(*options.work);
   if (!options.arrangement.empty()) json["arrange"] = OrderedJson::parse(options.arrangement);
   json["settle"] = settle_rules_json(rules_of(run.settle));
-  json["objects"] = objects_json(run.scene, options);
+  json["objects"] = objects_json(run.scene, run.stability, options);
   json["operations"] = operations_json(run.operations);
   json["check"] = check_json(run.check);
   json["stability"] = stability_json(run.scene, run.stability);

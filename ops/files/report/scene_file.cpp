@@ -43,10 +43,9 @@ ExportScene whole_export(const Scene& scene, const Layout& layout,
   return out;
 }
 
-[[noreturn]] void fail_changed(const std::string& path, const std::string& what) {
-  throw Error(Error::Kind::BadInput, path + ": " + what +
-                                         " since Trivet wrote it; accepted: scenes as Trivet "
-                                         "wrote them");
+[[noreturn]] void fail_changed(const std::string& path, const Sentence& what) {
+  throw Error(Error::Kind::BadInput,
+              "%1: %2 since Trivet wrote it; accepted: scenes as Trivet wrote them", path, what);
 }
 
 // For every model the first placed object that shows it; nothing for models that none shows.
@@ -75,7 +74,7 @@ class SceneReader {
     m_file.clearance = m_extras.clearance;
     if (const auto why =
             refuse_too_coarse(m_file.scene, std::span<const PlacedBox>(), m_file.clearance))
-      throw Error(Error::Kind::BadInput, m_path + ": " + message(*why));
+      throw Error(Error::Kind::BadInput, "%1: %2", m_path, message(*why));
     return std::move(m_file);
   }
 
@@ -98,7 +97,7 @@ class SceneReader {
     m_shapes.resize(nodes.size());
   }
 
-  // Of a model that no node shows.
+  // Model that no node shows.
   std::shared_ptr<Model> unshown(const ExtrasModel& entry) const {
     return entry.mesh ? std::make_shared<Model>(*entry.mesh) : own_file(entry);
   }
@@ -107,17 +106,19 @@ class SceneReader {
   std::shared_ptr<Model> best_of(const ExtrasModel& entry, Model stored) {
     Model model = restored(std::move(stored), entry.geometry);
     if (geometry_fingerprint(model.mesh) != entry.geometry.stored_fingerprint)
-      fail_changed(m_path, "the geometry of \"" + entry.path + "\" was changed");
+      fail_changed(m_path, say("the geometry of \"%1\" was changed", entry.path));
     if (entry.geometry.stored_fingerprint == entry.geometry.fingerprint)
       return std::make_shared<Model>(std::move(model));
     if (entry.mesh) {
       model.mesh = entry.mesh->mesh;
+      model.rounded_appearance = model.appearance != nullptr;
       return std::make_shared<Model>(std::move(model));
     }
     if (auto own = own_file(entry)) return own;
-    m_file.notes.push_back("the geometry of \"" + entry.path +
-                           "\" is that of the scene file, rounded to float32: the model file is "
-                           "missing or has changed");
+    m_file.notes.push_back(
+        say("the geometry of \"%1\" is that of the scene file, rounded to float32: the model file "
+            "is missing or has changed",
+            entry.path));
     return std::make_shared<Model>(std::move(model));
   }
 
@@ -137,8 +138,9 @@ class SceneReader {
   void add_object(const ExtrasObject& entry) {
     const auto& model = m_models[entry.model];
     if (!model) {
-      m_file.notes.push_back("\"" + entry.name + "\", which was out of the scene, is left out: \"" +
-                             m_extras.models[entry.model].path + "\" is missing or has changed");
+      m_file.notes.push_back(
+          say("\"%1\", which was out of the scene, is left out: \"%2\" is missing or has changed",
+              entry.name, m_extras.models[entry.model].path));
       return;
     }
     auto& shape = m_shapes[entry.model];
@@ -158,21 +160,23 @@ class SceneReader {
 
   // Other programs must see the scene that Trivet has.
   void check_poses() const {
-    std::map<std::string, std::vector<double>> matrix_of;
+    std::map<std::string, NodePose> node_of;
     NodePoses nodes = read_node_poses(m_path);
     if (nodes.origin != m_extras.origin) fail_changed(m_path, "the scene was moved");
-    for (NodePose& node : nodes.nodes) matrix_of[node.name] = std::move(node.matrix);
+    for (NodePose& node : nodes.nodes) node_of[node.name] = std::move(node);
     for (const ObjectId id : m_file.scene.ids()) {
       const Object& object = m_file.scene.at(id);
       if (!object.placed) continue;
-      const NodeMatrix rows = node_matrix(
-          {object.name, object.model, relative_to(m_extras.origin, object.world_from_object()), ""},
-          m_centre_of.at(object.model.get()));
-      const std::vector<double>& columns = matrix_of[object.name];
+      const NodePose& node = node_of[object.name];
+      const Affine near = relative_to(m_extras.origin, object.world_from_object());
+      const NodeMatrix rows =
+          node_matrix({object.name, object.model, relative_to(node.place, near), ""},
+                      m_centre_of.at(object.model.get()));
+      const std::vector<double>& columns = node.matrix;
       bool same = columns.size() == 16;
       for (int r = 0; same && r < 3; ++r)
         for (int c = 0; c < 4; ++c) same &= static_cast<float>(columns[c * 4 + r]) == rows[r][c];
-      if (!same) fail_changed(m_path, "\"" + object.name + "\" was moved");
+      if (!same) fail_changed(m_path, say("\"%1\" was moved", object.name));
     }
   }
 
@@ -199,7 +203,7 @@ SceneFile read_scene_file(const std::string& path, const ImportLimits& limits,
   } catch (const Error& e) {
     const std::string message = e.what();
     if (message.find(path) != std::string::npos) throw;
-    throw Error(e.kind(), path + ": " + message);
+    throw Error(e.kind(), "%1: %2", path, e.sentence());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
 #include "core/scene/scene.h"
@@ -30,7 +31,7 @@ struct SceneFile {
   Scene scene;    // poses to the bit; contacts as of update_contacts()
   Layout layout;  // model paths as those of the objects: relative to the scene file
   double clearance = 0;
-  std::vector<std::string> notes;  // differences from the saved scene
+  std::vector<Sentence> notes;  // differences from the saved scene
 };
 
 /// Reads a .glb that Trivet wrote. A model's geometry is taken from the scene file itself if that

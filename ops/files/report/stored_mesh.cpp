@@ -24,7 +24,7 @@ template <class T>
 std::vector<T> items_of(const JsonPlace& place) {
   const std::string bytes = decoded_base64(place.text());
   if (bytes.size() % sizeof(T) != 0)
-    place.fail("is no array in base64 of items of " + std::to_string(sizeof(T)) + " bytes");
+    place.fail(say("is no array in base64 of items of %1 bytes", sizeof(T)));
   std::vector<T> items(bytes.size() / sizeof(T));
   std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
   return items;
@@ -97,9 +97,8 @@ Model read_stored_mesh(const JsonPlace& place) {
     if (place.find("materials")) read_look(place, model);
     return model;
   } catch (const Error& e) {
-    const std::string message = e.what();
-    if (message.rfind(place.where(), 0) == 0) throw;
-    place.fail(message);
+    if (std::string(e.what()).rfind(place.where(), 0) == 0) throw;
+    place.fail(e.sentence());
   }
 }
 

@@ -17,8 +17,8 @@ TemporaryFile::TemporaryFile(const std::string& bytes, const std::string& suffix
   if (error) folder = "/tmp";
   m_path = (folder / "trivet_XXXXXX").string() + suffix;
   const auto fail = [&](int reason) {
-    throw Error(Error::Kind::Environment,
-                m_path + ": a temporary file cannot be written: " + std::strerror(reason));
+    throw Error(Error::Kind::Environment, "%1: a temporary file cannot be written: %2", m_path,
+                std::strerror(reason));
   };
   const int descriptor = mkstemps(m_path.data(), static_cast<int>(suffix.size()));
   if (descriptor < 0) fail(errno);

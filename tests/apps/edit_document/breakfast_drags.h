@@ -31,7 +31,7 @@ struct Table {
   QStringList notes;  // on detection
 };
 
-/// Of drag_several().
+/// Poses after drag_several().
 const Poses& poses_of_bvhs();
 
 }  // namespace trivet::edit::test

@@ -3,6 +3,7 @@
 #include <QProcess>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 
 #include "apps/edit_document/scene_checks.h"
 #include "apps/edit_document/testing.h"
@@ -113,6 +114,40 @@ TEST(Recovery, DiscardsUnwantedSessions) {
   ASSERT_EQ(document->recoverable().size(), 1u);
   document->discard(document->recoverable()[0].journal);
   EXPECT_TRUE(document->recoverable().empty());
+}
+
+void write_box(const std::string& file, double size) {
+  std::ofstream out(file);
+  out << "v 0 0 0\nv " << size << " 0 0\nv 0 " << size << " 0\nv 0 0 " << size
+      << "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+}
+
+// Written in place, as other programs do.
+TEST(Recovery, SurvivesEditsOfStartAndModels) {
+  const TemporaryFolder folder;
+  const std::string recovery = folder.file("recovery"), layout = folder.file("layout.json");
+  write_box(folder.file("box.obj"), 0.2);
+  std::ofstream(layout) << R"({"trivet": 1, "objects": [{"name": "a", "model": "box.obj"}]})";
+  PutOperation put;
+  put.object = "a";
+  put.start.translation = Vec3(0.3, 0.1, 1);
+  Pose left;
+  {
+    Recorder document(recovery);
+    ASSERT_TRUE(document.done(document->open(layout))) << document.last_text();
+    ASSERT_TRUE(document.done(document->perform(put)));
+    left = document.object("a").pose;
+  }
+  std::ofstream(layout) << "{}";
+  for (const double size : {0.2, 0.2001}) {
+    write_box(folder.file("box.obj"), size);
+    Recorder document(recovery);
+    ASSERT_TRUE(document->wait_until_idle());
+    ASSERT_EQ(document->recoverable().size(), 1u);
+    EXPECT_EQ(document.done(document->restore(document->recoverable()[0].journal)), size == 0.2);
+    EXPECT_EQ(document->history().num_done, 1u);
+    EXPECT_EQ(document.object("a").pose.translation, left.translation);
+  }
 }
 
 TEST(Recovery, LocksFileAgainstSecondEditor) {

@@ -113,7 +113,7 @@ TEST_F(Remake, ScalesInItsPlace) {
   ASSERT_TRUE(document.done(document->rescale("small", 0.5, 0.01))) << document.last_text();
   const Aabb box = world_box(document.object("small"));
   EXPECT_EQ(document.object("small").scale, 0.5);
-  EXPECT_NEAR(box.upper.z() - box.lower.z(), 0.02, 1e-9);
+  EXPECT_NEAR(box.upper.z() - box.lower.z(), 0.02, 1e-8);
   EXPECT_NEAR(box.lower.z(), 0.06, 1e-4);
   EXPECT_NEAR(box.centre().x(), 0.1, 1e-4);
   EXPECT_EQ(document->history().steps.back(), "scale \"small\"");

@@ -55,7 +55,7 @@ TEST_F(Selecting, KeepsTheEdgesOfWideThings) {
   const Vec2 edge = hand.px(Vec3(0.15, 0.2, 0.07));
   EXPECT_EQ(click(edge + Vec2(2, 0)), "box");
   EXPECT_EQ(click(edge - Vec2(3, 0)), "board") << "the box is no thin thing";
-  // Beside the board there is but the floor.
+  // There is only the floor next to the board.
   EXPECT_EQ(click(hand.px(Vec3(-0.4, 0, 0.02)) - Vec2(4, 0)), "board");
   EXPECT_EQ(click(hand.px(Vec3(-0.4, 0, 0.02)) - Vec2(12, 0)), "");
 }
@@ -81,7 +81,7 @@ TEST_F(Selecting, UndoBringsBackTheSelection) {
   ASSERT_TRUE(document.done(document->undo()));
   const Selection both{{document.id("rod"), document.id("box")}, {}};
   EXPECT_EQ(document->selection(), both);
-  // What is selected now and stays is kept.
+  // An object that is selected now and stays is kept.
   document->select_only(document.id("box"));
   ASSERT_TRUE(document.done(document->undo()));
   EXPECT_EQ(document->selection().active(), document.id("box"));

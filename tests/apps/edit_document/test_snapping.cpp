@@ -219,7 +219,7 @@ TEST_F(Snapping, GoesByStepsWhileControlIsHeld) {
   const Vec3 moved = document.object("box").pose.translation - Vec3(0.9, -0.6, 0.3);
   EXPECT_GT(moved.x(), 0.04);
   EXPECT_EQ(moved.y(), 0);
-  // What was grabbed, the middle, is on the grid.
+  // The grabbed point, the middle, is on the grid.
   EXPECT_NEAR(std::remainder(document.object("box").centre_of_mass().x(), 0.05), 0, 1e-9);
   hand.modifiers.control = false;
   toolbox.options().snap.on = true;

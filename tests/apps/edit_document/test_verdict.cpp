@@ -42,7 +42,7 @@ TEST(Verdict, SaysWhichWayWhatTopplesGoes) {
   EXPECT_EQ(document->verdict()->stability.status, Stability::Status::Stable);
 }
 
-// What gives way is one step with the operation, and named with how far it went.
+// An object that gives way is one step with the operation, and named with how far it went.
 TEST(Verdict, OfWhatGaveWayIsOneStep) {
   TemporaryFolder folder;
   Recorder document(folder.file("recovery"));

@@ -170,7 +170,7 @@ void keep_thumbnails(const QString& folder) {
   const AssetInfo second = brick.read();
   QCOMPARE(second.size.z(), 3.0);
   QVERIFY(second.picture != first.picture);
-  // Of what is not in sight there is the size, the picture is in the cache alone.
+  // An asset out of sight has its size, and its picture is in the cache alone.
   const AssetInfo unseen = brick.read(false);
   QCOMPARE(unseen.size.z(), 3.0);
   QVERIFY(unseen.picture.isNull());
@@ -183,15 +183,17 @@ void forget_errors(const QString& folder) {
   brick.limits.importer = folder.toStdString() + "/none";
   const AssetInfo refused = brick.read();
   QVERIFY(refused.picture.isNull());
-  QVERIFY2(refused.error.contains("none"), qPrintable(refused.error));
+  const QString why = QString::fromStdString(in_english(refused.error));
+  QVERIFY2(why.contains("none"), qPrintable(why));
   brick.limits.importer.clear();
   const AssetInfo now = brick.read();
-  QVERIFY2(!now.picture.isNull() && now.error.isEmpty(), qPrintable(now.error));
+  QVERIFY2(!now.picture.isNull() && now.error.empty(), in_english(now.error).c_str());
   QCOMPARE(now.size.z(), 4.0);
   write_text(brick.file, "v 0 0\nf 1 2 3\n");
   const AssetInfo bad = brick.read();
   QVERIFY(bad.picture.isNull());
-  QVERIFY2(bad.error.contains("brick.obj"), qPrintable(bad.error));
+  const QString fault = QString::fromStdString(in_english(bad.error));
+  QVERIFY2(fault.contains("brick.obj"), qPrintable(fault));
 }
 
 // A scene is opened; models are imported.

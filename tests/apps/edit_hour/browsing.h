@@ -13,7 +13,7 @@ void keep_thumbnails(const QString& folder);
 void forget_errors(const QString& folder);
 /// Leaves no unsaved changes.
 void collect_objects(Document& document, MainWindow& window, User& user, const QString& folder);
-/// Of several files each has a row; what is chosen is remembered for their folder.
+/// Each of several files has a row; what is chosen is remembered for their folder.
 void import_files(Document& document, MainWindow& window, User& user, const QString& folder);
 /// Closing the import dialog stops what reads a file.
 void stop_reading(const QString& folder);

@@ -12,7 +12,7 @@ namespace {
 
 const Vec3 kPoster(-1.2, -1.2, 0);
 
-/// Of pure colours, as only the poster has them.
+/// Pixels of pure colours, as only the poster has them.
 int num_vivid(const QImage& image, int channel) {
   int count = 0;
   for (int y = 0; y < image.height(); y += 2)

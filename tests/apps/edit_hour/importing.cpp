@@ -71,7 +71,7 @@ void import_files(Document& document, MainWindow& window, User& user, const QStr
   QVERIFY(user.object("brick").up == UpAxis::Y && user.object("crate").up == UpAxis::Z);
   QCOMPARE(user.object("crate").scale, 1.0);
   QVERIFY(!document.snapshot()->find("bad"));
-  // Of the folder's files the last one's choice counts: the brick's, when it comes alone.
+  // The last choice among the folder's files counts: the brick's, when it comes alone.
   for (const char* const name : {"brick_2", "brick_3"}) {
     user.drop({files[0]}, [&](QWidget& dialog) {
       Import import(dialog);

@@ -81,7 +81,7 @@ double median(std::vector<double> all) {
   return all.empty() ? 0 : all[all.size() / 2];
 }
 
-/// Of all threads of this program since the last call, including llvmpipe's.
+/// Time of all threads of this program since the last call, including llvmpipe's.
 class ProcessorTime {
  public:
   double milliseconds() {

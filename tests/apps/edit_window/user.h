@@ -66,7 +66,7 @@ class User {
   /// By two clicks, from the menu bar.
   void choose(const QString& action);
 
-  /// What the hand has done. A drag counts once, a key with its modifiers once.
+  /// Effort of the hand. A drag counts once, a key with its modifiers once.
   struct Effort {
     int clicks = 0, drags = 0, keys = 0;
   };

@@ -77,7 +77,7 @@ TEST(Decision, DrawsEvenly) {
   EXPECT_NEAR(squares / kDraws, 1.0 / 3, 5 * std::sqrt(4.0 / 45 / kDraws));
 }
 
-// Of uniform rotations the square of a quaternion's component is 1/4 in the mean, 1/8 its square.
+// Uniform rotations: the square of a quaternion's component is 1/4 in the mean, 1/8 its square.
 TEST(Decision, TurnsEvenly) {
   constexpr int kDraws = 20'000;
   Decision decision({7, 8}, 9, "turns");

@@ -29,7 +29,7 @@ std::string read_all(int descriptor) {
   return out;
 }
 
-// What `call` returns in a process of its own, after `before`; "skip": that was false.
+// Returns the result of `call` in a process of its own, after `before`; "skip": that was false.
 std::string in_child(const Before& before, const std::function<std::string()>& call) {
   int ends[2];
   if (pipe(ends) != 0) return "no pipe";
@@ -118,7 +118,7 @@ class ConfinementTest : public testing::IoTest {
     EXPECT_EQ(out.rfind(words, 0), 0u) << out;
     return out.substr(std::min(out.size(), words.size()));
   }
-  // What confines the importer, and that it reads.
+  // Names the importer's protection, and checks that it reads.
   std::string protection_after(const Before& before) const {
     const std::string good = write("models/good.obj", testing::tetrahedron_obj());
     return in_child(before, [&] {

@@ -78,7 +78,7 @@ BAD_CALLS = [
     (lambda s: s["cup"].put([0, 0, 1e300]), ["position", "1e+300"]),
     (lambda s: s["cup"].put([0, 0, 1], [0, 0, 0, 0]), ["rotation", "quaternion"]),
     (lambda s: s["cup"].put([0, 0, 1], [1, 0, 0]), ["wxyz", "4 finite"]),
-    (lambda s: s["cup"].put([0, 0, 1], on="table"), ["position and on"]),
+    (lambda s: s["cup"].put([0, 0, 1], on="table"), ["position", "accepted: op, object, on"]),
     (lambda s: s["cup"].put(on=5), ["on", "5"]),
     (lambda s: s["cup"].put(on="table", at="here"), ["at", "here", "anywhere"]),
     (lambda s: s["cup"].put(on="table", at=[0, 0, 0]), ["at", "(3,)"]),
@@ -89,8 +89,9 @@ BAD_CALLS = [
     (lambda s: s["cup"].put([0, 0, 1], budget=-1), ["budget", "-1"]),
     (lambda s: s["cup"].put([0, 0, 1], budget=float("inf")), ["budget", "inf"]),
     (lambda s: s["cup"].push([0, 0], 1), ["direction"]),
-    (lambda s: s["cup"].push([1, 0]), ["distance", "to"]),
-    (lambda s: s["cup"].push([1, 0], 1, speed=3), ["speed"]),
+    (lambda s: s["cup"].push([1, 0]), ["distance", "missing"]),
+    (lambda s: s["cup"].push(), ["push", "a target is missing"]),
+    (lambda s: s.drag("cup", "push", speed=3), ["speed", "distance"]),
     (lambda s: s["cup"].push([1, 0], 1, together="cup"), ["together"]),
     (lambda s: s["cup"].turn(1e9), ["angle_deg", "accepted"]),
     (lambda s: s["cup"].turn(5, about="me"), ["about", "me", "normal"]),
@@ -140,10 +141,10 @@ FOLDED.append(FOLDED)
 
 # Once taken for something else, or left out, without a word.
 UNSEEN = [
-    (lambda s: s["cup"].put([1, 0, 1], at=[5, 5]), ["put", "cup", "at without on"]),
-    (lambda s: s["cup"].put(at=[0.2, 0.2], keep=0.01), ["at, keep without on"]),
-    (lambda s: s["cup"].put([1, 0, 1], seed=3, least_margin=9), ["seed, least_margin without on"]),
-    (lambda s: s["cup"].put([1, 0, 1], most_friction="junk", keep=np.zeros(2)), ["keep, most_friction without on"]),
+    (lambda s: s["cup"].put([1, 0, 1], at=[5, 5]), ["put", "cup", "position", "on, at"]),
+    (lambda s: s["cup"].put(at=[0.2, 0.2], keep=0.01), ["\"on\" is missing"]),
+    (lambda s: s["cup"].put([1, 0, 1], seed=3, least_margin=9), ["goes with \"on\""]),
+    (lambda s: s["cup"].put([1, 0, 1], most_friction="junk", keep=np.zeros(2)), ["keep", "a number"]),
     (lambda s: s["cup"].put(on="table", seed=1.5), ["seed", "1.5", "whole number"]),
     (lambda s: s["cup"].put([0, 0, 1], settle_left="x"), ["settle_left", "x", "True"]),
     (lambda s: s["cup"].turn("45"), ["degrees", "45", "a number"]),
@@ -189,7 +190,7 @@ NO_PYTHON_ERRORS = [
     (lambda s: s["cup"].push(to=[1, 1], via=3), ["via", "3", "2 numbers"]),
     (lambda s: s["cup"].translate([0, 0, 1], via=3), ["via", "3", "3 numbers"]),
     (lambda s: s["cup"].push([1, 0], 1, together=3), ["together", "3"]),
-    (lambda s: s["cup"].push([1, 0], 1, speed=object()), ["speed", "object"]),
+    (lambda s: s.drag("cup", "push", speed=object()), ["speed", "unknown option"]),
     (lambda s: s.perform([3]), ["operations: 0", "3", "dict"]),
     (lambda s: s.perform("abc"), ["operations", "abc", "list"]),
     (lambda s: s.perform({"op": "lock"}), ["operations: 0", "op"]),
@@ -256,6 +257,8 @@ def test_names_that_are_taken_or_unknown():
         scene["\ud800"]
     assert "\ud800" not in scene
     assert issubclass(trivet.NoSuchObject, KeyError) and "nothing" not in scene and 5 not in scene
+    with pytest.raises(TypeError, match="speed"):
+        scene["cup"].push([1, 0], 0.1, speed=3)
     with pytest.raises(trivet.Refused) as caught:
         scene["cup"].put(on="tble")
     assert caught.value.code == "unknown_object" and "table" in str(caught.value)

@@ -37,7 +37,7 @@ def test_classes_are_those_that_are_given(tmp_path):
     assert b'"vessel"' in (tmp_path / "annotations.json").read_bytes()
 
 
-def test_what_stops_it_leaves_no_annotations(tmp_path):
+def test_what_stops_it_leaves_nothing(tmp_path):
     scene = table_with_cup()
     views = scene.dome(500, size=(320, 240))
 
@@ -45,13 +45,23 @@ def test_what_stops_it_leaves_no_annotations(tmp_path):
         raise ZeroDivisionError(done)
 
     with pytest.raises(ZeroDivisionError, match="1"):
-        scene.write_data_set(tmp_path, views, samples=1, progress=stop)
+        scene.write_data_set(tmp_path / "new" / "set", views, samples=1, progress=stop)
+    assert list(tmp_path.iterdir()) == []
+
+    def stop_at_the_end(done, total):
+        if done == total:
+            raise ZeroDivisionError(done)
+
+    for form in ("coco", "bop"):
+        with pytest.raises(ZeroDivisionError, match="2"):
+            scene.write_data_set(tmp_path / "set", views[:2], form=form, samples=1, progress=stop_at_the_end)
+    assert list(tmp_path.iterdir()) == []
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         scene.write_data_set(tmp_path, views, samples=16)
     timer.join()
-    assert (tmp_path / "images").is_dir() and not (tmp_path / "annotations.json").exists()
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_bad_input(tmp_path):

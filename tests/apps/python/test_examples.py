@@ -141,6 +141,9 @@ def test_first_contact_of_a_fall_and_a_turn():
     assert hit.distance == pytest.approx(0.9, abs=1e-5) and hit.normal == pytest.approx([0, 0, 1])
     assert 0 <= hit.faces[0] < 12 and 0 <= hit.faces[1] < 12
     assert trivet.first_contact(cube, at(0, 0, 1), cube, np.eye(4), along=[0, 0, 1], distance=3.0) is None
+    far = trivet.first_contact(cube, np.eye(4), cube, at(0, 0, 5), along=[0, 0, 10])  # its length is the way
+    assert far is not None and far.distance > 1
+    assert trivet.first_contact(cube, np.eye(4), cube, at(0, 0, 5), along=[0, 0, 10], distance=1.0) is None
     # A bar about z meets a post that stands at 90 degrees, and one at 225 beyond two quarter turns.
     bar, post = box(0.5, 0.001, 0.01), box(0.001, 0.001, 0.01)
     for degrees in (90.0, 225.0):

@@ -49,7 +49,7 @@ inline void expect_normals(const std::vector<ContactPoint>& points, const Vec3& 
     EXPECT_LT((p.normal - normal).norm(), 1e-9) << p.normal.transpose();
 }
 
-/// Of a polygon seen from above.
+/// Area of a polygon seen from above.
 inline double area_of(const std::vector<Vec3>& polygon) {
   double twice = 0;
   for (size_t i = 0; i < polygon.size(); ++i) {

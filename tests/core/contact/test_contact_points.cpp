@@ -165,7 +165,7 @@ TEST(ContactPoints, VertexNearDiagonalOfFlatQuadHasOnlyQuadNormal) {
 }
 
 TEST(ContactPoints, VertexBesideTableEdgeTouchesIt) {
-  // Beside the edge by less than the slack: over the face. By more: the closest points.
+  // Less than the slack beside the edge: over the face. By more: the closest points.
   const auto normal_at = [](double beside) {
     const Posed tip(pyramid(), Vec3(1 + beside, 0.1, 0.8 * kEps));
     const auto points = points_of(tip, table());

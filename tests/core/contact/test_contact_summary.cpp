@@ -98,7 +98,7 @@ TEST(ConvexHull, HoldsAllPointsAndTurnsLeft) {
   }
 }
 
-// Of a few points at a time, none of which is left out before sorting. Whole numbers: exact.
+// A hull of a few points at a time, none of which is left out before sorting. Whole numbers: exact.
 TEST(ConvexHull, OfManyPointsIsThatOfItsParts) {
   test::Random random(46);
   for (int i = 0; i < 500; ++i) {

@@ -17,7 +17,7 @@ struct Boxes {
   std::vector<Aabb> a, b;
 };
 
-/// Of many sizes, some flat, some a point, some equal.
+/// Boxes of many sizes, some flat, some a point, some equal.
 std::vector<Aabb> random_boxes(std::mt19937& random, int num, double size, const Vec3& at) {
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<Aabb> out;

@@ -113,7 +113,14 @@ std::vector<NamedTriangles> reference_scene(const std::string& path) {
   if (!scene) return {};
   const aiNode& root = *scene->mRootNode;
   std::vector<NamedTriangles> out;
-  const auto add = [&](const aiNode& node, const Eigen::Matrix4d& parent) {
+  const auto add = [&](const aiNode& node, const Eigen::Matrix4d& parent,
+                       const auto& self) -> void {
+    // Objects of a wide scene are below nodes of places.
+    if (std::string(node.mName.C_Str()) == "place") {
+      for (unsigned i = 0; i < node.mNumChildren; ++i)
+        self(*node.mChildren[i], parent * matrix_of(node), self);
+      return;
+    }
     out.push_back({node.mName.C_Str(), {}});
     add_triangles(*scene, node, parent, out.back().triangles);
     for (Triangle& t : out.back().triangles)
@@ -123,9 +130,13 @@ std::vector<NamedTriangles> reference_scene(const std::string& path) {
       }
   };
   // With a single node in the scene, assimp makes it the root.
-  if (root.mNumChildren == 0) add(root, Eigen::Matrix4d::Identity());
+  const Eigen::Matrix4d identity = Eigen::Matrix4d::Identity();
+  if (root.mNumChildren == 0 || std::string(root.mName.C_Str()) == "place") {
+    add(root, identity, add);
+    return out;
+  }
   for (unsigned i = 0; i < root.mNumChildren; ++i)
-    add(*root.mChildren[i], matrix_of(root) * Eigen::Matrix4d::Identity());
+    add(*root.mChildren[i], matrix_of(root) * identity, add);
   return out;
 }
 

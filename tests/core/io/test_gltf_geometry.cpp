@@ -18,9 +18,9 @@ MassProperties mass_of(const Model& model) {
   return mass_properties(model.mesh, make_adjacency(model.mesh));
 }
 
-std::string lines_of(const std::vector<std::string>& notes) {
+std::string lines_of(const std::vector<Sentence>& notes) {
   std::string out;
-  for (const std::string& note : notes) out += note + "\n";
+  for (const Sentence& note : notes) out += in_english(note) + "\n";
   return out;
 }
 
@@ -117,7 +117,7 @@ TEST_F(GltfGeometry, ReadsOffsetsWithinOneView) {
   expect_parts(refusal(maker), {"extends beyond its buffer"});
 }
 
-// What a sparse accessor replaces, of a view, of zeros, and with bytes as indices.
+// A sparse accessor replaces values of a view, of zeros, and with bytes as indices.
 TEST_F(GltfGeometry, ReadsSparseAccessors) {
   const auto sparse_cube = [&](bool with_view, int component) {
     GltfMaker maker;

@@ -41,7 +41,7 @@ std::vector<Vec3> ring_corners() {
   return out;
 }
 
-// Of any point from the nearest of the others.
+// Distance of any point from the nearest of the others, at most.
 double greatest_distance(const std::vector<Vec3>& points, const std::vector<Vec3>& others) {
   double greatest = 0;
   for (const Vec3& p : points) {
@@ -198,7 +198,8 @@ TEST_F(GltfPacked, ReadsInstances) {
   const Model turned = read(maker);
   EXPECT_NEAR(volume_of(turned), 8 * 0.5 * 2, 1e-3);
   EXPECT_LT((turned.mesh.box().upper - Vec3(14.25, 0.5, 1)).norm(), 1e-3);
-  EXPECT_EQ(turned.notes, std::vector<std::string>{"mirrored meshes, winding turned round: 4"});
+  EXPECT_EQ(in_english(turned.notes),
+            std::vector<std::string>{"mirrored meshes, winding turned round: 4"});
 }
 
 TEST_F(GltfPacked, KeepsChildrenOfInstances) {

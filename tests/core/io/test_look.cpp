@@ -19,9 +19,9 @@ class LookTest : public testing::IoTest {};
 const std::string kPng = std::string("\x89PNG\r\n\x1a\n", 8) + "pixels of the one";
 const std::string kJpeg = std::string("\xff\xd8\xff\xe0", 4) + "pixels of the other";
 
-std::string joined(const std::vector<std::string>& notes) {
+std::string joined(const std::vector<Sentence>& notes) {
   std::string out;
-  for (const std::string& note : notes) out += note + "\n";
+  for (const Sentence& note : notes) out += in_english(note) + "\n";
   return out;
 }
 
@@ -155,7 +155,8 @@ TEST_F(LookTest, KeepsGltfUnchanged) {
   const std::string lamp = write_lamp(folder());
   const Model model = read_model(lamp);
   ASSERT_TRUE(model.appearance);
-  expect_parts(model.notes.empty() ? "" : model.notes.front(), {"left out", "ACME_secret"});
+  expect_parts(in_english(model.notes.empty() ? Sentence() : model.notes.front()),
+               {"left out", "ACME_secret"});
   const GltfJson expected = expected_lamp(lamp);
   for (const char* name : {"s.glb", "s.gltf"}) {
     write_scene(two_of(model), path(name));
@@ -326,7 +327,7 @@ TEST_F(LookTest, LeavesOutBrokenLooks) {
     const Model model = read_model(write("broken.gltf", json.dump()));
     EXPECT_FALSE(model.appearance);
     EXPECT_EQ(model.mesh.triangles.size(), 8u);
-    return model.notes.empty() ? "" : model.notes.back();
+    return in_english(model.notes.empty() ? Sentence() : model.notes.back());
   };
   GltfJson json = lamp_json();  // in an extension that the importer does not know
   json["materials"][1]["extensions"]["KHR_materials_iridescence"]["iridescenceTexture"]["index"] =

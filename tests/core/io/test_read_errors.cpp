@@ -50,8 +50,8 @@ TEST_F(ReadErrors, ReportsPipe) {
 TEST_F(ReadErrors, ReportsEmptyFile) { expect_refused(write("empty.stl", ""), {"empty"}); }
 
 TEST_F(ReadErrors, ReportsUnknownExtension) {
-  expect_refused(write("t.docx", kTriangle), {"no importer for .docx", ".obj", ".glb", ".stl"});
-  expect_refused(write("t", kTriangle), {"no file extension", ".obj", ".glb", ".stl"});
+  expect_refused(write("t.docx", "a text"), {"no importer for .docx", ".obj", ".glb", ".stl"});
+  expect_refused(write("t", "a text"), {"no file extension", ".obj", ".glb", ".stl"});
 }
 
 TEST_F(ReadErrors, ReportsBrokenFile) {

@@ -114,7 +114,8 @@ TEST_F(ReadFormats, MultipliesGltfNodeTransforms) {
   EXPECT_EQ(model.num_nodes, 5);
   EXPECT_TRUE(same_triangles(triangles_of(model.mesh), reference_triangles(path("t.gltf"))));
   ASSERT_EQ(model.notes.size(), 1u);
-  EXPECT_NE(model.notes[0].find("mirror"), std::string::npos) << model.notes[0];
+  EXPECT_NE(in_english(model.notes[0]).find("mirror"), std::string::npos)
+      << in_english(model.notes[0]);
 }
 
 TEST_F(ReadFormats, ReadsColladaInMetresYUp) {
@@ -147,7 +148,7 @@ TEST_F(ReadFormats, ReadsAxisAndUnitOfFbx) {
   const Model x = read("x.fbx", testing::tetrahedron_fbx(0, 1));
   EXPECT_FALSE(x.up_from_format);
   ASSERT_EQ(x.notes.size(), 1u);
-  EXPECT_NE(x.notes[0].find("up axis"), std::string::npos);
+  EXPECT_NE(in_english(x.notes[0]).find("up axis"), std::string::npos);
 }
 
 TEST_F(ReadFormats, Reads3dsAsYUp) {
@@ -196,7 +197,7 @@ TEST_F(ReadFormats, TriangulatesPolygonsAndNotesLines) {
       write("t.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nl 1 5\np 5\n"));
   EXPECT_EQ(model.mesh.triangles.size(), 2u);
   std::string notes;
-  for (const std::string& note : model.notes) notes += note + "\n";
+  for (const Sentence& note : model.notes) notes += in_english(note) + "\n";
   expect_parts(notes, {"lines left out: 1"});
 }
 

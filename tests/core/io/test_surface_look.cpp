@@ -31,7 +31,7 @@ class SurfaceLookTest : public testing::IoTest {
 TEST_F(SurfaceLookTest, ReadsTexturedGltf) {
   write("c.png", four_colours_png());
   const Model model = read_model(write_json(square_json()));
-  EXPECT_TRUE(model.notes.empty()) << model.notes.front();
+  EXPECT_TRUE(model.notes.empty()) << in_english(model.notes.front());
   const auto look = surface_look(model);
   ASSERT_TRUE(look);
   ASSERT_EQ(look->images.size(), 1u);
@@ -265,13 +265,13 @@ TEST_F(SurfaceLookTest, NamesWhatIsNotDrawn) {
     const Model model = read_model(write_json(square_json()));
     EXPECT_EQ(model.mesh.triangles.size(), 2u);
     EXPECT_FALSE(surface_look(model));
-    return model.notes.empty() ? "" : model.notes.back();
+    return in_english(model.notes.empty() ? Sentence() : model.notes.back());
   };
   expect_parts(notes_of(four_colours_png().substr(0, 60)), {"not drawn", "\"c\"", "damaged PNG"});
   expect_parts(notes_of("no picture"), {"left out", "\"c\"", "neither PNG, JPEG nor WebP"});
   std::filesystem::remove(folder() / "c.png");
   const Model model = read_model(write_json(square_json()));
-  expect_parts(model.notes.front(), {"left out", "missing"});
+  expect_parts(in_english(model.notes.front()), {"left out", "missing"});
 }
 
 TEST_F(SurfaceLookTest, LooksOnlyIntoTheModelsFolder) {
@@ -280,7 +280,7 @@ TEST_F(SurfaceLookTest, LooksOnlyIntoTheModelsFolder) {
   for (const std::string& name : {std::string("../surface_look_outside.png"), outside.string()}) {
     const Model model = read_model(write_json(square_json(name)));
     EXPECT_FALSE(surface_look(model));
-    expect_parts(model.notes.empty() ? "" : model.notes.front(), {"left out"});
+    expect_parts(in_english(model.notes.empty() ? Sentence() : model.notes.front()), {"left out"});
   }
   std::filesystem::create_symlink(outside, folder() / "link.png");
   EXPECT_FALSE(surface_look(read_model(write_json(square_json("link.png")))));

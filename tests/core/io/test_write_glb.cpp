@@ -37,6 +37,34 @@ std::vector<Triangle> exported_triangles(const ExportObject& object) {
   return out;
 }
 
+Aabb box_of(const std::vector<Triangle>& triangles) {
+  Aabb out;
+  for (const Triangle& t : triangles)
+    for (const Vec3& p : t) out.extend(p);
+  return out;
+}
+
+// Bit for bit, but where a reader adds an object's place.
+void expect_exported(const ExportScene& scene, const std::vector<testing::NamedTriangles>& read) {
+  ASSERT_EQ(read.size(), scene.objects.size());
+  for (const ExportObject& object : scene.objects) {
+    const auto found = std::find_if(read.begin(), read.end(),
+                                    [&](const auto& r) { return r.name == object.name; });
+    ASSERT_NE(found, read.end()) << object.name;
+    const std::vector<Triangle> exported = exported_triangles(object);
+    if (ExportedPlacement(object, object.model->mesh.box()).place().isZero(0)) {
+      EXPECT_TRUE(testing::same_triangles(sorted(found->triangles), sorted(exported)))
+          << object.name;
+      continue;
+    }
+    const Aabb there = box_of(found->triangles), wanted = box_of(exported);
+    EXPECT_EQ(found->triangles.size(), exported.size());
+    EXPECT_LT((there.lower - wanted.lower).norm() + (there.upper - wanted.upper).norm(),
+              1e-6 * (1 + wanted.max_abs_coordinate()))
+        << object.name;
+  }
+}
+
 struct Glb {
   json document;
   std::string binary;
@@ -169,7 +197,7 @@ TEST_F(WriteGlb, PassesOwnValidation) {
   write_scene(example_scene(), path("s.glb"));
   const Glb glb = checked(testing::read_bytes(path("s.glb")));
   const json& root = glb.document;
-  ASSERT_EQ(root["nodes"].size(), 3u);
+  ASSERT_EQ(root["nodes"].size(), 4u);   // "far" is below a place
   EXPECT_EQ(root["meshes"].size(), 2u);  // shared models are stored once
   EXPECT_EQ(root["nodes"][0]["mesh"], root["nodes"][1]["mesh"]);
   EXPECT_EQ(root["nodes"][1]["name"], "cup é");
@@ -184,13 +212,7 @@ TEST_F(WriteGlb, GivesExportedPositionsToEveryReader) {
   const ExportScene scene = example_scene();
   write_scene(scene, path("s.glb"));
   const auto read = testing::reference_scene(path("s.glb"));
-  ASSERT_EQ(read.size(), scene.objects.size());
-  for (size_t i = 0; i < read.size(); ++i) {
-    EXPECT_EQ(read[i].name, scene.objects[i].name);
-    EXPECT_TRUE(testing::same_triangles(sorted(read[i].triangles),
-                                        sorted(exported_triangles(scene.objects[i]))))
-        << read[i].name;
-  }
+  expect_exported(scene, read);
 }
 
 TEST_F(WriteGlb, WritesSingleNodeScene) {
@@ -223,6 +245,35 @@ TEST_F(WriteGlb, KeepsShapeOfFarModels) {
   object.world_from_object.translation = Vec3(-1e6, -1e6, -1e6);
   for (const Eigen::Vector3f& p : exported_positions(object))
     EXPECT_LT((p.cast<double>() - p.cast<double>().array().round().matrix()).norm(), 1e-6);
+}
+
+// In a wide scene float32 coordinates would have steps of a millimetre at 10 km.
+TEST_F(WriteGlb, PutsFarObjectsBelowPlaces) {
+  for (const double x : {0.0, 10.0, 1e3, -1e4, 123456.7}) {
+    const ExportObject object{"a", shared(testing::tetrahedron_model()),
+                              placed({1, 2, 3}, 0.3, {x, 0.3 * x, 0.7}), ""};
+    write_scene({{object}, ""}, path("s.glb"));
+    const json document = parsed(testing::read_bytes(path("s.glb"))).document;
+    const json& root = document["nodes"][document["scenes"][0]["nodes"][0].get<size_t>()];
+    EXPECT_EQ(root["name"], std::abs(x) > 16 ? "place" : "a") << x;
+    const ExportedPlacement exported(object, object.model->mesh.box());
+    std::vector<Triangle> expected;
+    for (const Index3& t : object.model->mesh.triangles) {
+      Triangle corners;
+      for (int k = 0; k < 3; ++k) {
+        const Vec3& vertex = object.model->mesh.vertices[t[k]];
+        corners[k] = exported(vertex);
+        EXPECT_LT((corners[k] - object.world_from_object.apply(vertex)).norm(), 3e-6) << x;
+      }
+      expected.push_back(corners);
+    }
+    const Mesh read = read_model(path("s.glb")).mesh;
+    Aabb box, exact;
+    for (const Vec3& v : read.vertices) box.extend(Vec3(v.x(), -v.z(), v.y()));
+    for (const Triangle& t : expected)
+      for (const Vec3& v : t) exact.extend(v);
+    EXPECT_LT((box.lower - exact.lower).norm() + (box.upper - exact.upper).norm(), 3e-6) << x;
+  }
 }
 
 TEST_F(WriteGlb, RoundTripsModels) {
@@ -324,11 +375,7 @@ TEST_F(WriteGlb, WritesRealModelsBitForBit) {
   write_scene(scene, path("s.glb"));
   parsed(testing::read_bytes(path("s.glb")));  // the tea set equals its own file
   const auto read = testing::reference_scene(path("s.glb"));
-  ASSERT_EQ(read.size(), scene.objects.size());
-  for (size_t i = 0; i < read.size(); ++i)
-    EXPECT_TRUE(testing::same_triangles(sorted(read[i].triangles),
-                                        sorted(exported_triangles(scene.objects[i]))))
-        << read[i].name;
+  expect_exported(scene, read);
 }
 
 }  // namespace

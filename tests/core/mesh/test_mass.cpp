@@ -5,6 +5,7 @@
 
 #include "core/mesh/made_meshes.h"
 #include "core/mesh/mass.h"
+#include "core/mesh/part_masses.h"
 
 namespace trivet {
 namespace {
@@ -156,10 +157,18 @@ TEST(Mass, SubtractsCavityOffCentre) {
   expect_near(mass.centre, Vec3((2 - 0.125 * 0.75) / 1.875, 0.5, 0.5), 1e-15);
 }
 
-TEST(Mass, UsesSurfaceOfInvertedHollowSphere) {
-  const MassProperties mass =
-      mass_of(inside_out(joined(make_sphere(2, 2), inside_out(make_sphere(1, 2)))));
-  EXPECT_EQ(mass.rule, MassRule::Surface);
+// Inside out as a whole: the inner shell is the cavity, however both are wound.
+TEST(Mass, TellsCavitiesByNesting) {
+  const Triangles outer = make_sphere(2, 2), inner = make_sphere(1, 2);
+  const double volume = mass_of(joined(outer, inside_out(inner))).volume;
+  for (const Triangles& t : {joined(outer, inner), joined(inside_out(outer), inner),
+                             joined(inside_out(outer), inside_out(inner))}) {
+    const MassProperties mass = mass_of(t);
+    EXPECT_EQ(mass.rule, MassRule::Volume);
+    EXPECT_NEAR(mass.volume, volume, 1e-12);
+    expect_near(mass.centre, Vec3::Zero(), 1e-12);
+    EXPECT_GT(mass.findings.num_turned_parts, 0);
+  }
 }
 
 TEST(Mass, AddsTwoComponents) {
@@ -184,30 +193,106 @@ TEST(Mass, UsesSurfaceOfOpenBox) {
   EXPECT_NEAR(mass.radius_squared, 1.0 / 6 + 0.25 - 0.01, 1e-15);
 }
 
-TEST(Mass, UsesSurfaceForFlippedFace) {
-  Triangles triangles = make_cube();
-  std::swap(triangles[5][0], triangles[5][1]);
-  const MassProperties mass = mass_of(triangles);
-  EXPECT_EQ(mass.rule, MassRule::Surface);
-  expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+TEST(Mass, TurnsFlippedFaces) {
+  for (const size_t count : {1u, 3u, 5u}) {
+    Triangles triangles = make_cube();
+    for (size_t f = 0; f < count; ++f) std::swap(triangles[2 * f][0], triangles[2 * f][1]);
+    const MassProperties mass = mass_of(triangles);
+    EXPECT_EQ(mass.rule, MassRule::Volume);
+    EXPECT_NEAR(mass.volume, 1, 1e-15);
+    expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+    EXPECT_EQ(mass.findings.num_flipped_faces, static_cast<Index>(count));
+  }
 }
 
-TEST(Mass, UsesSurfaceForOneDuplicateFace) {
-  Triangles triangles = make_cube();
-  triangles.push_back(triangles[0]);
-  EXPECT_EQ(mass_of(triangles).rule, MassRule::Surface);
+TEST(Mass, CountsDoubleFacesOnce) {
+  Triangles one = make_cube(), turned = make_cube();
+  one.push_back(one[0]);
+  turned.push_back({turned[3][0], turned[3][2], turned[3][1]});
+  for (const Triangles& t :
+       {one, turned, joined(make_cube(), make_cube()), joined(make_cube(), inside_out(make_cube())),
+        joined(make_cube(), joined(make_cube(), make_cube()))}) {
+    const MassProperties mass = mass_of(t);
+    EXPECT_EQ(mass.rule, MassRule::Volume);
+    EXPECT_NEAR(mass.volume, 1, 1e-15);
+    expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+    EXPECT_EQ(mass.findings.num_double_faces, static_cast<Index>(t.size()) - 12);
+  }
 }
 
-TEST(Mass, AcceptsDuplicateFacesAsSolid) {
-  const MassProperties mass = mass_of(joined(make_cube(), make_cube()));
+// Boxes side by side, at an angle to the axes, each inside out or not; some with a cavity.
+TEST(Mass, OrientsEachPartByItself) {
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  for (unsigned bits = 0; bits < 64; ++bits) {
+    Triangles all;
+    Vec3 moment = Vec3::Zero();
+    double volume = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 lower(3.0 * i, 0.1 * i, 0), upper = lower + Vec3(1 + i, 1, 2);
+      const Vec3 in = lower + Vec3(0.25, 0.25, 0.5), out = in + Vec3(0.5, 0.25, 0.5);
+      const bool hollow = i < 2;
+      const Triangles box = make_box(lower, upper), cavity = make_box(in, out);
+      all = joined(all, bits >> i & 1 ? inside_out(box) : box);
+      if (hollow) all = joined(all, bits >> (3 + i) & 1 ? inside_out(cavity) : cavity);
+      const double solid = 2.0 * (1 + i), empty = hollow ? 0.0625 : 0;
+      volume += solid - empty;
+      moment += solid * (lower + upper) / 2 - empty * (in + out) / 2;
+    }
+    for (Triangle& t : all)
+      for (Vec3& p : t) p = turn * p;
+    const MassProperties mass = mass_of(all);
+    ASSERT_EQ(mass.rule, MassRule::Volume);
+    EXPECT_NEAR(mass.volume, volume, 1e-12);
+    expect_near(mass.centre, turn * Vec3(moment / volume), 1e-12);
+  }
+}
+
+// A box in a cavity in a box, as many times as there is room.
+TEST(Mass, NestsDeeply) {
+  Triangles all;
+  double volume = 0;
+  for (int depth = 0; depth < 7; ++depth) {
+    const double half = 1 - 0.1 * depth;
+    all = joined(all, make_box(Vec3::Constant(-half), Vec3::Constant(half)));
+    volume += (depth % 2 ? -1 : 1) * 8 * half * half * half;
+  }
+  const MassProperties mass = mass_of(all);
+  EXPECT_NEAR(mass.volume, volume, 1e-12);
+  EXPECT_EQ(mass.findings.num_turned_parts, 3);
+  const Mesh mesh = weld(all);
+  const auto parts = part_masses(mesh, make_adjacency(mesh));
+  ASSERT_EQ(parts.size(), 7u);
+  for (size_t i = 0; i < parts.size(); ++i) {
+    EXPECT_EQ(parts[i].is_cavity, i % 2 == 1);
+    EXPECT_EQ(parts[i].is_turned, i % 2 == 1);
+    EXPECT_EQ(parts[i].num_triangles, 12);
+  }
+}
+
+TEST(Mass, LeavesPartsThatPassThroughEachOtherAlone) {
+  const Triangles leg = make_box(Vec3(0.2, 0.2, -3), Vec3(0.4, 0.4, 0.5));
+  const MassProperties mass = mass_of(joined(make_cube(), leg));
   EXPECT_EQ(mass.rule, MassRule::Volume);
-  expect_near(mass.centre, Vec3::Constant(0.5), 1e-15);
+  EXPECT_NEAR(mass.volume, 1 + 0.14, 1e-14);
+  EXPECT_EQ(mass.findings.num_turned_parts, 0);
 }
 
-TEST(Mass, UsesSurfaceForTwoSidedFaces) {
-  const MassProperties mass = mass_of(joined(make_cube(), inside_out(make_cube())));
-  EXPECT_EQ(mass.rule, MassRule::Surface);
-  EXPECT_NEAR(mass.area, 12, 1e-14);
+// A label on a box weighs nothing; a box within an open shell is not all there is.
+TEST(Mass, NotesOpenPartsBesideClosedOnes) {
+  Triangles label;
+  add_quad(label, Vec3(0, 0, 1.01), Vec3(0.5, 0, 1.01), Vec3(0.5, 0.5, 1.01), Vec3(0, 0.5, 1.01));
+  const MassProperties box = mass_of(joined(make_cube(), label));
+  EXPECT_EQ(box.rule, MassRule::Volume);
+  expect_near(box.centre, Vec3::Constant(0.5), 1e-15);
+  EXPECT_EQ(box.findings.num_open_parts, 1);
+  EXPECT_GT(box.findings.other_centre_distance, 0.01);
+  EXPECT_EQ(mass_notes(box).size(), 2u);
+  Triangles shell = make_box(Vec3::Constant(-2), Vec3::Constant(3));
+  shell.erase(shell.begin(), shell.begin() + 2);
+  const MassProperties open = mass_of(joined(make_cube(), shell));
+  EXPECT_EQ(open.rule, MassRule::Surface);
+  EXPECT_EQ(open.findings.num_open_parts, 1);
+  EXPECT_TRUE(mass_notes(mass_of(make_cube())).empty());
 }
 
 TEST(Mass, UsesSurfaceForFanOfFaces) {

@@ -4,7 +4,7 @@
 
 namespace trivet::test {
 
-/// Of side 1.
+/// A cube of side 1.
 inline Object cube(const std::string& name) {
   return object_of(name, box_triangles(Vec3(0.5, 0.5, 0.5)));
 }

@@ -48,13 +48,14 @@ ObjectTree::Extent extent_by_brute_force(const Scene& scene, const std::vector<O
     out.box.extend(box_of(object));
     const double diagonal = object.scale * object.shape->box.diagonal();
     if (diagonal > 0) out.smallest_diagonal = std::min(out.smallest_diagonal, diagonal);
+    out.coarse_size = std::max(out.coarse_size, coarse_size(object));
   }
   return out;
 }
 
 bool same(const ObjectTree::Extent& a, const ObjectTree::Extent& b) {
   return a.box.lower == b.box.lower && a.box.upper == b.box.upper &&
-         a.smallest_diagonal == b.smallest_diagonal;
+         a.smallest_diagonal == b.smallest_diagonal && a.coarse_size == b.coarse_size;
 }
 
 Aabb random_box(Random& random) {
@@ -164,6 +165,9 @@ std::string unlike_brute_force(const Scene& scene, Random& random) {
     if (random.integer(0, 3) == 0) without.push_back(id);
   if (!same(scene.extent_without(without), extent_by_brute_force(scene, without)))
     return "extent_without()";
+  const auto is_far = [&](const Object& o) { return !is_near(o); };
+  if (!same(scene.extent_near(box, margin), extent_by_brute_force(scene, those(scene, is_far))))
+    return "extent_near()";
   const Aabb all = extent_by_brute_force(scene, {}).box;
   if (scene.box().lower != all.lower || scene.box().upper != all.upper) return "box()";
   const std::string name = "o" + std::to_string(random.integer(0, 999));

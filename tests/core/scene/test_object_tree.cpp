@@ -55,7 +55,8 @@ struct Twin {
     for (const auto& [slot, extent] : leaves)
       if (std::find(slots.begin(), slots.end(), slot) == slots.end())
         out.unite({extent.box.empty() ? Aabb{} : extent.box,
-                   extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity});
+                   extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity, 0,
+                   extent.coarse_size});
     return out;
   }
 };
@@ -64,6 +65,7 @@ void expect_same(const Extent& a, const Extent& b) {
   EXPECT_EQ(a.box.lower, b.box.lower);
   EXPECT_EQ(a.box.upper, b.box.upper);
   EXPECT_EQ(a.smallest_diagonal, b.smallest_diagonal);
+  EXPECT_EQ(a.coarse_size, b.coarse_size);
 }
 
 // Largest allowed height for n leaves: an AVL tree of height h has at least Fibonacci(h + 2) of
@@ -72,7 +74,8 @@ int allowed_height(size_t n) {
   return static_cast<int>(std::floor(1.4405 * std::log2(static_cast<double>(n) + 2)));
 }
 
-/// Of one kind of scene: spread, in a heap, identical, flat, huge, far out, empty, not a number.
+/// Extents of one kind of scene: spread, in a heap, identical, flat, huge, far out, empty, not a
+/// number.
 Extent random_extent(Random& random) {
   const double kSize[] = {0.1, 1, 10, 0, 1e15, 1e-3};
   const double size = kSize[random.integer(0, 5)];
@@ -85,7 +88,7 @@ Extent random_extent(Random& random) {
   if (kind == 3) centre.z() = std::nan("");
   if (kind == 4) return {{Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)}, kInfinity};
   if (kind == 5) return {{Vec3::Zero(), Vec3::Ones()}, 1};
-  return {{centre - half, centre + half}, 2 * half.norm()};
+  return {{centre - half, centre + half}, 2 * half.norm(), 0, kind < 10 ? 8 * half.norm() : 0};
 }
 
 void expect_like_brute_force(const Twin& twin, Random& random, int& num_found) {

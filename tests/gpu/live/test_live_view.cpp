@@ -72,7 +72,7 @@ TEST_F(Live, KeepsMeshesAndShadowMap) {
   EXPECT_TRUE(m_view->work().shadow_map_drawn);
 }
 
-// What is cut away is as if it were not there; the section goes through the rest.
+// A part that is cut away is as if it were not there; the section goes through the rest.
 TEST_F(Live, CutsAwayWhatIsNearer) {
   LiveScene scene = cube_scene();
   scene.objects.push_back(placed(box_model(Vec3(-3, -2, 3), Vec3(3, 2, 3.2), kGrey)));

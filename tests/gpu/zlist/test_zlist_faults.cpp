@@ -21,7 +21,7 @@ struct Course {
 /// Answers are those of the BVHs throughout.
 Course ask_many(GpuZListOptions options, int num) {
   Course out;
-  options.notes = once_each([&](const std::string& note) { out.notes.push_back(note); });
+  options.notes = once_each([&](const Sentence& note) { out.notes.push_back(in_english(note)); });
   const auto stage = make_stage(options);
   if (!stage) return out;
   const test::MeshPool pool(kFaultSeed, 4);

@@ -54,9 +54,13 @@ class Stage {
   void add_cube(const std::string& name, double edge = 0.1) {
     add(name, box_between(Vec3(-0.5 * edge, -0.5 * edge, 0), Vec3(0.5 * edge, 0.5 * edge, edge)));
   }
-  Relation& relate(const std::string& a, RelationKind kind, const std::string& b = "") {
+  template <class K>
+  Relation& relate(const std::string& a, const std::string& b = "") {
+    return relate(a, K(), b);
+  }
+  Relation& relate(const std::string& a, relations::Kind kind, const std::string& b = "") {
     Relation relation;
-    relation.kind = kind;
+    relation.kind = std::move(kind);
     relation.a = a;
     relation.b = b;
     arrangement.relations.push_back(relation);
@@ -67,7 +71,7 @@ class Stage {
     return arrange(scene, arrangement, {}, {});
   }
   const Object& at(const std::string& name) const { return scene.at(*scene.find(name)); }
-  /// Of its vertices.
+  /// Box of its vertices.
   Aabb box(const std::string& name) const {
     Aabb out;
     for (const Vec3& v : at(name).shape->mesh.vertices)

@@ -25,7 +25,8 @@ TEST(Arrange, PutsThingsOnTheLevelsAskedFor) {
   for (int i = 0; i < 6; ++i) {
     const std::string name = "cube_" + std::to_string(i);
     stage.add_cube(name);
-    stage.relate(name, RelationKind::On, "shelf").level = i % 2 ? i / 2 : i / 2 - 3;
+    stage.relate<relations::On>(name, "shelf").as<relations::On>()->level =
+        i % 2 ? i / 2 : i / 2 - 3;
   }
   for (const std::uint64_t seed : {1, 2, 3}) {
     const ArrangeResult result = stage.run(seed);
@@ -47,15 +48,15 @@ TEST(Arrange, KeepsAllRelationsWhereThingsComeToRest) {
     stage.add("bowl", test::dish(0.12, 0.06, 0.006, 2, 20));
     stage.add("ball", test::ball(0.03, 12, 16), {"", {PoseChoice::Kind::Free}, {}});
     for (const char* name : {"plate", "knife", "cup", "bowl"})
-      stage.relate(name, RelationKind::On, "table");
-    stage.relate("ball", RelationKind::In, "bowl");
-    stage.relate("knife", RelationKind::RightOf, "plate").upper = 0.03;
-    stage.relate("knife", RelationKind::Parallel, "plate").tolerance = 2;
-    Relation& centred = stage.relate("knife", RelationKind::Centred, "plate");
-    centred.along_x = false, centred.tolerance = 0.01;
-    stage.relate("cup", RelationKind::Behind, "plate").upper = 0.1;
-    stage.relate("cup", RelationKind::Near, "knife").upper = 0.15;
-    stage.relate("bowl", RelationKind::Facing).point = Vec2(0, 0);
+      stage.relate<relations::On>(name, "table");
+    stage.relate<relations::In>("ball", "bowl");
+    stage.relate<relations::RightOf>("knife", "plate").as<relations::RightOf>()->upper = 0.03;
+    stage.relate<relations::Parallel>("knife", "plate").tolerance = 2;
+    Relation& centred = stage.relate<relations::Centred>("knife", "plate");
+    centred.as<relations::Centred>()->along.x = false, centred.tolerance = 0.01;
+    stage.relate<relations::Behind>("cup", "plate").as<relations::Behind>()->upper = 0.1;
+    stage.relate<relations::Near>("cup", "knife").as<relations::Near>()->upper = 0.15;
+    stage.relate<relations::Facing>("bowl").as<relations::Facing>()->point = Vec2(0, 0);
     stage.arrangement.relations.back().tolerance = 5;
     stage.arrangement.keeps.push_back({{"cup", "knife", "bowl"}, 0.01, {}});
     const ArrangeResult result = stage.run(seed);
@@ -91,11 +92,11 @@ TEST(Arrange, MovesWhatLeavesNoRoom) {
     stage.add("large", test::box_between(Vec3(-0.14, -0.05, 0), Vec3(0.14, 0.05, 0.1)),
               {"", {}, {0}});
     for (const char* name : {"small", "large"}) {
-      stage.relate(name, RelationKind::On, "board");
-      stage.relate(name, RelationKind::Within).region = {Vec2(-0.25, -0.1), Vec2(0.25, -0.1),
-                                                         Vec2(0.25, 0.1), Vec2(-0.25, 0.1)};
+      stage.relate<relations::On>(name, "board");
+      stage.relate<relations::Within>(name).as<relations::Within>()->region = {
+          Vec2(-0.25, -0.1), Vec2(0.25, -0.1), Vec2(0.25, 0.1), Vec2(-0.25, 0.1)};
     }
-    stage.relate("large", RelationKind::RightOf, "small");
+    stage.relate<relations::RightOf>("large", "small");
     const ArrangeResult result = stage.run(seed);
     expect_true(stage, result);
     num_evictions += result.num_evictions;
@@ -111,7 +112,7 @@ TEST(Arrange, StandsThingsAgainstWalls) {
   edit_object(stage.scene, *stage.scene.find("wall"),
               [](Object& o) { o.pose.rotation = turned_about_z(20); });
   stage.add("shelf", test::shelf({0.1, 0.8}));
-  stage.relate("shelf", RelationKind::Against, "wall").upper = 0.005;
+  stage.relate<relations::Against>("shelf", "wall").as<relations::Against>()->upper = 0.005;
   for (const std::uint64_t seed : {1, 2, 3}) {
     expect_true(stage, stage.run(seed));
     const Rotation& r = stage.at("shelf").pose.rotation;
@@ -131,8 +132,8 @@ TEST(Arrange, ClosesGapsOfZeroByContact) {
     stage.fix("wall", test::box_between(Vec3(-1, 0, 0), Vec3(1, 0.1, 1)), Vec3(0, 0, 1e-5));
     stage.add("cabinet", test::box_between(Vec3(-0.2, -0.15, 0), Vec3(0.2, 0.15, 0.5)));
     stage.add_cube("bin");
-    stage.relate("cabinet", RelationKind::Against, "wall").upper = 0;
-    stage.relate("bin", RelationKind::LeftOf, "cabinet").upper = 0;
+    stage.relate<relations::Against>("cabinet", "wall").as<relations::Against>()->upper = 0;
+    stage.relate<relations::LeftOf>("bin", "cabinet").as<relations::LeftOf>()->upper = 0;
     const ArrangeResult result = stage.run(seed);
     expect_true(stage, result);
     const auto is_at = [&](const char* a, const char* b) {
@@ -151,8 +152,8 @@ TEST(Arrange, TurnsThingsToFaceOthers) {
   Stage stage;
   stage.fix("desk", test::box_between(Vec3(-0.5, -0.3, 0), Vec3(0.5, 0.3, 0.7)), Vec3(0, 0, 1e-5));
   stage.add("chair", test::box_between(Vec3(-0.2, -0.25, 0), Vec3(0.2, 0.25, 0.5)));
-  stage.relate("chair", RelationKind::Facing, "desk").tolerance = 2;
-  stage.relate("chair", RelationKind::Near, "desk").upper = 0.8;
+  stage.relate<relations::Facing>("chair", "desk").tolerance = 2;
+  stage.relate<relations::Near>("chair", "desk").as<relations::Near>()->upper = 0.8;
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     expect_true(stage, stage.run(seed));
     const Vec2 front = -stage.at("chair").pose.rotation.matrix().col(1).head<2>();
@@ -165,14 +166,14 @@ TEST(Arrange, FollowsSoftRelations) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     Stage stage;
     stage.add_cube("cube");
-    Relation& r = stage.relate("cube", RelationKind::At);
-    r.point = Vec2(0.4, -0.7);
+    Relation& r = stage.relate<relations::At>("cube");
+    r.as<relations::At>()->point = Vec2(0.4, -0.7);
     r.tolerance = 0.05;
     r.weight = 1;
     const ArrangeResult result = stage.run(seed);
     expect_true(stage, result);
     worst = std::max(worst, result.relations.front().cost);
-    mean += (stage.box("cube").centre().head<2>() - *r.point).norm() / 5;
+    mean += (stage.box("cube").centre().head<2>() - *r.as<relations::At>()->point).norm() / 5;
   }
   EXPECT_LT(worst, 2);
   EXPECT_LT(mean, 0.05);
@@ -190,10 +191,10 @@ TEST(Arrange, GivesTheSameBitsWithAnyThreads) {
       for (int i = 0; i < 6; ++i) {
         const std::string name = "cube_" + std::to_string(i);
         stage.add_cube(name, 0.06 + 0.01 * i);
-        stage.relate(name, RelationKind::On, "table");
+        stage.relate<relations::On>(name, "table");
         if (i > 0) {
-          Relation& r = stage.relate(name, RelationKind::Near, "cube_" + std::to_string(i - 1));
-          r.upper = 0.05;
+          Relation& r = stage.relate<relations::Near>(name, "cube_" + std::to_string(i - 1));
+          r.as<relations::Near>()->upper = 0.05;
           r.weight = 0.3;
           r.tolerance = 0.05;
         }
@@ -210,10 +211,10 @@ TEST(Arrange, GivesTheSameBitsWithAnyThreads) {
 TEST(Arrange, ArrangesAnewWhatStands) {
   Stage stage;
   stage.add_cube("cube");
-  stage.relate("cube", RelationKind::At).point = Vec2(0.1, 0.2);
+  stage.relate<relations::At>("cube").as<relations::At>()->point = Vec2(0.1, 0.2);
   stage.arrangement.relations.back().tolerance = 0.01;
   expect_true(stage, stage.run());
-  stage.arrangement.relations.back().point = Vec2(-0.7, 0.5);
+  stage.arrangement.relations.back().as<relations::At>()->point = Vec2(-0.7, 0.5);
   expect_true(stage, stage.run());
   EXPECT_NEAR(stage.box("cube").centre().x(), -0.7, 0.0101);
 }
@@ -238,27 +239,27 @@ TEST(Arrange, RefusesWhatCannotBeMeant) {
     const std::string is = message(change);
     EXPECT_NE(is.find(says), std::string::npos) << is;
   };
-  expect([](Stage& s) { s.relate("a", RelationKind::On, "rok"); }, "did you mean \"rock\"");
+  expect([](Stage& s) { s.relate<relations::On>("a", "rok"); }, "did you mean \"rock\"");
   expect(
       [](Stage& s) {
         s.arrangement.things.pop_back();
-        s.relate("a", RelationKind::Near, "b");
+        s.relate<relations::Near>("a", "b");
       },
       "\"b\" stands nowhere");
-  expect([](Stage& s) { s.relate("a", RelationKind::Near, "a"); }, "no relation to itself");
-  expect([](Stage& s) { s.relate("rock", RelationKind::On, "a"); }, "none of the things");
+  expect([](Stage& s) { s.relate<relations::Near>("a", "a"); }, "no relation to itself");
+  expect([](Stage& s) { s.relate<relations::On>("rock", "a"); }, "none of the things");
   expect([](Stage& s) { s.arrangement.things.push_back({"rock"}); }, "is fixed");
   expect([](Stage& s) { s.arrangement.things.push_back({"a"}); }, "comes twice");
   expect(
       [](Stage& s) {
-        s.relate("a", RelationKind::On, "b");
-        s.relate("b", RelationKind::On, "a");
+        s.relate<relations::On>("a", "b");
+        s.relate<relations::On>("b", "a");
       },
       "would have to carry itself");
   expect(
       [](Stage& s) {
-        s.relate("a", RelationKind::On, "rock");
-        s.relate("a", RelationKind::On, "floor");
+        s.relate<relations::On>("a", "rock");
+        s.relate<relations::On>("a", "floor");
       },
       "says already what carries");
   expect(
@@ -273,8 +274,8 @@ TEST(Arrange, KeepsDistancesOfManyTimesTheirSize) {
   Stage stage;
   for (const char* name : {"a", "b", "c"}) stage.add_cube(name);
   stage.arrangement.keeps.push_back({{"a", "b", "c"}, 5, {{"a", "b"}}});
-  Relation& near = stage.relate("b", RelationKind::Near, "a");
-  near.upper = 0.2;
+  Relation& near = stage.relate<relations::Near>("b", "a");
+  near.as<relations::Near>()->upper = 0.2;
   expect_true(stage, stage.run());
   for (const char* other : {"a", "b"})
     EXPECT_GE((stage.box("c").centre() - stage.box(other).centre()).norm(), 5.1) << other;

@@ -57,14 +57,14 @@ TEST(Things, AreFoundAPlaceAmongWhatLiesInATray) {
   stage.fix("tray", test::tray(0.4, 0.3), Vec3(0, 0, 1e-5));
   for (const char* name : {"brick_1", "brick_2"}) {
     stage.add(name, test::box_between(Vec3(-0.08, -0.05, 0), Vec3(0.08, 0.05, 0.06)));
-    stage.relate(name, RelationKind::In, "tray");
+    stage.relate<relations::In>(name, "tray");
   }
   expect_true(stage, stage.run());
   const Vec3 before = stage.box("brick_1").centre();
   stage.arrangement = {};
   stage.add_cube("cup", 0.08);
   stage.arrangement.things.front().any_yaw = true;
-  stage.relate("cup", RelationKind::In, "tray");
+  stage.relate<relations::In>("cup", "tray");
   stage.arrangement.keeps.push_back({{"cup"}, 0.02, {{"cup", "tray"}}});
   stage.arrangement.steadiness.push_back({{"cup"}, 0.02, 0.4});
   for (const std::uint64_t seed : {1, 2, 3}) {
@@ -81,8 +81,8 @@ TEST(Relations, PerpendicularTurnsByAQuarter) {
   Stage stage;
   stage.fix("desk", box_between(Vec3(-0.5, -0.3, 0), Vec3(0.5, 0.3, 0.7)), Vec3(0, 0, 1e-5));
   stage.add("rack", box_between(Vec3(-0.4, -0.1, 0), Vec3(0.4, 0.1, 0.5)));
-  stage.relate("rack", RelationKind::Perpendicular, "desk").tolerance = 2;
-  stage.relate("rack", RelationKind::Near, "desk").upper = 0.5;
+  stage.relate<relations::Perpendicular>("rack", "desk").tolerance = 2;
+  stage.relate<relations::Near>("rack", "desk").as<relations::Near>()->upper = 0.5;
   expect_true(stage, stage.run());
   EXPECT_LT(std::abs(stage.at("rack").pose.rotation.matrix()(1, 1)), 0.04);
 }
@@ -99,9 +99,9 @@ TEST(Improve, LowersSoftCostsAndNeverRaisesThem) {
       for (int i = 0; i < 6; ++i) {
         const std::string name = "cube_" + std::to_string(i);
         stage.add_cube(name, 0.05 + 0.01 * i);
-        stage.relate(name, RelationKind::On, "table");
-        Relation& at = stage.relate(name, RelationKind::At);
-        at.point = Vec2(-0.25 + 0.25 * (i % 3), i < 3 ? -0.15 : 0.15);
+        stage.relate<relations::On>(name, "table");
+        Relation& at = stage.relate<relations::At>(name);
+        at.as<relations::At>()->point = Vec2(-0.25 + 0.25 * (i % 3), i < 3 ? -0.15 : 0.15);
         at.tolerance = 0.05, at.weight = 1;
       }
       stage.arrangement.max_improvements = most;
@@ -121,11 +121,11 @@ TEST(Improve, LowersSoftCostsAndNeverRaisesThem) {
 TEST(Conflict, OffersTheCheapestWishToDrop) {
   Stage stage;
   stage.add_cube("jug");
-  stage.relate("jug", RelationKind::At).point = Vec2(0, 0);
+  stage.relate<relations::At>("jug").as<relations::At>()->point = Vec2(0, 0);
   stage.add_cube("cup");
-  Relation& near = stage.relate("cup", RelationKind::Near, "jug");
-  near.upper = 0.5;
-  stage.relate("cup", RelationKind::At).point = Vec2(0.7, 0);
+  Relation& near = stage.relate<relations::Near>("cup", "jug");
+  near.as<relations::Near>()->upper = 0.5;
+  stage.relate<relations::At>("cup").as<relations::At>()->point = Vec2(0.7, 0);
   stage.arrangement.max_attempts = 1;
   const ArrangeResult result = stage.run();
   ASSERT_EQ(result.status, ArrangeResult::Status::Conflict);
@@ -150,15 +150,15 @@ TEST(Improve, MovesThingsWithThoseThatStandByThem) {
       stage.add("knife", box_between(Vec3(-0.01, -0.1, 0), Vec3(0.01, 0.1, 0.01)), {"", {}, {0}});
       stage.add("spoon", box_between(Vec3(-0.01, -0.08, 0), Vec3(0.01, 0.08, 0.01)), {"", {}, {0}});
       for (const char* name : {"plate", "knife", "spoon"})
-        stage.relate(name, RelationKind::On, "table");
-      Relation& at = stage.relate("plate", RelationKind::At);
-      at.point = Vec2(0.1, -0.1);
+        stage.relate<relations::On>(name, "table");
+      Relation& at = stage.relate<relations::At>("plate");
+      at.as<relations::At>()->point = Vec2(0.1, -0.1);
       at.tolerance = 0.2, at.weight = 1;
       const auto beside = [&](const char* name, const char* other) {
-        Relation& right = stage.relate(name, RelationKind::RightOf, other);
-        right.lower = 0.005, right.upper = 0.01;
-        Relation& level = stage.relate(name, RelationKind::Centred, other);
-        level.along_x = false, level.tolerance = 0.003;
+        Relation& right = stage.relate<relations::RightOf>(name, other);
+        right.as<relations::RightOf>()->lower = 0.005, right.as<relations::RightOf>()->upper = 0.01;
+        Relation& level = stage.relate<relations::Centred>(name, other);
+        level.as<relations::Centred>()->along.x = false, level.tolerance = 0.003;
       };
       beside("knife", "plate");
       beside("spoon", "knife");

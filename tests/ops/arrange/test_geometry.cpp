@@ -74,7 +74,7 @@ double to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (a + t * (b - a) - p).norm();
 }
 
-// Of all corners from all edges.
+// Distance of all corners from all edges.
 double corner_distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   double out = kInfinity;
   for (size_t s = 0; s < a.size(); ++s)
@@ -160,78 +160,83 @@ TEST(Outline, OfTurnIsThatOfItsRim) {
 
 TEST(Relations, AreSeenFromInFront) {
   const Outline plate = box_outline(Vec2(1, 2), Vec2(0.1, 0.1), Vec2(0, -1));
-  const auto cost = [&](RelationKind kind, const Vec2& at) {
+  const auto cost = [&]<class K>(K kind, const Vec2& at) {
+    kind.lower = 0.05, kind.upper = 0.15;
     Relation r;
     r.kind = kind;
-    r.lower = 0.05, r.upper = 0.15;
     const Outline cup = box_outline(at, Vec2(0.05, 0.05), Vec2(0, -1));
     return relation_cost(r, cup, &plate);
   };
   // The front looks to -y, to the one who sits there; the right is at +x.
-  EXPECT_LT(cost(RelationKind::RightOf, Vec2(1.25, 2)), 1e-9);
-  EXPECT_LT(cost(RelationKind::LeftOf, Vec2(0.75, 2)), 1e-9);
-  EXPECT_LT(cost(RelationKind::InFrontOf, Vec2(1, 1.75)), 1e-9);
-  EXPECT_LT(cost(RelationKind::Behind, Vec2(1, 2.25)), 1e-9);
-  EXPECT_NEAR(cost(RelationKind::RightOf, Vec2(1.32, 2)), 20, 1e-9);     // gap 0.17
-  EXPECT_NEAR(cost(RelationKind::RightOf, Vec2(1.25, 2.12)), 20, 1e-9);  // overlap 0.03 of 0.05
+  EXPECT_LT(cost(relations::RightOf(), Vec2(1.25, 2)), 1e-9);
+  EXPECT_LT(cost(relations::LeftOf(), Vec2(0.75, 2)), 1e-9);
+  EXPECT_LT(cost(relations::InFrontOf(), Vec2(1, 1.75)), 1e-9);
+  EXPECT_LT(cost(relations::Behind(), Vec2(1, 2.25)), 1e-9);
+  EXPECT_NEAR(cost(relations::RightOf(), Vec2(1.32, 2)), 20, 1e-9);     // gap 0.17
+  EXPECT_NEAR(cost(relations::RightOf(), Vec2(1.25, 2.12)), 20, 1e-9);  // overlap 0.03 of 0.05
 }
 
 TEST(Relations, TurnTheirCosts) {
   const Outline desk = box_outline(Vec2(0, 0), Vec2(0.8, 0.4), Vec2(0, -1));
   Relation r;
-  r.kind = RelationKind::Facing;
+  r.kind = relations::Facing();
   r.tolerance = 5;
   const Outline chair = box_outline(Vec2(0, -1), Vec2(0.3, 0.3), Vec2(0, 1));
   EXPECT_NEAR(relation_cost(r, chair, &desk), 0, 1e-9);
-  r.kind = RelationKind::Away;
+  r.kind = relations::Away();
   EXPECT_NEAR(relation_cost(r, chair, &desk), 36, 1e-9);
-  r.kind = RelationKind::Same;
+  r.kind = relations::Same();
   EXPECT_NEAR(relation_cost(r, chair, &desk), 36, 1e-9);
-  r.kind = RelationKind::Parallel;
+  r.kind = relations::Parallel();
   EXPECT_NEAR(relation_cost(r, chair, &desk), 0, 1e-9);
   const Outline askew = box_outline(Vec2(0, -1), Vec2(0.3, 0.3), Vec2(0.6, 0.8));
-  r.kind = RelationKind::Aligned;
+  r.kind = relations::Aligned();
   EXPECT_NEAR(relation_cost(r, askew, &desk), std::atan2(0.6, 0.8) * 180 / M_PI / 5, 1e-9);
 }
 
 // Where a relation holds to half its tolerance, its half planes hold: they never hide a place.
 TEST(Relations, HalfPlanesHoldWhereTheyDo) {
-  constexpr RelationKind kKinds[] = {
-      RelationKind::Against,   RelationKind::Near,   RelationKind::LeftOf,   RelationKind::RightOf,
-      RelationKind::InFrontOf, RelationKind::Behind, RelationKind::Centred,  RelationKind::AtEdge,
-      RelationKind::Within,    RelationKind::At,     RelationKind::Symmetric};
+  using namespace relations;
+  const Kind kinds[] = {Against(), Near(),   LeftOf(), RightOf(), InFrontOf(), Behind(),
+                        Centred(), AtEdge(), Within(), At(),      Symmetric()};
   test::Random random(4);
   int num_hold = 0, num_planes = 0;
   for (int i = 0; i < 40000; ++i) {
     Relation r;
-    r.kind = kKinds[random.integer(0, 10)];
-    r.lower = random.uniform(0, 0.1), r.upper = r.lower + random.uniform(0, 0.4);
-    r.side = static_cast<Side>(random.integer(0, 3));
+    r.kind = kinds[random.integer(0, 10)];
+    const double lower = random.uniform(0, 0.1), upper = lower + random.uniform(0, 0.4);
+    const Side side = static_cast<Side>(random.integer(0, 3));
     r.tolerance = 0.05;
-    r.point = Vec2(0.1, 0.2);
-    r.region = {Vec2(-1, -1), Vec2(1, -0.8), Vec2(0, 1.2)};
     const Vec2 f = random.direction().head<2>().normalized();
     const Vec2 g = random.direction().head<2>().normalized();
     const Outline moving = box_outline(Vec2(0.02, 0), Vec2(0.2, 0.1), f);
     const Outline other = box_outline(Vec2(0.3, 0.1), Vec2(0.15, 0.3), g);
     const Vec2 at = random.in_cube(0.8).head<2>();
-    r.axis = random.direction().head<2>().normalized();
-    const bool moves_a = random.integer(0, 1) || r.kind == RelationKind::Within ||
-                         r.kind == RelationKind::At || r.kind == RelationKind::Symmetric;
+    const Vec2 axis = random.direction().head<2>().normalized();
+    const auto set = [&]<class K>(K& kind) {
+      if constexpr (requires { kind.lower; }) kind.lower = lower, kind.upper = upper;
+      if constexpr (requires { kind.side; }) kind.side = side;
+      if constexpr (requires { kind.point; }) kind.point = Vec2(0.1, 0.2);
+      if constexpr (requires { kind.region; })
+        kind.region = {Vec2(-1, -1), Vec2(1, -0.8), Vec2(0, 1.2)};
+      if constexpr (requires { kind.axis; }) kind.axis = axis;
+    };
+    std::visit(set, r.kind);
+    const bool is_of_centre = r.as<At>() || r.as<Symmetric>();
+    const bool moves_a = random.integer(0, 1) || r.as<Within>() || is_of_centre;
     const Outline there = moved(moving, at);
     const double cost = moves_a ? relation_cost(r, there, &other) : relation_cost(r, other, &there);
     double worst = -kInfinity;
     for (const HalfPlane& h : half_planes(r, moving, &other, moves_a))
       worst = std::max(worst, h.normal.dot(at) - h.bound), ++num_planes;
     if (cost <= 0.5) {
-      EXPECT_LE(worst, 1e-12) << to_string(r.kind);
+      EXPECT_LE(worst, 1e-12) << in_english(r.text());
       ++num_hold;
     }
-    // Those of these kinds are exact, as the cost is the greatest of their violations.
-    const bool exact = r.kind != RelationKind::Near && r.kind != RelationKind::At &&
-                       r.kind != RelationKind::Symmetric;
-    EXPECT_LE(exact && worst <= 0 ? cost : 0, 0.5 + 1e-9) << to_string(r.kind);
-    EXPECT_LE(is_decided_by_planes(r) && worst <= 0 ? cost : 0, 1) << to_string(r.kind);
+    // These kinds are exact, as the cost is the greatest of their violations.
+    const bool exact = !r.as<Near>() && !is_of_centre;
+    EXPECT_LE(exact && worst <= 0 ? cost : 0, 0.5 + 1e-9) << in_english(r.text());
+    EXPECT_LE(is_decided_by_planes(r) && worst <= 0 ? cost : 0, 1) << in_english(r.text());
   }
   EXPECT_GT(num_hold, 800);
   EXPECT_GT(num_planes, 80000);

@@ -119,15 +119,14 @@ TEST(Symmetric, SettingIsItsMirrorImage) {
       stage.add(std::string(what) + "_" + half,
                 box_between(Vec3(-0.04, -0.06, 0), Vec3(0.04, 0.06, 0.05)));
       const std::string name = std::string(what) + "_" + half;
-      stage.relate(name, RelationKind::On, "table");
+      stage.relate<relations::On>(name, "table");
       if (follows) {
-        Relation& mirrored =
-            stage.relate(name, RelationKind::Symmetric, std::string(what) + "_right");
-        mirrored.about = "table";
+        Relation& mirrored = stage.relate<relations::Symmetric>(name, std::string(what) + "_right");
+        mirrored.as<relations::Symmetric>()->middle = "table";
         mirrored.tolerance = 1e-3;
       } else {
-        stage.relate(name, RelationKind::Within).region = {Vec2(1.05, -0.5), Vec2(1.6, -0.5),
-                                                           Vec2(1.6, 0.5), Vec2(1.05, 0.5)};
+        stage.relate<relations::Within>(name).as<relations::Within>()->region = {
+            Vec2(1.05, -0.5), Vec2(1.6, -0.5), Vec2(1.6, 0.5), Vec2(1.05, 0.5)};
       }
     }
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
@@ -147,20 +146,19 @@ TEST(Symmetric, SettingIsItsMirrorImage) {
 }
 
 TEST(Symmetric, IsOneOfAPairWhicheverComesFirst) {
-  const Relation r = [] {
-    Relation out;
-    out.kind = RelationKind::Symmetric;
-    out.point = Vec2(0.3, -1);
-    out.axis = Vec2(0.6, 0.8);
-    out.tolerance = 0.01;
-    return out;
-  }();
+  relations::Symmetric kind;
+  kind.point = Vec2(0.3, -1);
+  kind.axis = Vec2(0.6, 0.8);
+  Relation r;
+  r.kind = kind;
+  r.tolerance = 0.01;
   Outline a, b;
   a.hull = b.hull = {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)};
   a = moved(a, Vec2(2, 0.5));
-  b = moved(b, *r.point + 2 * (a.centre - *r.point).dot(r.axis) * r.axis - (a.centre - *r.point));
+  b = moved(b, *kind.point + 2 * (a.centre - *kind.point).dot(kind.axis) * kind.axis -
+                   (a.centre - *kind.point));
   a.front = Vec2(1, 0);
-  b.front = 2 * a.front.dot(r.axis) * r.axis - a.front;
+  b.front = 2 * a.front.dot(kind.axis) * kind.axis - a.front;
   EXPECT_NEAR(relation_cost(r, a, &b), 0, 1e-9);
   EXPECT_NEAR(relation_cost(r, b, &a), 0, 1e-9);
   EXPECT_NEAR(relation_cost(r, moved(a, Vec2(0.02, 0)), &b), 2, 1e-6);
@@ -168,7 +166,7 @@ TEST(Symmetric, IsOneOfAPairWhicheverComesFirst) {
 
 TEST(Solutions, DifferAndAreTheSameAgain) {
   Stage stage = table_stage(3, 0.08);
-  for (int i = 0; i < 3; ++i) stage.relate("cube_" + std::to_string(i), RelationKind::On, "table");
+  for (int i = 0; i < 3; ++i) stage.relate<relations::On>("cube_" + std::to_string(i), "table");
   const SolutionOptions wanted{4, 0.15};
   const auto find = [&] { return arrange_several(stage.scene, stage.arrangement, wanted, {}, {}); };
   const Solutions first = find(), again = find();
@@ -197,7 +195,8 @@ TEST(Solutions, OfWhatHasOnlyOneAreOne) {
 
 TEST(Solutions, OfAConflictAreNone) {
   Stage stage = table_stage(1, 0.3);
-  stage.relate("cube_0", RelationKind::Within).region = {Vec2(0, 0), Vec2(0.2, 0), Vec2(0.2, 1)};
+  stage.relate<relations::Within>("cube_0").as<relations::Within>()->region = {
+      Vec2(0, 0), Vec2(0.2, 0), Vec2(0.2, 1)};
   const Solutions found = arrange_several(stage.scene, stage.arrangement, {3, 1e-3}, {}, {});
   EXPECT_TRUE(found.found.empty());
   EXPECT_EQ(found.num_seeds, 1);

@@ -52,9 +52,9 @@ class SortedPlaces {
 
   bool turns_are_free() const {
     if (m_temperature == 0 || !m_world.things().front().thing->yaws_deg.empty()) return false;
-    const auto& relations = arrangement().relations;
-    return std::none_of(relations.begin(), relations.end(),
-                        [](const Relation& r) { return r.kind == RelationKind::Facing; });
+    const auto& all = arrangement().relations;
+    return std::none_of(all.begin(), all.end(),
+                        [](const Relation& r) { return r.as<relations::Facing>(); });
   }
 
   bool is_of_few(size_t combination) const {
@@ -193,14 +193,15 @@ class Desk : public Stage {
           Vec3(random.uniform(-0.3, 0.3), random.uniform(-0.2, 0.2), 0.70002));
     add("cup", box_between(Vec3(-0.04, -0.03, 0), Vec3(0.04, 0.03, 0.1)));
     add("box", box_between(Vec3(-0.05, -0.02, 0), Vec3(0.05, 0.02, 0.06)));
-    relate("cup", RelationKind::On, "desk");
+    relate<relations::On>("cup", "desk");
   }
   /// From in front of the desk, past a screen that ends at x.
   void look_past(double x, double part, bool is_hard) {
     fix("screen", box_between(Vec3(-0.15, -0.002, 0), Vec3(0.15, 0.002, 0.25)),
         Vec3(x - 0.15, -0.19, 0.70002));
-    Relation& view = relate("cup", RelationKind::View);
-    view.eye = Vec3(x, -1, 0.85), view.overlap = part, view.tolerance = 0.1;
+    Relation& view = relate<relations::View>("cup");
+    view.as<relations::View>()->eye = Vec3(x, -1, 0.85), view.as<relations::View>()->part = part,
+    view.tolerance = 0.1;
     if (!is_hard) view.weight = 0.5;
   }
 };
@@ -246,21 +247,24 @@ TEST(PlaceOrder, IsThatOfAllPlacesSorted) {
     if (round % 4 == 1) desk.arrangement.things.front().yaws_deg = {0, 30};
     const Vec2 middle(random.uniform(-0.15, 0.15), random.uniform(-0.1, 0.1));
     const Vec2 half(random.uniform(0.06, 0.1), random.uniform(0.06, 0.1));
-    Relation& within = desk.relate("cup", RelationKind::Within);
+    Relation& within = desk.relate<relations::Within>("cup");
     for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
-      within.region.emplace_back(middle + half.cwiseProduct(corner));
+      within.as<relations::Within>()->region.emplace_back(middle + half.cwiseProduct(corner));
     if (round % 5 == 1 || round % 5 == 2) {
-      Relation& soft = desk.relate("cup", round % 5 == 1 ? RelationKind::At : RelationKind::Facing);
-      soft.point = middle + Vec2(0.01, 0.02);
+      relations::At at;
+      relations::Facing facing;
+      at.point = facing.point = middle + Vec2(0.01, 0.02);
+      Relation& soft = round % 5 == 1 ? desk.relate("cup", at) : desk.relate("cup", facing);
       soft.tolerance = round % 5 == 1 ? 0.02 : 30, soft.weight = 0.3;
     }
     if (round % 5 > 2) desk.look_past(middle.x(), random.uniform(0.7, 1), round % 5 == 3);
     if (round % 4 == 2) {
       desk.fix("tile", box_between(Vec3(-0.02, -0.02, 0), Vec3(0.02, 0.02, 0.01)),
                Vec3(middle.x(), middle.y(), 0.70002));
-      Relation& beside = desk.relate("cup", RelationKind::RightOf, "tile");
-      beside.lower = -0.01, beside.upper = 0.05, beside.overlap = 0.2;
-      desk.relate("cup", RelationKind::Near, "tile").upper = 0.03;
+      Relation& beside = desk.relate<relations::RightOf>("cup", "tile");
+      beside.as<relations::RightOf>()->lower = -0.01, beside.as<relations::RightOf>()->upper = 0.05,
+      beside.as<relations::RightOf>()->overlap = 0.2;
+      desk.relate<relations::Near>("cup", "tile").as<relations::Near>()->upper = 0.03;
     }
     if (round % 3 == 0) desk.arrangement.keeps.push_back({{"cup"}, 0.01, {}});
     const std::vector<Vec2> nogoods(round % 3, middle + Vec2(0.01, 0));
@@ -281,8 +285,8 @@ TEST(PlaceOrder, OfOnePlaceIsThatOne) {
   for (const Noise noise : {Noise::On, Noise::Off}) {
     Desk desk(random, 0);
     desk.arrangement.things.front().yaws_deg = {0};
-    Relation& at = desk.relate("cup", RelationKind::At);
-    at.point = Vec2(-0.15, -0.1), at.tolerance = 1e-6;
+    Relation& at = desk.relate<relations::At>("cup");
+    at.as<relations::At>()->point = Vec2(-0.15, -0.1), at.tolerance = 1e-6;
     EXPECT_EQ(expect_sorted(desk, 4, noise, Obstacles::All).num_given, 1);
   }
 }
@@ -291,8 +295,8 @@ TEST(PlaceOrder, OfNoneIsNone) {
   Random random(1);
   const auto count = [&](const Vec2& point, const std::vector<Vec2>& nogoods) {
     Desk desk(random, 0);
-    Relation& at = desk.relate("cup", RelationKind::At);
-    at.point = point, at.tolerance = 1e-6;
+    Relation& at = desk.relate<relations::At>("cup");
+    at.as<relations::At>()->point = point, at.tolerance = 1e-6;
     return expect_sorted(desk, 4, Noise::On, Obstacles::All, nogoods).num_given;
   };
   EXPECT_EQ(count(Vec2(0.02, 0.03), {}), 0);                      // the box is there

@@ -79,26 +79,31 @@ TEST(Sights, AreDecidedAsTheirCostsSay) {
                 Vec3(random.uniform(-0.6, 0.6), random.uniform(-1, 1), 0.70002));
     }
     stage.add("cup", box_between(Vec3(-0.05, -0.05, 0), Vec3(0.05, 0.05, 0.1)));
-    const RelationKind kinds[] = {RelationKind::View, RelationKind::Reach, RelationKind::Under};
-    const RelationKind kind = kinds[round % 3];
-    const bool is_viewer = kind == RelationKind::Reach && round % 2;
-    Relation& relation = kind == RelationKind::Under ? stage.relate("cup", kind, "desk")
-                         : is_viewer                 ? stage.relate("desk", kind, "cup")
-                                                     : stage.relate("cup", kind);
-    relation.upper = random.uniform(0.2, 1.5);
-    relation.overlap = random.uniform(0, 1);
+    const relations::Kind kinds[] = {relations::View(), relations::Reach(), relations::Under()};
+    const relations::Kind& kind = kinds[round % 3];
+    const bool is_under = round % 3 == 2, is_viewer = round % 3 == 1 && round % 2;
+    Relation& relation = is_under    ? stage.relate("cup", kind, "desk")
+                         : is_viewer ? stage.relate("desk", kind, "cup")
+                                     : stage.relate("cup", kind);
+    const double upper = random.uniform(0.2, 1.5), part = random.uniform(0, 1);
     relation.tolerance = random.uniform(0.001, 0.2);
-    if (relation.b.empty()) relation.eye = Vec3(0, random.uniform(-1.5, 0), 1.2);
-    relation.eye_height = 0.3;
+    std::optional<Vec3> eye;
+    if (relation.b.empty()) eye = Vec3(0, random.uniform(-1.5, 0), 1.2);
+    const auto set = [&]<class K>(K& its) {
+      if constexpr (requires { its.upper; }) its.upper = upper;
+      if constexpr (requires { its.part; }) its.part = part;
+      if constexpr (requires { its.eye; }) its.eye = eye, its.eye_height = 0.3;
+    };
+    std::visit(set, relation.kind);
     Transaction transaction(stage.scene);
     const World world(transaction, stage.arrangement, {});
     const Relation& judged = world.arrangement().relations.front();
     const bool immovable_only = round % 5 == 0;
     SightJudge judge({world, 0, {}, immovable_only}, judged);
     for (int i = 0; i < 60; ++i) {
-      const double low = kind == RelationKind::Under ? 0.0 : 0.7;
+      const double low = is_under ? 0.0 : 0.7;
       Vec3 at(random.uniform(-0.7, 0.7), random.uniform(-0.9, 0.9), low + random.uniform(0, 0.4));
-      if (i == 0 && judged.eye) at = *judged.eye - Vec3(0, 0, 0.05);  // the eye is in it
+      if (i == 0 && eye) at = *eye - Vec3(0, 0, 0.05);  // the eye is in it
       const Pose pose{turned_about_z(random.uniform(0, 360)), at};
       const bool holds = sight_cost({world, 0, pose, immovable_only}, judged) <= 1;
       ASSERT_EQ(judge.holds_at(pose), holds) << round << ", " << i;
@@ -117,14 +122,15 @@ TEST(PlaceCosts, AreMetWhereRelationsAre) {
     Stage stage;
     stage.fix("desk", box_between(Vec3(-0.3, -0.2, 0), Vec3(0.3, 0.2, 0.7)), Vec3(0, 0, 1e-5));
     stage.add("chair", box_between(Vec3(-0.2, -0.25, 0), Vec3(0.2, 0.25, 0.9)));
-    const RelationKind kinds[] = {RelationKind::Near, RelationKind::Facing, RelationKind::Away,
-                                  RelationKind::Same};
-    const bool is_a = round % 5 != 0 || kinds[round % 4] != RelationKind::Near;
+    const relations::Kind kinds[] = {relations::Near(), relations::Facing(), relations::Away(),
+                                     relations::Same()};
+    const bool is_near = round % 4 == 0, is_a = round % 5 != 0 || !is_near;
     Relation& relation =
         stage.relate(is_a ? "chair" : "desk", kinds[round % 4], is_a ? "desk" : "chair");
-    relation.lower = round % 3 == 0 ? random.uniform(0.01, 0.1) : 0;
-    relation.upper = relation.lower + random.uniform(0.01, 0.5);
-    relation.tolerance = kinds[round % 4] == RelationKind::Near ? 1e-3 : random.uniform(0.1, 60);
+    const double lower = round % 3 == 0 ? random.uniform(0.01, 0.1) : 0;
+    const double upper = lower + random.uniform(0.01, 0.5);
+    if (auto* const near = relation.as<relations::Near>()) near->lower = lower, near->upper = upper;
+    relation.tolerance = is_near ? 1e-3 : random.uniform(0.1, 60);
     Transaction transaction(stage.scene);
     World world(transaction, stage.arrangement, {});
     const Placer placer(world, 0, 1);
@@ -141,7 +147,7 @@ TEST(PlaceCosts, AreMetWhereRelationsAre) {
         const Outline chair = moved(combination.outline, at);
         const double cost =
             is_a ? relation_cost(judged, chair, &desk) : relation_cost(judged, desk, &chair);
-        const bool turns = judged.kind == RelationKind::Facing || judged.kind == RelationKind::Away;
+        const bool turns = judged.faces();
         const bool is_met = cost <= 1 + (turns ? kFacingSlackDeg / judged.tolerance : 0);
         ASSERT_EQ(costs.meets_hard(), is_met) << round << ", " << c << ", " << i;
         ++(is_met ? num_met : num_broken);

@@ -20,10 +20,10 @@ Stage screen_stage(double screen_height) {
   stage.fix("screen", box_between(Vec3(-0.2, -0.01, 0), Vec3(0.2, 0.01, screen_height)),
             Vec3(0, 0, 0.70002));
   stage.add_cube("cup", 0.08);
-  stage.relate("cup", RelationKind::On, "table");
-  Relation& view = stage.relate("cup", RelationKind::View);
-  view.eye = Vec3(0, -1.2, 0.8);
-  view.overlap = 1;
+  stage.relate<relations::On>("cup", "table");
+  Relation& view = stage.relate<relations::View>("cup");
+  view.as<relations::View>()->eye = Vec3(0, -1.2, 0.8);
+  view.as<relations::View>()->part = 1;
   return stage;
 }
 
@@ -86,7 +86,7 @@ TEST(Sights, LaterThingsDoNotStepIntoView) {
       if (!with_view) stage.arrangement.relations.pop_back();
       // As wide as the cup is far: without the relation it often stands before it.
       stage.add("board", box_between(Vec3(-0.25, -0.01, 0), Vec3(0.25, 0.01, 0.3)), {"", {}, {0}});
-      stage.relate("board", RelationKind::On, "table");
+      stage.relate<relations::On>("board", "table");
       const ArrangeResult result = stage.run(seed);
       expect_true(stage, result);
       for (const Vec3& point : inner_points(stage, "cup")) {
@@ -108,7 +108,7 @@ TEST(Sights, AreNamedInConflicts) {
   EXPECT_FALSE(stage.at("cup").placed);
 }
 
-// Of tens of thousands of places lines of sight are looked at in few, until a conflict is to be
+// Lines of sight are looked at in few of tens of thousands of places, until a conflict is to be
 // named: below a hole in a roof there are places that the few miss.
 TEST(Sights, AreNamedOnlyWhereNoPlaceIsLeft) {
   Random random(11);
@@ -123,13 +123,13 @@ TEST(Sights, AreNamedOnlyWhereNoPlaceIsLeft) {
     stage.fix("front", box_between(Vec3(-2, -2, 1.52), Vec3(2, eye.y() - half, 1.53)));
     stage.fix("back", box_between(Vec3(-2, eye.y() + half, 1.52), Vec3(2, 2, 1.53)));
     stage.add_cube("cup", 0.05);
-    stage.relate("cup", RelationKind::On, "table");
-    Relation& view = stage.relate("cup", RelationKind::View);
-    view.eye = eye, view.overlap = 1;
+    stage.relate<relations::On>("cup", "table");
+    Relation& view = stage.relate<relations::View>("cup");
+    view.as<relations::View>()->eye = eye, view.as<relations::View>()->part = 1;
     Transaction transaction(stage.scene);
     World world(transaction, stage.arrangement, {});
     const Conflict conflict = find_conflict(world, 0, "");
-    EXPECT_EQ(!conflict.relations.empty(), closed) << conflict.text;
+    EXPECT_EQ(!conflict.relations.empty(), closed) << in_english(conflict.text);
   }
 }
 
@@ -173,11 +173,13 @@ TEST(Sights, MatchTrueVisibleShare) {
     stage.arrangement.things.front().object = "far";
     Transaction transaction(stage.scene);
     const World world(transaction, stage.arrangement, {});
+    relations::View whole;
+    whole.eye = Vec3(0, 0, 1);
+    whole.part = 1;
     Relation view;
-    view.kind = RelationKind::View;
+    view.kind = whole;
     view.a = "target";
-    view.eye = Vec3(0, 0, 1);
-    view.overlap = 1, view.tolerance = 1;
+    view.tolerance = 1;
     // From the eye the screen's side is at 2 low on the target's front; beyond it, its own side.
     const double seen = std::min(1.0, std::max(0.0, 0.5 + 2 * low));
     EXPECT_NEAR(1 - sight_cost({world, -1, {}, false}, view), seen, 1.0 / 8 + 1e-9) << low;
@@ -209,12 +211,14 @@ TEST(Reach, BoundsCostOfBlockedPoints) {
   stage.add_cube("far");
   Transaction transaction(stage.scene);
   const World world(transaction, stage.arrangement, {});
+  relations::Reach far;
+  far.eye = Vec3(0, 0, 0.05);
+  far.upper = 3;
   Relation reach;
-  reach.kind = RelationKind::Reach;
+  reach.kind = far;
   reach.a = "phone";
-  reach.eye = Vec3(0, 0, 0.05);
-  reach.upper = 3, reach.tolerance = 0.01;
-  EXPECT_EQ(sight_cost({world, -1, {}, false}, reach), kMostSightCost);
+  reach.tolerance = 0.01;
+  EXPECT_EQ(sight_cost({world, -1, {}, false}, reach), relations::kMostSightCost);
 }
 
 // Windows come from outlines, costs from rays: one eye for both, however b lies.
@@ -232,18 +236,19 @@ TEST(Sights, WindowsHideNoPlaceThatRaysLeave) {
       object.placed = true;
       object.pose = {random.rotation(), Vec3(0, 0, 1.5)};
     });
-    Relation& reach = stage.relate("a", RelationKind::Reach, "b");
-    reach.eye_height = -0.5, reach.upper = 0.7, reach.tolerance = 0.01;
-    stage.relate("a", RelationKind::Under, "b").tolerance = 0.01;
+    Relation& reach = stage.relate<relations::Reach>("a", "b");
+    reach.as<relations::Reach>()->eye_height = -0.5, reach.as<relations::Reach>()->upper = 0.7,
+    reach.tolerance = 0.01;
+    stage.relate<relations::Under>("a", "b").tolerance = 0.01;
     const World world(transaction, stage.arrangement, {});
     const Outline moving = world.outline(world.things().front(), Pose{}), b = world.outline("b");
     for (int k = 0; k < 40; ++k) {
       const Vec2 at = random.in_cube(0.9).head<2>();
       for (const Relation& r : world.arrangement().relations) {
         if (sight_cost({world, 0, {{}, Vec3(at.x(), at.y(), 0.4)}}, r) > 0.5) continue;
-        ++(r.kind == RelationKind::Under ? num_under : num_reached);
+        ++(r.as<relations::Under>() ? num_under : num_reached);
         for (const HalfPlane& h : half_planes(r, moving, &b, true))
-          EXPECT_LE(h.normal.dot(at), h.bound + 1e-9) << to_string(r.kind);
+          EXPECT_LE(h.normal.dot(at), h.bound + 1e-9) << in_english(r.text());
       }
     }
   }
@@ -259,9 +264,10 @@ TEST(Reach, IsAnArmsLengthThatNothingCutsOff) {
     if (with_wall)
       stage.fix("pane", box_between(Vec3(-2, -0.005, 0), Vec3(2, 0.005, 2)), Vec3(0, -0.45, 1e-5));
     stage.add_cube("phone", 0.1);
-    stage.relate("phone", RelationKind::On, "desk");
-    Relation& reach = stage.relate("phone", RelationKind::Reach, "chair");
-    reach.eye_height = 1.0, reach.upper = 0.7, reach.tolerance = 0.01;
+    stage.relate<relations::On>("phone", "desk");
+    Relation& reach = stage.relate<relations::Reach>("phone", "chair");
+    reach.as<relations::Reach>()->eye_height = 1.0, reach.as<relations::Reach>()->upper = 0.7,
+    reach.tolerance = 0.01;
     for (const std::uint64_t seed : {1, 2, 3, 4}) {
       const ArrangeResult result = stage.run(seed);
       if (with_wall) {

@@ -17,7 +17,7 @@ TEST(Under, StandsBelowTheTop) {
     Stage stage;
     stage.fix("desk", desk, Vec3(1, 0.5, 1e-5));
     stage.add("basket", box_between(Vec3(-0.15, -0.15, 0), Vec3(0.15, 0.15, height)));
-    stage.relate("basket", RelationKind::Under, "desk").overlap = 0.9;
+    stage.relate<relations::Under>("basket", "desk").as<relations::Under>()->part = 0.9;
     const ArrangeResult result = stage.run();
     if (height > 0.7) {
       EXPECT_EQ(result.status, ArrangeResult::Status::Conflict);
@@ -37,10 +37,10 @@ TEST(AtEdge, IsThatFarInside) {
     Stage stage;
     stage.fix("table", box_between(Vec3(-0.5, -0.4, 0), Vec3(0.5, 0.4, 0.7)), Vec3(0, 0, 1e-5));
     stage.add_cube("clock");
-    stage.relate("clock", RelationKind::On, "table");
-    Relation& edge = stage.relate("clock", RelationKind::AtEdge, "table");
-    edge.lower = 0.02, edge.upper = 0.03;
-    if (!any) edge.side = Side::Left;
+    stage.relate<relations::On>("clock", "table");
+    Relation& edge = stage.relate<relations::AtEdge>("clock", "table");
+    edge.as<relations::AtEdge>()->lower = 0.02, edge.as<relations::AtEdge>()->upper = 0.03;
+    if (!any) edge.as<relations::AtEdge>()->side = Side::Left;
     for (const std::uint64_t seed : {1, 2, 3}) {
       expect_true(stage, stage.run(seed));
       const Aabb box = stage.box("clock");
@@ -60,7 +60,7 @@ TEST(Steadiness, KeepsTheCentreOfMassOffTheEdge) {
       Stage stage;
       stage.fix("post", box_between(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.5)), Vec3(0, 0, 1e-5));
       stage.add("tray", box_between(Vec3(-0.15, -0.15, 0), Vec3(0.15, 0.15, 0.02)), {"", {}, {0}});
-      stage.relate("tray", RelationKind::On, "post");
+      stage.relate<relations::On>("tray", "post");
       if (margin > 0) stage.arrangement.steadiness.push_back({{"tray"}, margin, kInfinity});
       const ArrangeResult result = stage.run(seed);
       expect_true(stage, result);
@@ -90,8 +90,8 @@ Stage tray_on_post() {
   Stage stage;
   stage.fix("post", box_between(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.5)), Vec3(0, 0, 1e-5));
   stage.add("tray", box_between(Vec3(-0.15, -0.15, 0), Vec3(0.15, 0.15, 0.01)), {"", {}, {0}});
-  stage.relate("tray", RelationKind::On, "post");
-  stage.relate("tray", RelationKind::At).point = Vec2(0, 0);
+  stage.relate<relations::On>("tray", "post");
+  stage.relate<relations::At>("tray").as<relations::At>()->point = Vec2(0, 0);
   return stage;
 }
 
@@ -101,10 +101,10 @@ TEST(Steadiness, CountsWithWhatComesToLieOnIt) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       Stage stage = tray_on_post();
       stage.add("board", box_between(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.01)), {"", {}, {0}});
-      stage.relate("board", RelationKind::On, "tray");
-      stage.relate("board", RelationKind::Centred, "tray").tolerance = 1e-3;
+      stage.relate<relations::On>("board", "tray");
+      stage.relate<relations::Centred>("board", "tray").tolerance = 1e-3;
       stage.add("load", box_between(Vec3(-0.05, -0.05, 0), Vec3(0.05, 0.05, 0.1)), {"", {}, {0}});
-      stage.relate("load", RelationKind::On, "board");
+      stage.relate<relations::On>("load", "board");
       if (margin > 0) stage.arrangement.steadiness.push_back({{"tray"}, margin, kInfinity});
       expect_true(stage, stage.run(seed));
       const double here = inside_post(stage, {"tray", "board", "load"});

@@ -61,7 +61,7 @@ TEST(Backend, ReplacesUnavailableGpuBySoftware) {
   std::vector<std::string> notes;
   BackendOptions options;
   options.backend = Backend::Gpu;
-  options.note = [&](const std::string& note) { notes.push_back(note); };
+  options.note = [&](const Sentence& note) { notes.push_back(in_english(note)); };
   EXPECT_EQ(make_detector(options)->name(), "software");  // a build without GPU support
   options.make_gpu_stage = [](const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
     throw Error(Error::Kind::Environment, "no EGL here");
@@ -124,9 +124,9 @@ struct TimedBrackets {
     };
     const auto make = [=, this]() -> DropBracketFunction { return ++num_made, on_gpu; };
     int num_asked = 0;
-    FasterBrackets brackets(make,
-                            once_each([this](const std::string& note) { notes.push_back(note); }),
-                            [&] { return num_asked++ % 2 ? now_ms += 100 : now_ms; });
+    FasterBrackets brackets(
+        make, once_each([this](const Sentence& note) { notes.push_back(in_english(note)); }),
+        [&] { return num_asked++ % 2 ? now_ms += 100 : now_ms; });
     int out = 0;
     for (int i = 0; i < num; ++i) out += brackets.find(object, scene, 3, 2).by_gpu;
     return out;
@@ -164,7 +164,7 @@ TEST(Backend, AsksForHardwareForPlacesUnderAuto) {
     machine.hardware = "a node without a driver";
     options.machine = std::make_shared<Machine>(machine, Calibration{});
     options.make_gpu_stage = [](const GpuNotes&) { return std::make_unique<SoftwareZLists>(); };
-    options.note = [&](const std::string& note) { notes.push_back(note); };
+    options.note = [&](const Sentence& note) { notes.push_back(in_english(note)); };
     // Only a renderer that runs on the CPU is here.
     options.make_gpu_brackets = [&](bool allow_software) -> DropBracketFunction {
       allowed.push_back(allow_software);
@@ -191,7 +191,7 @@ TEST(Backend, FallsBackToSoftwareForPlaces) {
   int num_made = 0, num_asked = 0;
   BackendOptions options;
   std::vector<std::string> notes;
-  options.note = [&](const std::string& note) { notes.push_back(note); };
+  options.note = [&](const Sentence& note) { notes.push_back(in_english(note)); };
   options.backend = Backend::Gpu;
   options.make_gpu_stage = [](const GpuNotes&) { return std::make_unique<SoftwareZLists>(); };
   const auto ask = [&](Detector& detector) {

@@ -189,7 +189,7 @@ struct Kept {
            num_measured += allow_software;
            throw Error(Error::Kind::Environment, "none");
          }}};
-    options.note = [this](const std::string& note) { notes.push_back(note); };
+    options.note = [this](const Sentence& note) { notes.push_back(in_english(note)); };
   }
 };
 

@@ -78,7 +78,7 @@ struct Mock {
   std::unique_ptr<Detector> detector() {
     BackendOptions options;
     options.machine = machine;
-    options.note = [this](const std::string& note) { notes.push_back(note); };
+    options.note = [this](const Sentence& note) { notes.push_back(in_english(note)); };
     return make_detector(options);
   }
 };

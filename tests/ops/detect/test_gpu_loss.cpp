@@ -17,7 +17,7 @@ namespace {
 
 TEST(GpuNotes, TellEachKindOnce) {
   std::vector<std::string> told;
-  const GpuNotes notes = once_each([&](const std::string& text) { told.push_back(text); });
+  const GpuNotes notes = once_each([&](const Sentence& text) { told.push_back(in_english(text)); });
   const std::vector<GpuNotes> copies(2, notes);
   notes.tell_recovered("a");
   copies[0].tell_recovered("b");
@@ -31,7 +31,7 @@ TEST(GpuNotes, TellEachKindOnce) {
 
 TEST(GpuNotes, TellNoRecoveryAfterALoss) {
   std::vector<std::string> told;
-  const GpuNotes notes = once_each([&](const std::string& text) { told.push_back(text); });
+  const GpuNotes notes = once_each([&](const Sentence& text) { told.push_back(in_english(text)); });
   notes.tell_lost("a");
   notes.tell_recovered("b");
   EXPECT_EQ(told, std::vector<std::string>{"a"});
@@ -75,7 +75,7 @@ struct Lossy {
     };
     BackendOptions options;
     options.backend = backend;
-    options.note = [this](const std::string& note) { notes.push_back(note); };
+    options.note = [this](const Sentence& note) { notes.push_back(in_english(note)); };
     options.make_gpu_stage = make;
     options.make_gpu_brackets = [this](bool) -> DropBracketFunction {
       if (!m_bracket_faults) m_bracket_faults = faults();

@@ -168,7 +168,7 @@ class FaultySession {
         object.model = std::make_shared<const Model>(model_of_mesh(object.shape->mesh));
       });
     write_scene_file(scene, {}, {}, folder.file("start.glb"));
-    return open_session(folder.file("start.glb"), {}, {}, folder.file("journal"));
+    return open_session(folder.file("start.glb"), {}, {}, {folder.file("journal")});
   }
 
   static bool completes(const Work& work) {
@@ -286,7 +286,7 @@ void expect_restored(FaultySession& s) {
   const RestoredSession restored = restore_session(s.file("journal"), {}, {}, false);
   const Session& back = restored.opened.session;
   EXPECT_TRUE(restored.exact);
-  for (const std::string& note : restored.opened.notes) ADD_FAILURE() << note;
+  for (const Sentence& note : restored.opened.notes) ADD_FAILURE() << in_english(note);
   EXPECT_EQ(fingerprint(back.scene()), fingerprint(s.session().scene()));
   EXPECT_EQ(back.num_done(), s.session().num_done());
   EXPECT_EQ(back.steps().size(), s.session().steps().size());

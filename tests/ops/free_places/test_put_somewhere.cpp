@@ -79,9 +79,9 @@ TEST(PutSomewhere, PutsNearestToPointOnFloor) {
   EXPECT_LE(at.head<2>().norm(), 0.65);
 }
 
-// The smallest of them has a diagonal of 15 cm, which allows for scenes of 2,474 m.
+// The smallest of them has a diagonal of 15 cm; the clearance follows what is near.
 TEST(PutSomewhere, KeepsAnyDistanceOnTheFloor) {
-  for (const double keep : {1.0, 30.0, 500.0, 1500.0})
+  for (const double keep : {1.0, 30.0, 500.0, 1500.0, 1e4})
     for (const bool near : {false, true}) {
       TableRoom room;
       room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
@@ -98,7 +98,7 @@ TEST(PutSomewhere, KeepsAnyDistanceOnTheFloor) {
 }
 
 TEST(PutSomewhere, SaysWhyADistanceIsTooLarge) {
-  for (const double keep : {1e4, 1e6, 1e8, 1e12, 1e15})
+  for (const double keep : {1e8, 1e12, 1e15})
     for (const bool near : {false, true}) {
       TableRoom room;
       room.scene.add(test::box_object("cup", Vec3(0.04, 0.04, 0.05)));
@@ -108,7 +108,7 @@ TEST(PutSomewhere, SaysWhyADistanceIsTooLarge) {
       if (near) place.near = Vec2(0.1, 0);
       const std::string reason = room.put_on("cup", place).reason();
       EXPECT_NE(reason.find("cannot be kept"), std::string::npos) << reason;
-      EXPECT_NE(reason.find("accepted: a distance to keep of up to 247"), std::string::npos)
+      EXPECT_NE(reason.find("accepted: a distance to keep of up to 2.359e+07"), std::string::npos)
           << reason;
     }
 }

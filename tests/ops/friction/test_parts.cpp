@@ -144,7 +144,7 @@ TEST(Parts, ReachAcrossGapsThatSettlingCountsOn) {
   }
 }
 
-// What is certified needs no program, however large the part is.
+// A certified part needs no program, however large it is.
 TEST(Parts, AreProvedByTheirOpenBodies) {
   std::mt19937_64 random(1);
   Stage stage(0.5);

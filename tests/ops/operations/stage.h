@@ -8,7 +8,7 @@
 
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 #include "support/settle_options.h"

@@ -268,7 +268,8 @@ struct Propped : Stage {
     const OperationResult result = stand(scene, plank, {{}, Vec3(0.3125, 0, 0.28125 + 16 * e)});
     EXPECT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(at("plank").state, ObjectState::Stable);
-    EXPECT_EQ(at("plank").contacts.size(), 1u);
+    EXPECT_EQ(at("plank").contacts.size(), 2u);
+    EXPECT_TRUE(at("post").contacts.back().across_gap && at("post").contacts.back().is_carried);
     EXPECT_LT(at("plank").stability_margin, 0);
   }
 };

@@ -105,7 +105,7 @@ TEST(Invalid, IsNamedWhenBlockingMove) {
     return perform(s.scene, o).reason();
   };
   const Vec3 up(0, 0, 0.1);
-  const std::string first = ": move it out freely first";
+  const std::string first = ", by 0.07 m near (0.1, 0, 9.549e-07): move it out freely first";
   EXPECT_EQ(reason({{"box"}, up}, {}), "\"box\" passes through \"cup\"" + first);
   EXPECT_EQ(reason({{"cup"}, up}, {}), "\"cup\" passes through \"box\"" + first);
   EXPECT_EQ(reason({{"box"}, up}, {"cup"}), "\"box\" passes through \"cup\"" + first);

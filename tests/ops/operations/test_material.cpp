@@ -25,7 +25,7 @@ TEST(Material, IsRatedAgainWhereItLies) {
   const OperationResult holds = s.run(MaterialOperation{"block", {"", 0.4}});
   EXPECT_TRUE(holds.unsupported.empty());
   EXPECT_EQ(s.at("block").state, ObjectState::Stable);
-  // That of its support counts as well.
+  // The support's own friction counts as well.
   EXPECT_EQ(s.run(MaterialOperation{"slope", {"", 0.3}}).unsupported,
             std::vector<std::string>{"block"});
   // By perfect friction no rest depends on a material: what finite friction has judged stays.

@@ -107,7 +107,7 @@ TEST(Stand, ChecksWithoutSettling) {
   EXPECT_EQ(result.num_motions, 0);
   result = stand(room.scene, room.object, {{}, Vec3(3, 0, 7)});  // in the air
   ASSERT_TRUE(result.ok());
-  EXPECT_EQ(room.scene.at(room.object).state, ObjectState::Wedged);
+  EXPECT_EQ(room.scene.at(room.object).state, ObjectState::Unsupported);
   EXPECT_EQ(room.scene.at(room.object).least_friction, kInfinity);
   EXPECT_TRUE(room.scene.at(room.object).contacts.empty());
   const Scene before = room.scene;

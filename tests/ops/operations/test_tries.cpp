@@ -140,17 +140,19 @@ struct Answers {
   Scene scene;
   ObjectId id = scene.add(object_of("o", box_triangles({0.1, 0.2, 0.2})));
   std::vector<Pose> starts;
+  std::vector<std::int64_t> budgets;
 
   OperationResult run(int tries, const std::function<OperationResult(int)>& answer) {
     PutOperation o{{"o"}, {{}, Vec3(0, 0, 1)}};
     o.tries = tries;
     Transaction transaction(scene);
-    OperationRun operation({}, {});
-    return put_by_tries(transaction, id, o, operation, [&](Transaction& inner, const auto& put) {
+    const PutFrom from = [&](Transaction& inner, const PutOperation& put, Budget budget) {
       starts.push_back(put.start);
+      budgets.push_back(budget.first_contacts);
       inner.edit(id, [&](Object& object) { object.pose = put.start; });
       return answer(static_cast<int>(starts.size()));
-    });
+    };
+    return put_by_tries(transaction, id, o, from, Budget{120});
   }
 };
 
@@ -168,6 +170,7 @@ TEST(Tries, SayHowManyWereMade) {
       answers.run(3, [](int k) { return k == 1 ? topples() : wedged(); });
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(answers.starts.size(), 3u);
+  EXPECT_EQ(answers.budgets, (std::vector<std::int64_t>{120, 40, 600})) << "the last has most";
   EXPECT_EQ(result.refusal->cause, Refusal::Cause::Topples) << "that of the first";
   EXPECT_EQ(result.refusal->number("tries"), 3);
   EXPECT_NE(result.reason().find("3 starts were tried, up to 0.3 m"), std::string::npos)

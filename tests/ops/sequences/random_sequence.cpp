@@ -9,7 +9,7 @@
 #include "apps/demo/shapes/models.h"
 #include "core/scene/fingerprint.h"
 #include "ops/base/stopwatch.h"
-#include "ops/files/json/operation_json.h"
+#include "ops/files/json/operations.h"
 #include "ops/operations/perform.h"
 #include "support/same_scene.h"
 #include "support/settle_options.h"

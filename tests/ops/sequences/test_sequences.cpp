@@ -13,6 +13,7 @@
 #include "ops/check/check.h"
 #include "ops/detect/backend.h"
 #include "ops/files/report/scene_file.h"
+#include "ops/operations/perform.h"
 #include "ops/stability/stability.h"
 #include "random_sequence.h"
 #include "support/effort.h"
@@ -98,6 +99,42 @@ bool is_invalid(const Scene& scene, const std::string& name) {
   return id && scene.at(*id).state == ObjectState::Invalid;
 }
 
+const LoadSupport::Entry* entry_of(const LoadSupport& list, ObjectId id) {
+  for (const LoadSupport::Entry& e : list.entries)
+    if (e.object == id) return &e;
+  return nullptr;
+}
+
+// An object's carrier lists it, and takes it along when it is lifted by 4 mm.
+void expect_lift_takes_along(const Scene& scene, ObjectId support, ObjectId load,
+                             const SettleOptions& settle) {
+  const Object& object = scene.at(support);
+  if (object.fixed || object.locked || object.state == ObjectState::Invalid) return;
+  Scene copy = scene;
+  const OperationResult lifted =
+      perform(copy, TranslateOperation{{{object.name}}, Vec3(0, 0, 0.004)}, settle);
+  if (!lifted.ok()) return;  // something on it is locked or fixed
+  EXPECT_TRUE(std::find(lifted.carried.begin(), lifted.carried.end(), scene.at(load).name) !=
+              lifted.carried.end())
+      << object.name << " leaves " << scene.at(load).name << " behind";
+}
+
+// One set of contacts and one verdict: who is at rest is held at its material's friction, by
+// somebody; who carries it by the forces of the whole is listed, if it leans; and lifted supports
+// take it along.
+void expect_told_supports(const Scene& scene, const SettleOptions& settle) {
+  if (settle.perfect_friction) return;
+  const LoadSupport list = load_support(scene);
+  for (const ObjectId id : scene.ids()) {
+    const Object& o = scene.at(id);
+    if (!o.placed || o.fixed || o.state != ObjectState::Stable || !o.group.empty()) continue;
+    EXPECT_LE(o.least_friction, o.material.friction) << o.name;
+    const LoadSupport::Entry& e = *entry_of(list, id);
+    EXPECT_TRUE(e.on_floor || !e.supports.empty()) << o.name << " is held by nothing";
+    for (const ObjectId support : e.supports) expect_lift_takes_along(scene, support, id, settle);
+  }
+}
+
 // @return whether the scene is valid.
 bool expect_valid(const Scene& scene, const SettleOptions& settle) {
   bool valid = true;
@@ -120,6 +157,7 @@ bool expect_valid(const Scene& scene, const SettleOptions& settle) {
       ADD_FAILURE() << o.name << " is called invalid, and interpenetrates nothing";
       valid = false;
     }
+  expect_told_supports(scene, settle);
   return valid && expect_same_in_file(scene, settle);
 }
 

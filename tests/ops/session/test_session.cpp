@@ -204,5 +204,43 @@ TEST(Session, RefusesWhenCancelled) {
   EXPECT_TRUE(session.steps().empty());
 }
 
+TEST(Session, ForgetsItsOldestSteps) {
+  constexpr size_t kStates = 40;
+  Session session = small_session(), all = small_session();
+  session.limit_history(kStates);
+  for (int round = 0; round < 6; ++round)
+    for (const Operation& operation : some_operations()) {
+      const bool done = session.perform(operation).ok();
+      ASSERT_EQ(done, all.perform(operation).ok());
+    }
+  EXPECT_EQ(fingerprint(session.scene()), fingerprint(all.scene()));
+  EXPECT_GT(session.num_forgotten(), 0u);
+  EXPECT_EQ(session.num_forgotten() + session.num_done(), all.num_done());
+  EXPECT_EQ(session.largest_clearance(), all.largest_clearance());
+  EXPECT_EQ(session.changed_since_saving(), all.changed_since_saving());
+  // The layout has the objects as they are.
+  const Layout layout = session.layout();
+  EXPECT_TRUE(layout.operations.empty());
+  EXPECT_FALSE(
+      layout.objects.empty());  // those that came by operations: the session began without a layout
+  for (const LayoutObject& object : layout.objects) {
+    const auto id = session.scene().find(object.name);
+    ASSERT_TRUE(id) << object.name;
+    EXPECT_EQ(object.pose.has_value(), session.scene().at(*id).placed);
+  }
+  // The steps that are left can be undone and done again.
+  size_t states = 0;
+  const size_t num_steps = session.num_done();
+  while (session.undo()) {
+    ASSERT_TRUE(all.undo());
+    states += 2;
+    ASSERT_EQ(fingerprint(session.scene()), fingerprint(all.scene()));
+  }
+  EXPECT_GT(num_steps, 5u);
+  EXPECT_LE(states, kStates + 10);
+  while (session.redo()) ASSERT_TRUE(all.redo());
+  EXPECT_EQ(fingerprint(session.scene()), fingerprint(all.scene()));
+}
+
 }  // namespace
 }  // namespace trivet::test

@@ -16,7 +16,7 @@ constexpr double kLeast = 1e-3;
 
 class RandomContacts {
  public:
-  // Of two bodies of mass 1 with any inertia.
+  // A contact of two bodies of mass 1 with any inertia.
   LocalContact contact() {
     Mat3 response = Mat3::Zero();
     for (int body = 0; body < 2; ++body) {

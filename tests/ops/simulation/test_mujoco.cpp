@@ -28,6 +28,13 @@ using namespace trivet::test;
 
 constexpr double kSeconds = 10;
 
+/// Written in the dialect of the MuJoCo that these tests link.
+SimulationExport export_for_this(const Scene& scene, const std::string& path,
+                                 SimulationOptions options = {}) {
+  options.files.mujoco = mj_versionString()[0] == '2' ? kOldestMujoco : kNewestMujoco;
+  return export_simulation(scene, path, options);
+}
+
 class Simulation {
  public:
   explicit Simulation(const std::string& path) {
@@ -96,7 +103,7 @@ double largest_move(const SimulationModel& model, const Affine& from, const Affi
 TEST(MuJoCo, KeepsSceneOfConvexObjectsAtRest) {
   const TemporaryFolder folder;
   const LaidOut laid_out = convex_objects();
-  const SimulationExport done = export_simulation(laid_out.scene, folder.file("scene.xml"));
+  const SimulationExport done = export_for_this(laid_out.scene, folder.file("scene.xml"));
   for (const PartOverlap& o : done.overlaps)
     ADD_FAILURE() << o.a << " and " << o.b << " overlap by " << o.depth;
   Simulation simulation(folder.file("scene.xml"));
@@ -122,7 +129,7 @@ TEST(MuJoCo, KeepsSceneOfConvexObjectsAtRest) {
 TEST(MuJoCo, SettlesSameSceneItself) {
   const TemporaryFolder folder;
   const LaidOut laid_out = convex_objects();
-  const SimulationExport done = export_simulation(laid_out.scene, folder.file("scene.xml"));
+  const SimulationExport done = export_for_this(laid_out.scene, folder.file("scene.xml"));
   Simulation simulation(folder.file("scene.xml"));
   ASSERT_TRUE(simulation);
   std::map<std::string, const SimulationBody*> body_of;
@@ -153,8 +160,7 @@ TEST(MuJoCo, AgreesOnMassesAndInertias) {
   const LaidOut laid_out = convex_objects();
   SimulationOptions options;
   options.density = 700;
-  const SimulationExport done =
-      export_simulation(laid_out.scene, folder.file("scene.xml"), options);
+  const SimulationExport done = export_for_this(laid_out.scene, folder.file("scene.xml"), options);
   Simulation simulation(folder.file("scene.xml"));
   ASSERT_TRUE(simulation);
   for (const SimulationBody& body : done.scene.bodies) {
@@ -190,7 +196,7 @@ TEST(MuJoCo, TakesSmallerFrictionOfPairs) {
   add("slab", box_model(0.5, 0.5, 0.05), Vec3(0, 0, 0.05), 0.7);
   add("brick", box_model(0.1, 0.1, 0.1), Vec3(0, 0, 0.2), 0.3);
   scene.floor_material.friction = 0.2;
-  export_simulation(scene, folder.file("scene.xml"));
+  export_for_this(scene, folder.file("scene.xml"));
   Simulation simulation(folder.file("scene.xml"));
   ASSERT_TRUE(simulation);
   simulation.run(0.1);

@@ -233,7 +233,8 @@ TEST(Simulation, TakesFrictionAndDensityOfMaterials) {
   EXPECT_NEAR(done.scene.bodies[0].mass, 7850 * 0.008, 1e-9);
   EXPECT_EQ(done.scene.bodies[1].friction, 0.5);
   ASSERT_EQ(done.notes.size(), 1u);
-  EXPECT_EQ(done.notes[0], "\"b\" needs friction 0.8, its contacts have 0.4: it will move");
+  EXPECT_EQ(in_english(done.notes[0]),
+            "\"b\" needs friction 0.8, its contacts have 0.4: it will move");
   SimulationOptions options;
   options.friction = 0.9, options.density = 100;
   const SimulationExport other = simulation_of(scene, "s", options);

@@ -102,7 +102,7 @@ Boxes room(const Material& cube, const Material& wall) {
 Boxes grey_room() { return room(material(0.6f, 0.6f, 0.6f), material(0.6f, 0.6f, 0.6f)); }
 
 TEST(PathPicture, OpenFloorHasItsKnownBrightness) {
-  // Of albedo 0.62, in the light that gives a radiance of 1 to a white floor.
+  // Boxes of albedo 0.62, in the light that gives a radiance of 1 to a white floor.
   Boxes boxes;
   boxes.add(Vec3(-0.01, -0.01, 0), Vec3(0.01, 0.01, 0.001), material(0.6f, 0.6f, 0.6f));
   boxes.add(Vec3(3, 3, 0), Vec3(3.01, 3.01, 0.001), material(0.6f, 0.6f, 0.6f));

@@ -225,8 +225,8 @@ TEST(RunLayout, TakesUpAxisFromModelUnlessGiven) {
   EXPECT_EQ(scene.at(*scene.find("c")).up, UpAxis::Z);
 }
 
-// A cube that hovers 30 clearances above the slab, as if it had been settled with a larger one: up
-// to 20 of them forces are counted on.
+// A cube that hovers 3 clearances above the slab, as if it had been settled with a larger one: up
+// to 2 of them it rests.
 LayoutRun hovering(double largest_in_clearances) {
   BoxSource boxes;
   LayoutRun run;
@@ -239,7 +239,7 @@ LayoutRun hovering(double largest_in_clearances) {
     });
   const double usual = default_clearance(run.scene);
   transaction.edit(*run.scene.find("slab"), [&](Object& o) { o.pose.translation.z() += usual; });
-  transaction.edit(*run.scene.find("a"), [&](Object& o) { o.pose.translation.z() += 13 * usual; });
+  transaction.edit(*run.scene.find("a"), [&](Object& o) { o.pose.translation.z() += 4 * usual; });
   transaction.commit();
   run.largest_clearance = largest_in_clearances * usual;
   finish_run({}, run);

@@ -59,14 +59,14 @@ TEST(Report, HasKeysInDocumentedOrder) {
   for (const Json& operation : report["operations"]) {
     const bool ok = operation["status"] == "ok";
     std::vector<std::string> expected{"op", "object", "status", "reason"};
-    if (!ok) expected.insert(expected.end(), {"cause", "objects"});
+    if (!ok) expected.insert(expected.end(), {"cause", "objects", "numbers"});
     expected.insert(expected.end(), {"motions", "milliseconds"});
     if (ok) expected.insert(expected.end(), {"ended", "moved"});
     EXPECT_EQ(keys(operation), expected);
   }
   EXPECT_EQ(keys(report["check"]),
             (std::vector<std::string>{"interpenetrating_pairs", "smallest_gap", "all_at_rest",
-                                      "pairs", "not_at_rest"}));
+                                      "pairs", "not_at_rest", "hovering"}));
 }
 
 TEST(Report, StatesOutcomeOfEachObject) {
@@ -138,7 +138,8 @@ TEST(Report, NamesInterpenetratingPairs) {
   run.check.not_at_rest.push_back("b");
   const Json check = Json::parse(report_json(run, {}))["check"];
   EXPECT_EQ(check["pairs"][0],
-            Json::parse(R"({"a": "a", "b": "b", "kind": "crossing", "count": 7})"));
+            Json::parse(R"({"a": "a", "b": "b", "kind": "crossing", "count": 7, "depth": 0.0,
+                            "point": [0.0, 0.0, 0.0]})"));
   EXPECT_EQ(check["pairs"][1]["kind"], "contained");
   EXPECT_EQ(check["all_at_rest"], false);
   EXPECT_EQ(check["not_at_rest"], Json::array({"b"}));

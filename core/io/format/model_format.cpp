@@ -1,0 +1,81 @@
+#include "core/io/format/model_format.h"
+
+#include <algorithm>
+
+#include "core/base/bad_input.h"
+#include "core/io/stl/read_stl.h"
+#include "core/io/text/words.h"
+#include "core/io/threemf/read_3mf.h"
+
+namespace trivet {
+namespace {
+
+// Behind blanks, empty lines and a byte order mark, in lower case.
+std::string beginning(std::string_view bytes, size_t length) {
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  while (!bytes.empty() && (is_blank(bytes[0]) || is_line_end(bytes[0]))) bytes.remove_prefix(1);
+  return lower_case(bytes.substr(0, length));
+}
+
+// Lines that begin with these words, among the first ones.
+bool looks_like_obj(std::string_view head) {
+  TextLines lines(head);
+  int vertices = 0, others = 0;
+  for (std::string_view line; vertices < 3 && lines.next(line);) {
+    if (line.find('\0') != line.npos) return false;
+    const std::string_view key = next_word(line);
+    if (key.empty() || key[0] == '#') continue;
+    static constexpr std::string_view kKeys[] = {"mtllib", "usemtl", "o",  "g", "s",
+                                                 "vt",     "vn",     "vp", "f"};
+    if (equal_words(key, "v") && number_from(next_word(line)))
+      ++vertices;
+    else if (std::none_of(std::begin(kKeys), std::end(kKeys),
+                          [&](std::string_view k) { return equal_words(key, k); }))
+      ++others;
+  }
+  return vertices > 0 && others == 0;
+}
+
+bool is_own(const std::string& extension) {
+  static constexpr std::string_view kOwn[] = {"", ".obj", ".stl", ".ply", ".3mf", ".gltf", ".glb"};
+  return std::find(std::begin(kOwn), std::end(kOwn), extension) != std::end(kOwn);
+}
+
+}  // namespace
+
+ModelFormat model_format(std::string_view head, std::uintmax_t size, const std::string& extension) {
+  const std::string begin = beginning(head, 8);
+  if (begin.starts_with("ply") && begin.size() > 3 && (is_blank(begin[3]) || is_line_end(begin[3])))
+    return ModelFormat::Ply;
+  if (head.starts_with("PK\3\4") && (extension == ".3mf" || holds_3mf(head)))
+    return ModelFormat::ThreeMf;
+  if (begin.starts_with("gltf") || begin.starts_with("{") || begin.starts_with("kaydara"))
+    return ModelFormat::Other;
+  if (is_own(extension) && is_binary_stl(head, size)) return ModelFormat::Stl;
+  if (is_text_stl(head)) return ModelFormat::Stl;
+  if (is_own(extension) && looks_like_obj(head)) return ModelFormat::Obj;
+  if (extension == ".obj") return ModelFormat::Obj;
+  if (extension == ".stl") return ModelFormat::Stl;
+  if (extension == ".ply") return ModelFormat::Ply;
+  if (extension == ".3mf") return ModelFormat::ThreeMf;
+  return ModelFormat::Other;
+}
+
+void check_is_model(const std::string& path, std::string_view head) {
+  const std::string begin = beginning(head, 64);
+  if (begin.starts_with("version https://git-lfs"))
+    bad_file(path,
+             "is a pointer of Git LFS, not the model itself; accepted: the file that it "
+             "stands for (git lfs pull)");
+  if (begin.starts_with("<!doctype html") || begin.starts_with("<html"))
+    bad_file(path, "is a web page, not a model; accepted: the file that the page offers");
+  if (head.starts_with("\x1f\x8b"))
+    bad_file(path, "is packed by gzip; accepted: the unpacked file");
+  if (head.starts_with("BZh") ||
+      head.starts_with("\xfd"
+                       "7zXZ") ||
+      head.starts_with("7z\xbc\xaf") || head.starts_with("Rar!"))
+    bad_file(path, "is a packed file; accepted: the unpacked model");
+}
+
+}  // namespace trivet

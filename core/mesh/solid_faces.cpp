@@ -1,0 +1,138 @@
+#include "core/mesh/solid_faces.h"
+
+#include <algorithm>
+
+namespace trivet {
+namespace {
+
+/// Clears up one part that is not a clean solid.
+class PartCleaner {
+ public:
+  PartCleaner(const Mesh& mesh, const Adjacency& adjacency, SolidFaces& out)
+      : m_mesh(mesh), m_adjacency(adjacency), m_out(out), m_turn(mesh.triangles.size(), 0) {}
+
+  void clean(Index component, std::vector<Index> faces) {
+    const Index num_double = drop_double(faces);
+    m_out.num_double += num_double;
+    m_out.closed[component] = orient(faces) || (num_double == 0 && is_balanced(component));
+  }
+
+ private:
+  bool is_balanced(Index component) const { return m_adjacency.components[component].balanced; }
+
+  // Faces without area bound nothing, and stay.
+  static bool is_flat(const Index3& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+  // Leaves one of the faces with the same corners. @return how many others there are.
+  Index drop_double(std::vector<Index>& faces) {
+    std::vector<std::pair<Index3, Index>> sorted;
+    for (const Index f : faces) {
+      Index3 corners = m_mesh.triangles[f];
+      std::sort(corners.begin(), corners.end());
+      if (!is_flat(corners)) sorted.emplace_back(corners, f);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    Index count = 0;
+    for (size_t i = 1; i < sorted.size(); ++i) {
+      if (sorted[i].first != sorted[i - 1].first) continue;
+      m_out.weights[sorted[i].second] = 0;
+      ++count;
+    }
+    std::erase_if(faces,
+                  [&](Index f) { return m_out.weights[f] == 0 || is_flat(m_mesh.triangles[f]); });
+    return count;
+  }
+
+  // The other face at an edge; -1: there is not just one.
+  Index across(Index face, Index edge) const {
+    Index other = -1;
+    for (const Wing& wing : m_adjacency.edge_faces[edge]) {
+      if (wing.face == face || !is_kept(wing.face)) continue;
+      if (other >= 0) return -1;
+      other = wing.face;
+    }
+    return other;
+  }
+
+  bool is_kept(Index face) const {
+    return m_out.weights[face] != 0 && !is_flat(m_mesh.triangles[face]);
+  }
+
+  bool runs_forward(Index face, Index edge) const {
+    for (const Wing& wing : m_adjacency.edge_faces[edge])
+      if (wing.face == face) return wing.forward;
+    return false;
+  }
+
+  // False: an edge has not two faces, or they cannot all be turned alike; faces stay then.
+  bool orient(const std::vector<Index>& faces) {
+    for (const Index first : faces) {
+      if (m_turn[first] != 0) continue;
+      std::vector<Index> reached{first};
+      m_turn[first] = 1;
+      for (size_t i = 0; i < reached.size(); ++i)
+        if (!reach_neighbours(reached[i], reached)) return false;
+      keep_most(reached);
+    }
+    for (const Index face : faces) m_out.weights[face] = m_turn[face];
+    return !faces.empty();
+  }
+
+  bool reach_neighbours(Index face, std::vector<Index>& reached) {
+    for (const Index edge : m_adjacency.face_edges[face]) {
+      const Index other = across(face, edge);
+      if (other < 0) return false;
+      const bool alike = runs_forward(face, edge) != runs_forward(other, edge);
+      const auto wanted = static_cast<std::int8_t>(alike ? m_turn[face] : -m_turn[face]);
+      if (m_turn[other] == 0) reached.push_back(other), m_turn[other] = wanted;
+      if (m_turn[other] != wanted) return false;
+    }
+    return true;
+  }
+
+  void keep_most(const std::vector<Index>& reached) {
+    const auto count = static_cast<Index>(
+        std::count_if(reached.begin(), reached.end(), [&](Index f) { return m_turn[f] < 0; }));
+    const auto size = static_cast<Index>(reached.size());
+    const bool most = 2 * count > size;
+    m_out.num_flipped += most ? size - count : count;
+    for (const Index f : reached)
+      if (most) m_turn[f] = static_cast<std::int8_t>(-m_turn[f]);
+  }
+
+  const Mesh& m_mesh;
+  const Adjacency& m_adjacency;
+  SolidFaces& m_out;
+  std::vector<std::int8_t> m_turn;  // #F: 0 until reached
+};
+
+bool is_clean(const Component& c) { return c.balanced && c.manifold; }
+
+// Parts that neither are clean nor have an edge of one face, which nothing can close.
+std::vector<char> doubtful_parts(const Adjacency& adjacency) {
+  std::vector<char> out;
+  for (const Component& c : adjacency.components) out.push_back(!is_clean(c));
+  for (Index e = 0; e < adjacency.edge_faces.size(); ++e)
+    if (adjacency.edge_faces[e].size() == 1)
+      out[adjacency.face_component[adjacency.edge_faces[e][0].face]] = 0;
+  return out;
+}
+
+}  // namespace
+
+SolidFaces solid_faces(const Mesh& mesh, const Adjacency& adjacency) {
+  SolidFaces out;
+  for (const Component& c : adjacency.components) out.closed.push_back(is_clean(c));
+  const std::vector<char> doubtful = doubtful_parts(adjacency);
+  if (std::find(doubtful.begin(), doubtful.end(), 1) == doubtful.end()) return out;
+  std::vector<std::vector<Index>> faces_of(doubtful.size());
+  for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f)
+    if (const Index c = adjacency.face_component[f]; doubtful[c]) faces_of[c].push_back(f);
+  out.weights.assign(mesh.triangles.size(), 1);
+  PartCleaner cleaner(mesh, adjacency, out);
+  for (size_t c = 0; c < doubtful.size(); ++c)
+    if (doubtful[c]) cleaner.clean(static_cast<Index>(c), std::move(faces_of[c]));
+  return out;
+}
+
+}  // namespace trivet

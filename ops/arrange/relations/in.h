@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ops/arrange/relations/kind.h"
+
+namespace trivet::relations {
+
+/// b and what lies in it carry a, its centre over b.
+struct In : AnyKind {
+  static constexpr const char* kName = "in";
+  static constexpr const char* kText = TRIVET_SENTENCE("%1 in %2");
+  static constexpr bool kCarries = true;
+
+  double most_apart(const Terms&, const Sizes& sizes) const { return sizes.touching; }
+};
+
+}  // namespace trivet::relations

@@ -1,0 +1,47 @@
+#include "ops/operations/fix.h"
+
+#include "ops/operations/edit_parts.h"
+#include "ops/operations/table.h"
+
+namespace trivet {
+
+template <>
+const OperationTable& table<FixOperation>() {
+  using P = FixOperation;
+  static const OperationTable rows =
+      make_table<P>({{"fix",
+                      "Fix an object: it never moves and supports any load",
+                      {},
+                      {},
+                      [](const P& o) { return o.fixed; },
+                      [](P& o) { o.fixed = true; }},
+                     {"unfix",
+                      "Unfix an object: it can be moved, with its loads",
+                      {},
+                      {},
+                      [](const P& o) { return !o.fixed; },
+                      [](P& o) { o.fixed = false; }}},
+                    {});
+  return rows;
+}
+
+OperationResult apply(Transaction& transaction, const FixOperation& o, OperationRun& run) {
+  const Scene& scene = transaction.scene();
+  const ObjectId id = id_named(transaction, o.object);
+  if (scene.at(id).fixed == o.fixed) return done_result();
+  transaction.edit(id, [&](Object& object) { object.fixed = o.fixed; });
+  if (!scene.at(id).placed) return done_result();
+  const double clearance = clearance_near(scene, run.options, scene.world_box(id));
+  if (o.fixed) {
+    if (auto why = refuse_stand(scene, id, scene.at(id).pose, run.options))
+      return refused(std::move(*why));
+    stand_at(transaction, id, scene.at(id).pose, rest_rules(run.options, clearance));
+    return done_result();
+  }
+  OperationResult result = done_result();
+  transaction.edit(id, [](Object& object) { object.state = ObjectState::Stable; });
+  rate_left_alone(transaction, id, rest_rules(run.options, clearance), result);
+  return result;
+}
+
+}  // namespace trivet

@@ -1,0 +1,128 @@
+#include "ops/placement/depth.h"
+
+#include <algorithm>
+
+#include "core/model/exported_floats.h"
+#include "ops/placement/clearance.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kTouch = 1e-12;    // of the size: shorter ways are none
+constexpr double kFactor = 8;       // between ways that are tried
+constexpr double kAccuracy = 1e-3;  // of the depth
+
+class PairDepth {
+ public:
+  PairDepth(const ObjectInWorld& a, const ObjectInWorld& b) : m_a(a.doubles), m_b(b.doubles) {
+    m_box_a = box_of(a), m_box_b = box_of(b);
+    m_size = std::max(m_box_a.diagonal(), m_box_b.diagonal());
+  }
+
+  Depth run() {
+    std::vector<Vec3> ways;
+    for (int k = 0; k < 3; ++k)
+      for (const double sign : {1.0, -1.0}) ways.push_back(sign * Vec3::Unit(k));
+    Depth best{kInfinity, {}, middle(m_box_a)};
+    std::optional<CrossingPair> first;
+    if (count_crossings(m_a, m_b, 64, &first) && first) {
+      const Triangle a = triangle(m_a, first->face_a), b = triangle(m_b, first->face_b);
+      best.point = meeting_point(a, b);
+      for (const Triangle& t : {a, b})
+        if (const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]).normalized(); n.norm() > 0.5)
+          ways.push_back(n), ways.push_back(-n);
+    }
+    for (const Vec3& way : ways) {
+      if (best.metres < kInfinity && !is_free(best.metres / (1 + kAccuracy) * way)) continue;
+      const double metres = least_along(way);
+      if (metres < best.metres) best.metres = metres, best.way = way;
+    }
+    return best;
+  }
+
+ private:
+  static Aabb box_of(const ObjectInWorld& o) {
+    return Body(*o.doubles.shape, o.doubles.world_from_object).world_box;
+  }
+  static Vec3 middle(const Aabb& box) { return 0.5 * (box.lower + box.upper); }
+
+  static Triangle triangle(const PlacedShape& placed, Index face) {
+    const Index3& t = placed.shape->mesh.triangles[face];
+    return {placed.position(t[0]), placed.position(t[1]), placed.position(t[2])};
+  }
+
+  static Vec3 meeting_point(const Triangle& a, const Triangle& b) {
+    Aabb of_a, of_b;
+    for (const Vec3& p : a) of_a.extend(p);
+    for (const Vec3& p : b) of_b.extend(p);
+    return 0.5 * (of_a.lower.cwiseMax(of_b.lower) + of_a.upper.cwiseMin(of_b.upper));
+  }
+
+  bool is_free(const Vec3& by) const {
+    PlacedShape a = m_a;
+    a.world_from_object.translation += by;
+    return !count_crossings(a, m_b, 1) && !count_components_inside(a, m_b) &&
+           !count_components_inside(m_b, a);
+  }
+
+  // Metres along the way until the boxes part.
+  double most_along(const Vec3& way) const {
+    double out = kInfinity;
+    for (int k = 0; k < 3; ++k) {
+      if (way[k] == 0) continue;
+      const double gap =
+          way[k] > 0 ? m_box_b.upper[k] - m_box_a.lower[k] : m_box_a.upper[k] - m_box_b.lower[k];
+      out = std::min(out, std::max(0.0, gap) / std::abs(way[k]));
+    }
+    return out + kTouch * m_size;
+  }
+
+  double least_along(const Vec3& way) const {
+    const double most = most_along(way);
+    double held = 0, free = kTouch * m_size;
+    while (free < most && !is_free(free * way)) held = free, free *= kFactor;
+    if (held == 0) return 0;
+    free = std::min(free, most);
+    while (free - held > kAccuracy * free) {
+      const double between = 0.5 * (held + free);
+      (is_free(between * way) ? free : held) = between;
+    }
+    return free;
+  }
+
+  const PlacedShape &m_a, &m_b;
+  Aabb m_box_a, m_box_b;
+  double m_size;
+};
+
+}  // namespace
+
+Depth depth_of(const ObjectInWorld& a, const ObjectInWorld& b) { return PairDepth(a, b).run(); }
+
+Depth depth_below_floor(const ObjectInWorld& here) {
+  Depth out{0, Vec3::UnitZ(), Vec3::Zero()};
+  double lowest = kInfinity;
+  for (Index v = 0; v < static_cast<Index>(here.doubles.shape->mesh.vertices.size()); ++v)
+    if (const Vec3 p = here.doubles.position(v); p.z() < lowest) lowest = p.z(), out.point = p;
+  out.metres = std::max(0.0, -lowest);
+  return out;
+}
+
+void add_depth(const Scene& scene, const Placement& given, Refusal& refusal) {
+  const Vec3 origin = origin_with(scene, {&given, 1});
+  std::vector<ObjectInWorld> here;
+  for (const Named& name : refusal.objects) {
+    if (!name.support || !name.support->is_object()) continue;
+    const ObjectId id = name.support->object();
+    const Object& object = scene.at(id);
+    here.push_back(in_world(object, id == given.id ? given.pose : object.pose, origin));
+  }
+  if (here.empty()) return;
+  const Depth depth = here.size() > 1 ? depth_of(here[0], here[1]) : depth_below_floor(here[0]);
+  refusal.numbers.insert(refusal.numbers.end(), {{"depth", depth.metres},
+                                                 {"x", depth.point.x()},
+                                                 {"y", depth.point.y()},
+                                                 {"z", depth.point.z()}});
+}
+
+}  // namespace trivet
