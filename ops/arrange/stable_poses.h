@@ -1,6 +1,6 @@
 // Stable poses on a plane: how an object can lie, and how likely each is.
 //
-// What touches a plane is on the convex hull, so its facets and the true centre of mass are exact
+// Contacts with a plane are on the convex hull, so its facets and the true centre of mass are exact
 // for concave objects, too. A facet is stable when the centre's projection lies inside it. Dropped
 // with a random rotation, quasi-statically, an object first lies on the facet that is below the
 // centre, and rolls from there over edges to a stable one [Goldberg 1999].
