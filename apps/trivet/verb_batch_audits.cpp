@@ -98,6 +98,7 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
   VerifyOptions options = arguments.verify;
   options.jobs = num_jobs(options.jobs, common);
   options.import = common.limits();
+  options.version = TRIVET_VERSION;
   options.make_opengl = opengl_pictures;
   options.before_opengl = tried_opengl;
   const Verification result = verify_batch(arguments.folder, options);
@@ -105,12 +106,18 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
     std::cout << json_line({{"units", result.units},
                             {"scenes", result.scenes},
                             {"made_again", result.made_again},
-                            {"findings", result.findings}});
+                            {"findings", result.findings},
+                            {"other_version", result.other_version.empty()
+                                                  ? Json()
+                                                  : Json(result.other_version)}});
   } else {
     for (const std::string& finding : result.findings) std::cout << finding << "\n";
     std::cout << count_of(result.units, "unit") << ", " << count_of(result.scenes, "scene") << ", "
               << result.made_again << " made again: " << count_of(result.findings.size(), "finding")
               << "\n";
+    if (!result.other_version.empty())
+      std::cout << "Trivet " << result.other_version << " made this batch; only the same version "
+                << "makes its scenes again, bit for bit.\n";
   }
   return result.stopped ? kComeAgain : !result.findings.empty();
 }

@@ -73,7 +73,7 @@ class TRIVET_API Error : public std::exception {
   std::string m_message;
 };
 
-/// Version of the library that is linked: "0.1.0".
+/// Version of the library that is linked: "0.9.0".
 [[nodiscard]] TRIVET_API const char* version();
 
 TRIVET_END

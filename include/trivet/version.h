@@ -2,7 +2,7 @@
 #pragma once
 
 #define TRIVET_VERSION_MAJOR 0
-#define TRIVET_VERSION_MINOR 1
+#define TRIVET_VERSION_MINOR 9
 #define TRIVET_VERSION_PATCH 0
 /// One number to compare: 10203 for 1.2.3.
 #define TRIVET_VERSION_NUMBER \

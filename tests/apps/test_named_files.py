@@ -72,7 +72,7 @@ class NamedFiles(Case):
         return name
 
     def kept(self, *arguments, named_by):
-        self.refused(*arguments, says=("is an input, named by " + named_by, "would be overwritten"))
+        self.refused(*arguments, "--quiet", says=("is an input, named by " + named_by, "would be overwritten"))
 
     def test_outputs_of_runs(self):
         for model, file in (("model.dae", "wood.png"), ("below.dae", "maps/grain.png"),

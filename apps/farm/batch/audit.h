@@ -24,6 +24,7 @@ struct BatchStatus {
 BatchStatus batch_status(const std::string& out);
 
 struct VerifyOptions {
+  std::string version;    // of this program
   std::string scenes;     // of pictures: the folder of their scenes
   double sample = 0.001;  // share of the scenes that are made again; one at least, 0: none
   int jobs = 1;
@@ -35,9 +36,11 @@ struct VerifyOptions {
 struct Verification {
   std::uint64_t units = 0, scenes = 0, made_again = 0;
   std::vector<std::string> findings;  // a line each
+  std::string other_version;          // that made the batch: no scene was made again
   bool stopped = false;
 };
-/// Checks every byte of run.json, units and models, and makes a sample of scenes again.
+/// Checks every byte of run.json, units and models, and makes a sample of scenes again, where
+/// this version made the batch.
 /// @throws Error (BadInput) when the folder is no batch.
 Verification verify_batch(const std::string& out, const VerifyOptions& options);
 

@@ -65,8 +65,11 @@ TEST_F(PutTool, PutsUnderABoardWhereItIsPointedAt) {
 TEST_F(PutTool, PutsOnTopUnderTheOpenSky) {
   EXPECT_NEAR(put("book", Vec3(0.2, 0, 0.82)).lower.z(), 0.82, kNear);
   EXPECT_NEAR(put("other", Vec3(0, -0.6, 0)).lower.z(), 0, kNear);
-  // The side of the upper board, in the open: from above everything.
-  EXPECT_GT(put("coaster", Vec3(0, -0.2, 0.81)).lower.z(), 0.8);
+  // The side of the upper board, in the open: from above everything. Its edge is too narrow to say
+  // whether the coaster stays there.
+  take("coaster");
+  const Ghost& ghost = ghost_at(Vec3(0, -0.2, 0.81));
+  EXPECT_GT(std::get<PutOperation>(ghost.operation).start.translation.z(), 0.8);
 }
 
 TEST_F(PutTool, PutsBesideTheWallThatIsPointedAt) {
