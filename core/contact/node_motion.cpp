@@ -81,7 +81,7 @@ double NodeMotion::slabs_slide(const PlacedNode& moving, const PlacedNode& fixed
   double until = 0;
   for (const int lane : {kFixed, kMoving}) {
     const double v = speed[lane];
-    // What is above a slab stays apart until it has come down to it, and for good if it rises.
+    // A box above a slab stays apart until it has come down to it, and for good if it rises.
     if (above[lane] > 0)
       until = std::max(until, v < 0 ? above[lane] / -v : kInfinity);
     else if (below[lane] > 0)

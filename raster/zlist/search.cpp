@@ -90,7 +90,7 @@ bool ZListSearch::draw_base(Lists& lists) {
   // The moving side is drawn as a depth map, so that fixed faces out of its reach are never kept.
   if (!draw_depth_map(m_moving, moving, m_options.num_threads, map, &m_moving_boxes))
     return give_up("a moving face has too many pieces near the axis");
-  // Of large meshes every kStride-th face gives a first bound.
+  // Every kStride-th face of a large mesh gives a first bound.
   if (m_fixed.num_faces() >= kManyFaces) sample_upper_bound(fixed, map);
   return collect_fixed(fixed, map, lists.fixed) &&
          collect_moving(moving, lists.fixed, lists.moving);
@@ -140,7 +140,7 @@ bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& 
     limits.lower[f.pixel] = std::min(limits.lower[f.pixel], f.lower - upper);
     limits.upper[f.pixel] = std::max(limits.upper[f.pixel], f.upper);
   }
-  // Nothing can stop the motion.
+  // Without fixed faces the motion is free.
   if (fixed.empty()) return true;
   bool overflow = false;
   const auto make = [&] {

@@ -1,4 +1,4 @@
-// How a program keeps freed memory. Libraries leave these limits to their host.
+// Freed memory of a program. Libraries leave these limits to their host.
 #pragma once
 
 #include <malloc.h>
