@@ -3,9 +3,10 @@
 
     perf/field/field.py --trivet TRIVET --work DIR [--engines trivet,mujoco,rapier,jolt,NAME=COMMAND] [--kinds single,pair]
 
-Cases: single objects, pairs, bins, heaps and a laid table; see cases.py. Poses are judged after --seconds of simulation. True:
-objects free of crossings, at rest within two clearances; within 0.1 mm: no crossing deeper, no gap below them higher. Drift: how far the farthest object moves in two more seconds, in the
-engine itself; for Trivet in MuJoCo, as it exports the scene. CPU seconds include reading the models.
+Cases: single objects, pairs, bins, heaps and a laid table; see cases.py. Poses are judged after --seconds of simulation.
+True: objects free of crossings, at rest within two clearances; within 0.1 mm: no crossing deeper, no gap below higher.
+Drift: how far the farthest object moves in two more seconds, in the engine itself; for Trivet in MuJoCo, as it exports
+the scene. CPU seconds include reading the models.
 """
 import argparse
 import json
