@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks Trivet's scenes in third-party programs.
 #   run.sh validator|three|usd|blender TRIVET WORK_FOLDER
-#   run.sh mujoco|mujoco2|rapier|jolt|bullet TRIVET WORK_FOLDER some|all [BULLET_PROGRAM]
+#   run.sh mujoco|mujoco2|rapier|jolt|bullet TRIVET WORK_FOLDER some|all [PROGRAMS_FOLDER]
 # Generates models with every supported feature, lays them out with TRIVET, and BREAKFAST too; then
 # opens the scenes. Status 77: the third-party program is missing.
 set -euo pipefail
@@ -29,13 +29,6 @@ install_modules() {
     { cat "$work/npm.log"; skip "the packages of package.json cannot be had"; }
 }
 
-# Debian's MuJoCo, which trivet opens itself.
-try_mujoco2() {
-  local tried
-  "$trivet" demo spoon-saucer -o "$work/try.glb" --quiet
-  tried="$("$trivet" export "$work/try.glb" -o "$work/try.xml" --simulate 0.01 --quiet 2>&1)" || skip "$tried"
-}
-
 rm -rf "$work"
 mkdir -p "$work"
 if [ "$job" = usd ]; then
@@ -44,18 +37,18 @@ if [ "$job" = usd ]; then
     python3 -B "$here/../apps/test_export.py" Usd
   exit
 fi
-# Engines: the small demos, or all with "all" behind the job; "bullet" has its program there.
+# Engines: the small demos, or all with "all" behind the job, and then the folder of programs in C++.
 case "$job" in
   mujoco | mujoco2 | rapier | jolt | bullet)
-    demos=spoon-saucer,breakfast,office1
+    programs="${5:-}" demos=spoon-saucer,breakfast,office1
     [ "${4:-}" = all ] && demos=""
     case "$job" in
-      bullet) [ -n "${5:-}" ] || skip "no Bullet when the tests were built (Debian: libbullet-dev)" ;;
-      mujoco2) try_mujoco2 ;;
+      bullet | mujoco2)
+        [ -x "$programs/${job}_rest" ] || skip "no ${job}_rest was built (Debian: libbullet-dev, libmujoco-dev)" ;;
       *) install_modules ;;
     esac
     python3 -B "$here/simulators/matrix.py" --trivet "$trivet" --work "$work" --engines "$job" --bars \
-      ${demos:+--demos "$demos"} ${5:+--bullet "$5"}
+      ${demos:+--demos "$demos"} --programs "$programs"
     exit ;;
 esac
 export PYTHONDONTWRITEBYTECODE=1

@@ -1,26 +1,19 @@
-// Exported scenes at rest in Bullet: bullet_rest SECONDS SCENE.xml...
-// Reads Trivet's MJCF, as scene.mjs does; prints a line of JSON per scene, as rest.mjs does.
+// Exported scenes at rest in Bullet: bullet_rest SECONDS [--starts FILE] SCENE.xml...
+// Reads Trivet's MJCF, as scene.mjs does. See rest.h.
 #include <btBulletDynamicsCommon.h>
 #include <tinyxml2.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
+
+#include "interop/simulators/rest.h"
 
 namespace {
 
 using Element = const tinyxml2::XMLElement;
-using Json = nlohmann::ordered_json;
+using rest::Json;
 
 constexpr btScalar kStep = 1.0 / 240;
 constexpr btScalar kUnit = 100;  // per metre: the engine's thresholds of contacts are absolute
@@ -65,14 +58,32 @@ struct Body {
   std::unique_ptr<btCompoundShape> shape = std::make_unique<btCompoundShape>();
   std::unique_ptr<btRigidBody> rigid;
 
-  btTransform pose() const {
-    return rigid->getWorldTransform() * link_from_principal.inverse();
-  }
+  btTransform pose() const { return rigid->getWorldTransform() * link_from_principal.inverse(); }
 };
+
+btTransform start_of(const std::vector<double>& rotation, const std::vector<double>& position) {
+  return btTransform(quaternion(rotation), kUnit * vector(position));
+}
+
+Json moved(const Body& body) {
+  const btTransform now = body.pose();
+  double farthest = 0;
+  for (const btVector3& point : body.points)
+    farthest = std::max<double>(farthest, (now * point - body.start * point).length());
+  const btVector3 p = now.getOrigin() / kUnit;
+  const btQuaternion q = now.getRotation();
+  const double angle = q.angleShortestPath(body.start.getRotation());
+  return {{"name", body.name},
+          {"moved", farthest / kUnit},
+          {"turned_deg", angle * 180 / SIMD_PI},
+          {"position", {p.x(), p.y(), p.z()}},
+          {"rotation", {q.w(), q.x(), q.y(), q.z()}}};
+}
 
 class World {
  public:
-  explicit World(const std::string& file) {
+  World(const std::string& file, const rest::Starts& starts) : m_starts(starts) {
+    gCalculateCombinedFrictionCallback = smaller_friction;
     if (m_document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS)
       throw std::runtime_error(file + ": " + m_document.ErrorStr());
     Element* const root = m_document.RootElement();
@@ -89,6 +100,7 @@ class World {
     Element* const world = root->FirstChildElement("worldbody");
     for_each(world, "geom", [this](Element* geom) { add_floor(geom); });
     for_each(world, "body", [this](Element* body) { add_body(body); });
+    for (const auto& [name, start] : starts) check_body(name);
     for (const auto& body : m_bodies) m_dynamics.addRigidBody(body->rigid.get());
   }
   ~World() {
@@ -98,8 +110,19 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  const std::vector<std::unique_ptr<Body>>& bodies() const { return m_bodies; }
+  static std::string simulator() {
+    return "Bullet " + std::to_string(btGetVersion() / 100) + "." +
+           std::to_string(btGetVersion() % 100);
+  }
+  static double timestep() { return kStep; }
+  static int warnings() { return 0; }
   size_t num_hulls() const { return m_hulls.size(); }
+  Json objects() const {
+    Json out = Json::array();
+    for (const auto& body : m_bodies)
+      if (!body->fixed) out.push_back(moved(*body));
+    return out;
+  }
   void step() { m_dynamics.stepSimulation(kStep, 0); }
 
   double penetration() {
@@ -110,10 +133,16 @@ class World {
       for (int k = 0; k < manifold->getNumContacts(); ++k)
         deepest = std::max<double>(deepest, -manifold->getContactPoint(k).getDistance());
     }
-    return deepest;
+    return deepest / kUnit;
   }
 
  private:
+  void check_body(const std::string& name) const {
+    for (const auto& body : m_bodies)
+      if (body->name == name) return;
+    throw std::runtime_error("no body \"" + name + "\"");
+  }
+
   static double friction(Element* geom) { return numbers(geom, "friction")[0]; }
 
   void add_floor(Element* geom) {
@@ -126,7 +155,10 @@ class World {
     auto body = std::make_unique<Body>();
     body->name = element->Attribute("name");
     body->fixed = !element->FirstChildElement("freejoint");
-    body->start = btTransform(quaternion(numbers(element, "quat")), kUnit * vector(numbers(element, "pos")));
+    const auto given = m_starts.find(body->name);
+    body->start = given != m_starts.end()
+                      ? start_of(given->second.rotation, given->second.position)
+                      : start_of(numbers(element, "quat"), numbers(element, "pos"));
     Element* const inertial = element->FirstChildElement("inertial");
     const std::vector<double> i = numbers(inertial, "fullinertia");
     btMatrix3x3 inertia(i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2]), axes;
@@ -140,8 +172,8 @@ class World {
     });
     const btVector3 diagonal =
         kUnit * kUnit * btVector3(inertia[0][0], inertia[1][1], inertia[2][2]);
-    btRigidBody::btRigidBodyConstructionInfo info(
-        body->fixed ? 0 : numbers(inertial, "mass")[0], nullptr, body->shape.get(), diagonal);
+    btRigidBody::btRigidBodyConstructionInfo info(body->fixed ? 0 : numbers(inertial, "mass")[0],
+                                                  nullptr, body->shape.get(), diagonal);
     info.m_startWorldTransform = body->start * body->link_from_principal;
     info.m_friction = mu;
     body->rigid = std::make_unique<btRigidBody>(info);
@@ -161,6 +193,7 @@ class World {
     m_hulls.push_back(std::move(hull));
   }
 
+  const rest::Starts& m_starts;
   tinyxml2::XMLDocument m_document;
   std::filesystem::path m_folder;
   std::map<std::string, std::string> m_files;
@@ -175,46 +208,6 @@ class World {
   std::vector<std::unique_ptr<Body>> m_bodies;
 };
 
-Json moved(const Body& body) {
-  const btTransform now = body.pose();
-  double farthest = 0;
-  for (const btVector3& point : body.points)
-    farthest = std::max<double>(farthest, (now * point - body.start * point).length());
-  const double angle = now.getRotation().angleShortestPath(body.start.getRotation());
-  return {{"name", body.name}, {"moved", farthest / kUnit}, {"turned_deg", angle * 180 / SIMD_PI}};
-}
-
-Json simulate(const std::string& file, double seconds) {
-  World world(file);
-  const double penetration = world.penetration();
-  const int steps = static_cast<int>(std::lround(seconds / kStep));
-  const std::clock_t start = std::clock();
-  for (int i = 0; i < steps; ++i) world.step();
-  const double used = double(std::clock() - start) / CLOCKS_PER_SEC;
-  Json objects = Json::array();
-  for (const auto& body : world.bodies())
-    if (!body->fixed) objects.push_back(moved(*body));
-  return {{"simulator", "Bullet " + std::to_string(btGetVersion() / 100) + "." +
-                            std::to_string(btGetVersion() % 100)},
-          {"scene", std::filesystem::path(file).stem().string()},
-          {"seconds", seconds},
-          {"penetration", penetration / kUnit},
-          {"warnings", 0},
-          {"hulls", world.num_hulls()},
-          {"steps_per_cpu_second", std::lround(steps / used)},
-          {"objects", objects}};
-}
-
 }  // namespace
 
-int main(int count, char** arguments) {
-  gCalculateCombinedFrictionCallback = smaller_friction;
-  try {
-    for (int i = 2; i < count; ++i)
-      std::cout << simulate(arguments[i], std::stod(arguments[1])).dump() << std::endl;
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << "\n";
-    return 1;
-  }
-  return 0;
-}
+int main(int count, char** arguments) { return rest::run<World>(count, arguments); }

@@ -2,19 +2,18 @@
 """What rests in which simulator: exported scenes, for some seconds, in each engine.
 
     matrix.py --trivet TRIVET --work DIR --engines mujoco2,mujoco,rapier,jolt,bullet
-              [--bullet PROGRAM] [--scenes DIR | --demos NAME,...] [--seconds 5] [--csv FILE] [--bars]
+              [--programs DIR] [--scenes DIR | --demos NAME,...] [--seconds 5] [--csv FILE] [--bars]
 
-The folder of --work has the modules of ../package.json. mujoco2 is Debian's, by `trivet export
---simulate`. --scenes takes all scenes (*.glb) of a folder instead of the demos. A row says how many
+The folder of --work has the modules of ../package.json, that of --programs bullet_rest and
+mujoco2_rest, which is Debian's MuJoCo. --scenes takes all scenes (*.glb) of a folder instead of the demos. A row says how many
 objects stayed within 1 mm, within 2 mm and 2 degrees, and within 1 cm, by the farthest corner of
 their parts; how deep parts overlap at the start; and steps per CPU second, of the engine alone.
---bars: exit status 1 if an engine warns, or keeps fewer than it must (BARS), over all scenes.
+--bars: exit status 1 if an engine does not start from given poses (test_starts.py), warns, or keeps fewer than it must (BARS), over all scenes.
 """
 import argparse
 import csv
 import json
 import os
-import resource
 import shutil
 import subprocess
 import sys
@@ -25,13 +24,14 @@ DEMOS = ("spoon-saucer,breakfast,office1,office2,office3,table-for-six,tight-tab
 # Percent of objects within 1 mm, and within 2 mm and 2 degrees. Rapier keeps four corners of a face
 # (prism.mjs), so that nuts and bolts in a basket find other rests.
 BARS = {"mujoco2": (98, 100), "mujoco": (98, 100), "jolt": (98, 100), "bullet": (98, 100), "rapier": (88, 92)}
+IN_CPP = ("bullet", "mujoco2")
 COLUMNS = ("simulator", "scene", "objects", "parts", "within_1mm", "within_2mm_2deg", "within_1cm", "farthest_mm",
            "farthest", "penetration_um", "steps_per_cpu_second", "warnings")
 
 
 def run(*command, cwd=None):
     done = subprocess.run(command, capture_output=True, text=True, cwd=cwd)
-    if done.returncode not in (0, 1) or (done.returncode == 1 and "--simulate" not in command):
+    if done.returncode != 0:
         raise SystemExit("%s: %s" % (" ".join(command), done.stderr))
     return done.stdout
 
@@ -48,28 +48,29 @@ def scenes_of(arguments):
     return out
 
 
-def children_cpu():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
+def exported(arguments, glb, name, *options):
+    file = os.path.join(arguments.work, name)
+    run(arguments.trivet, "export", glb, "-o", file, "--quiet", *options)
+    return file
 
 
-def in_old_mujoco(arguments, name, glb, export_cpu):
-    """Debian's, by trivet: its report as a line of the other programs."""
-    file, report = os.path.join(arguments.work, name + ".mujoco2.xml"), os.path.join(arguments.work, name + ".json")
-    before = children_cpu()
-    run(arguments.trivet, "export", glb, "-o", file, "--mujoco", "2", "--simulate", arguments.seconds, "--report",
-        report, "--quiet")
-    with open(report) as text:
-        done = json.load(text)
-    steps = float(arguments.seconds) / 1e-3
-    return dict(done["simulated"], scene=name, hulls=sum(o["parts"] for o in done["objects"]),
-                steps_per_cpu_second=round(steps / max(children_cpu() - before - export_cpu, 1e-2)))
+def program_of(arguments, engine):
+    return ["node", "rest.mjs", engine] if engine not in IN_CPP else [os.path.join(arguments.programs, engine + "_rest")]
 
 
-def in_engine(arguments, engine, file):
-    if engine == "bullet":
-        return json.loads(run(arguments.bullet, arguments.seconds, file))
-    return json.loads(run("node", "rest.mjs", engine, arguments.seconds, os.path.abspath(file), cwd=arguments.work))
+def in_engine(arguments, engine, glb, name):
+    """The line of an engine's program, which rest.mjs describes."""
+    file = (exported(arguments, glb, name + ".mujoco2.xml", "--mujoco", "2") if engine == "mujoco2"
+            else exported(arguments, glb, name + ".xml"))
+    return dict(json.loads(run(*program_of(arguments, engine), arguments.seconds, file, cwd=arguments.work)), scene=name)
+
+
+def check_starts(arguments):
+    """The small demo, from other poses."""
+    for engine in arguments.engines.split(","):
+        file = os.path.join(arguments.work, "spoon-saucer" + (".mujoco2.xml" if engine == "mujoco2" else ".xml"))
+        run("python3", "-B", os.path.join(HERE, "test_starts.py"), file, "1", *program_of(arguments, engine),
+            cwd=arguments.work)
 
 
 def row_of(line):
@@ -82,17 +83,6 @@ def row_of(line):
             "farthest_mm": "%.3f" % (1e3 * farthest["moved"]), "farthest": farthest["name"],
             "penetration_um": "%.2f" % (1e6 * line["penetration"]),
             "steps_per_cpu_second": line["steps_per_cpu_second"], "warnings": line["warnings"]}
-
-
-def rows_of(arguments, name, glb):
-    file = os.path.join(arguments.work, name + ".xml")
-    before = children_cpu()
-    run(arguments.trivet, "export", glb, "-o", file, "--quiet")
-    export_cpu = children_cpu() - before
-    for engine in arguments.engines.split(","):
-        line = (in_old_mujoco(arguments, name, glb, export_cpu) if engine == "mujoco2"
-                else in_engine(arguments, engine, file))
-        yield engine, row_of(line)
 
 
 def missed_bars(by_engine):
@@ -112,7 +102,7 @@ def main():
     parser.add_argument("--trivet", required=True, type=os.path.abspath)
     parser.add_argument("--work", required=True, type=os.path.abspath)
     parser.add_argument("--engines", required=True)
-    parser.add_argument("--bullet", type=os.path.abspath)
+    parser.add_argument("--programs", type=os.path.abspath)
     parser.add_argument("--scenes")
     parser.add_argument("--demos", default=",".join(DEMOS))
     parser.add_argument("--seconds", default="5")
@@ -124,7 +114,8 @@ def main():
             shutil.copy(os.path.join(HERE, name), arguments.work)
     by_engine, rows = {}, []
     for name, glb in scenes_of(arguments).items():
-        for engine, row in rows_of(arguments, name, glb):
+        for engine in arguments.engines.split(","):
+            row = row_of(in_engine(arguments, engine, glb, name))
             print("%(simulator)s: %(scene)s: of %(objects)d objects %(within_1mm)d within 1 mm, %(within_2mm_2deg)d "
                   "within 2 mm and 2 degrees, %(within_1cm)d within 1 cm; farthest %(farthest)s %(farthest_mm)s mm; "
                   "%(parts)d parts, %(penetration_um)s um deep, %(steps_per_cpu_second)d steps per CPU second" % row,
@@ -136,6 +127,8 @@ def main():
             writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)
+    if arguments.bars:
+        check_starts(arguments)
     missed = list(missed_bars(by_engine)) if arguments.bars else []
     print("\n".join(missed), file=sys.stderr)
     return 1 if missed else 0

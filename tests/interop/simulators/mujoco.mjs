@@ -25,9 +25,19 @@ function countWarnings(data) {
   return count;
 }
 
+function place(model, data, id, {fixed, position, rotation}) {
+  if (fixed) {
+    model.body_pos.set(position, 3 * id);
+    model.body_quat.set(rotation, 4 * id);
+  } else {
+    data.qpos.set([...position, ...rotation], model.jnt_qposadr[model.body_jntadr[id]]);
+  }
+}
+
 export function load(scene, file) {
   const model = mujoco.MjModel.from_xml_path(bring(file)), data = new mujoco.MjData(model);
   const ids = new Map(scene.bodies.map((body) => [body.name, mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY.value, body.name)]));
+  for (const body of scene.bodies) place(model, data, ids.get(body.name), body);
   mujoco.mj_forward(model, data);
   let deepest = 0;
   for (let i = 0; i < data.ncon; ++i) deepest = Math.max(deepest, -data.contact.get(i).dist);

@@ -1,12 +1,22 @@
-// Exported scenes at rest in an engine: node rest.mjs mujoco|rapier|jolt SECONDS SCENE.xml...
-// Prints a line of JSON per scene, as every program of this folder does.
-import {moved, readScene, turnedDegrees} from './scene.mjs';
+// Exported scenes at rest in an engine, or started from other poses. In JavaScript and in C++:
+//   node rest.mjs mujoco|rapier|jolt SECONDS [--starts STARTS.jsonl] SCENE.xml...
+//   bullet_rest                      SECONDS [--starts STARTS.jsonl] SCENE.xml...
+//   mujoco2_rest                     SECONDS [--starts STARTS.jsonl] SCENE.xml...
+// SCENE.xml is what `trivet export` writes; for mujoco2_rest with --mujoco 2. Modules are found from
+// the folder of the scripts: copy ../package*.json and *.mjs to a folder and call `npm ci` there.
+// Each line of STARTS.jsonl is a world: {"cup": {"position": [x, y, z], "rotation": [w, x, y, z]}, ...},
+// metres, by the names of bodies in SCENE.xml; bodies without a pose start as in SCENE.xml, all at rest.
+// A line of JSON is printed per scene and world: {"simulator", "scene", "seconds", "penetration",
+// "warnings", "hulls", "steps_per_cpu_second", "objects": [{"name", "moved", "turned_deg", "position",
+// "rotation"}]}: of free bodies the final pose, and how far the farthest corner went from the start.
+import fs from 'node:fs';
+import {moved, readScene, startedFrom, turnedDegrees} from './scene.mjs';
 
-const [engine, seconds, ...files] = process.argv.slice(2);
+const [engine, seconds, ...rest] = process.argv.slice(2);
 const {name, version, load} = await import(`./${engine}.mjs`);
 
-function simulate(file) {
-  const scene = readScene(file), world = load(scene, file);
+function simulate(scene, file) {
+  const world = load(scene, file);
   const steps = Math.round(Number(seconds) / world.timestep), cpu = process.cpuUsage();
   world.step();
   const penetration = world.penetration();
@@ -14,7 +24,7 @@ function simulate(file) {
   const used = process.cpuUsage(cpu);
   const objects = scene.bodies.filter((body) => !body.fixed).map((body) => {
     const pose = world.pose(body);
-    return {name: body.name, moved: moved(body, pose), turned_deg: turnedDegrees(body, pose)};
+    return {name: body.name, moved: moved(body, pose), turned_deg: turnedDegrees(body, pose), ...pose};
   });
   const warnings = world.warnings();
   world.free();
@@ -23,4 +33,9 @@ function simulate(file) {
     steps_per_cpu_second: Math.round(1e6 * steps / (used.user + used.system)), objects};
 }
 
-for (const file of files) console.log(JSON.stringify(simulate(file)));
+const hasStarts = rest[0] === '--starts';
+const worlds = hasStarts ? fs.readFileSync(rest[1], 'utf8').split('\n').filter(Boolean).map((line) => JSON.parse(line)) : [{}];
+for (const file of rest.slice(hasStarts ? 2 : 0)) {
+  const scene = readScene(file);
+  for (const starts of worlds) console.log(JSON.stringify(simulate(startedFrom(scene, starts), file)));
+}

@@ -53,6 +53,13 @@ export function readScene(file) {
   };
 }
 
+/** The scene with other poses of some bodies, by name. */
+export function startedFrom(scene, starts) {
+  for (const name of Object.keys(starts))
+    if (!scene.bodies.some((body) => body.name === name)) throw new Error(`${scene.name}: no body "${name}"`);
+  return {...scene, bodies: scene.bodies.map((body) => ({...body, ...starts[body.name]}))};
+}
+
 /** A point turned by a unit quaternion (w, x, y, z). */
 export function turned([w, x, y, z], [a, b, c]) {
   const s = [y * c - z * b, z * a - x * c, x * b - y * a].map((v) => 2 * v);
