@@ -106,7 +106,7 @@ HullTree::Node HullTree::make_node(std::vector<Index> faces, double shell) const
     return !behind.empty();
   };
   if (shell > 0 && add_behind(shell)) node.backing = shell;
-  // What is still flat is thickened behind its faces only: in front of them others may lie.
+  // A part that is still flat is thickened behind its faces only: in front of them others may lie.
   if (solid_hull(points, node.part) && add_behind(kFlatPartThickness * size_of(points)))
     solid_hull(points, node.part);
   for (const Vec3& v : node.part.vertices) node.box.extend(v);

@@ -45,7 +45,7 @@ std::vector<btVector3> vertices(const std::string& file) {
   return out;
 }
 
-// Of two coefficients the smaller one is meant.
+// The smaller one of two coefficients is meant.
 btScalar smaller_friction(const btCollisionObject* a, const btCollisionObject* b) {
   return std::min(a->getFriction(), b->getFriction());
 }

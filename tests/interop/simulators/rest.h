@@ -1,4 +1,4 @@
-// What the programs of engines in C++ share: their command line, starting poses and lines of JSON.
+// Shared by the programs of engines in C++: command line, starting poses and lines of JSON.
 // rest.mjs is the same for engines in JavaScript, and says how to call them.
 #pragma once
 
