@@ -35,15 +35,6 @@ Json reasons_json(const BatchStatus& status) {
   return out;
 }
 
-std::string readable_duration(double seconds) {
-  char text[64];
-  if (seconds < 120)
-    std::snprintf(text, sizeof text, "%.0f s", seconds);
-  else
-    std::snprintf(text, sizeof text, "%.1f h", seconds / 3600);
-  return text;
-}
-
 void print_status(const BatchStatus& status, std::optional<double> seconds_left) {
   const std::uint64_t made = status.ok + status.refused + status.failed;
   std::cout << "units: " << status.units_there << " of " << status.run.num_units()
@@ -103,13 +94,12 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
   options.before_opengl = tried_opengl;
   const Verification result = verify_batch(arguments.folder, options);
   if (common.json) {
-    std::cout << json_line({{"units", result.units},
-                            {"scenes", result.scenes},
-                            {"made_again", result.made_again},
-                            {"findings", result.findings},
-                            {"other_version", result.other_version.empty()
-                                                  ? Json()
-                                                  : Json(result.other_version)}});
+    std::cout << json_line(
+        {{"units", result.units},
+         {"scenes", result.scenes},
+         {"made_again", result.made_again},
+         {"findings", result.findings},
+         {"other_version", result.other_version.empty() ? Json() : Json(result.other_version)}});
   } else {
     for (const std::string& finding : result.findings) std::cout << finding << "\n";
     std::cout << count_of(result.units, "unit") << ", " << count_of(result.scenes, "scene") << ", "
