@@ -47,7 +47,7 @@ class Workshop {
   std::string m_root;
 };
 
-/// What is tried, one after the other, where convex parts of two objects overlap: hulls a little
+/// Steps, one after the other, where convex parts of two objects overlap: hulls a little
 /// smaller, then overlaps that a simulator pushes apart by as much.
 struct Leniency {
   double hull_clearance = 0, max_overlap = 0;  // metres

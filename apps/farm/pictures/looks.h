@@ -25,7 +25,7 @@ class Environments {
   std::map<std::string, std::shared_ptr<const EnvironmentMap>> m_read;
 };
 
-/// Of view number `view` of scene k: light and floor are those of the scene.
+/// The look of view number `view` of scene k: light and floor are those of the scene.
 PictureLook look_of(const LookRanges& ranges, Environments& environments, const PhiloxKey& key,
                     std::uint64_t k, int view);
 

@@ -21,7 +21,7 @@ struct ColourRange {
 
 struct LookRanges {
   LightRange key, sky;
-  // Of the key light, degrees; none: behind the viewer, to the left.
+  // The key light's, degrees; none: behind the viewer, to the left.
   std::optional<Interval> elevation_deg, azimuth_deg;
   std::vector<std::string> environments;  // OpenEXR files; one is drawn for each scene
   Interval environment_strength{1, 1};
