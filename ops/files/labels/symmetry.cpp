@@ -70,13 +70,16 @@ class Lathe {
   }
 
  private:
-  /// Runs whose neighbours differ by at most `slack`; false at the first that is refused.
+  /// Runs whose neighbours differ by at most `slack`; false at the first that is refused, or whose
+  /// ends differ by more than twice that: about an axis beside the true one radii vary little by
+  /// little.
   template <class Value, class Visit>
   static bool each_run(std::span<RingPoint> points, Value RingPoint::*member, double slack,
                        Visit visit) {
     for (size_t from = 0, to; from < points.size(); from = to) {
       for (to = from + 1; to < points.size(); ++to)
         if (points[to].*member - points[to - 1].*member > slack) break;
+      if (points[to - 1].*member - points[from].*member > 2 * slack) return false;
       if (!visit(points.subspan(from, to - from))) return false;
     }
     return true;
