@@ -2275,7 +2275,7 @@
         <translation>es wird von einem Skelett verformt</translation>
     </message>
     <message>
-        <source>it is of another version, processor or driver</source>
+        <source>it is of another version, build, processor, driver or device</source>
         <translation>sie gehört zu einer anderen Version, einem anderen Prozessor oder Treiber</translation>
     </message>
     <message>

@@ -25,7 +25,7 @@ BatchRun pictures_of(const std::string& scenes, const std::string& views) {
 }
 
 Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLimits& import,
-                  const std::function<DrawPicture()>& make_opengl) {
+                  const MakePictures& make_opengl) {
   const BatchRun there = scenes_in(scenes);
   if (sha256_hex(run_json(there)) != run.scenes_sha256)
     bad_input("%1: is not the batch that these pictures are of", scenes);

@@ -14,7 +14,7 @@ BatchRun pictures_of(const std::string& scenes, const std::string& views);
 /// @param make_opengl  see PictureWork; taken if the run is of pictures by OpenGL.
 /// @throws Error (BadInput) when these are not the scenes that the run names.
 Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLimits& import,
-                  const std::function<DrawPicture()>& make_opengl);
+                  const MakePictures& make_opengl);
 
 /// True if all scenes of a unit of `run` are there.
 bool scenes_are_there(const BatchRun& run, const PictureWork& work, std::uint64_t unit);
