@@ -38,6 +38,7 @@ class Scaling {
   BoxSet apply(std::span<const Aabb> boxes) const {
     BoxSet out;
     for (Index i = 0; i < static_cast<Index>(boxes.size()); ++i) {
+      // Boxes beside all of b overlap none of them.
       if (!overlaps(boxes[i], m_extent)) continue;
       out.boxes.push_back(scaled(boxes[i]));
       out.ids.push_back(i);
@@ -130,6 +131,7 @@ bool visit_overlapping_boxes(std::span<const Aabb> a, std::span<const Aabb> b, s
   const Scaling scaling(b);
   const BoxSet boxes_a = scaling.apply(a), boxes_b = scaling.apply(b);
   if (boxes_a.boxes.empty() || boxes_b.boxes.empty()) return true;
+  // Too many pairs would take longer to visit than the caller saves.
   if (estimated_pairs(boxes_a.boxes, boxes_b.boxes) > static_cast<double>(most)) return false;
   Visit all{boxes_a, boxes_b, visit, {}};
   // One thread: sets are small, and a wait for others' tasks would cost more than it gains.
