@@ -13,8 +13,8 @@ namespace trivet {
 /// Accepted by backend_from_name(), in the order of help texts.
 const std::vector<std::string>& detector_names();
 
-/// The choice by --detector and --device, Scene(detector=..., device=...) and the editor. Answers are
-/// the same bits with all of them.
+/// The choice by --detector and --device, Scene(detector=..., device=...) and the editor. Answers
+/// are the same bits with all of them.
 struct DetectionChoice {
   std::string detector = "auto";  // see detector_names()
   int device = 0;                 // EGL device, from 1; 0: see usual_device()
