@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Measures Trivet on this machine's GPU, without installing anything, within 10 minutes:
-#   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,confirm,zlists]
+#   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,together,confirm,zlists]
 # Leaves in the folder OUT: summary.txt, backends.txt and backends.json (devices, self-tests, what `auto` takes), auto.txt (layouts by `auto`
-# and by each detector), tests.txt, table1.md, confirm.md, zlists.md, zlists.csv, and table.md (layouts, batches and Python by each
+# and by each detector), tests.txt, table1.md, together.md, confirm.md, zlists.md, zlists.csv, and table.md (layouts, batches and Python by each
 # detector). Status 0: done; 1: a test or a measurement failed, or `auto` does not take what is fastest; 3: no hardware renderer
 # answers, unless --allow-software is given, for trying the kit where there is none.
 set -uo pipefail
 kit="$(dirname "$(readlink -f "$0")")"
-out="" parts="table1 confirm zlists" allow=0
+out="" parts="table1 together confirm zlists" allow=0
 while [ $# -gt 0 ]; do
   case "$1" in
     --allow-software) allow=1 ;;
