@@ -11,16 +11,16 @@
 namespace trivet::apps {
 namespace {
 
-constexpr char kDone = '+', kBadInput = '2', kEnvironment = '3';
+constexpr char kDoneMark = '+', kBadInputMark = '2', kEnvironmentMark = '3';
 
 std::string answer_of(const std::function<std::string()>& work) {
   try {
-    return kDone + work();
+    return kDoneMark + work();
   } catch (const Error& error) {
-    const char kind = error.kind() == Error::Kind::BadInput ? kBadInput : kEnvironment;
+    const char kind = error.kind() == Error::Kind::BadInput ? kBadInputMark : kEnvironmentMark;
     return kind + to_json(error.sentence());
   } catch (const std::exception& error) {
-    return kEnvironment + to_json(Sentence(std::string(error.what())));
+    return kEnvironmentMark + to_json(Sentence(std::string(error.what())));
   }
 }
 
@@ -39,8 +39,8 @@ std::string in_child(const std::string& what, const std::function<std::string()>
   waitpid(child, nullptr, 0);
   if (!answer) throw Error(Error::Kind::Environment, "%1 ended its process", what);
   const std::string text = answer->bytes.substr(1);
-  if (answer->bytes[0] == kDone) return text;
-  throw Error(answer->bytes[0] == kBadInput ? Error::Kind::BadInput : Error::Kind::Environment,
+  if (answer->bytes[0] == kDoneMark) return text;
+  throw Error(answer->bytes[0] == kBadInputMark ? Error::Kind::BadInput : Error::Kind::Environment,
               sentence_from_json(text));
 }
 
