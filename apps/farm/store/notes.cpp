@@ -15,7 +15,7 @@ namespace {
 
 constexpr size_t kMostBytes = 4000;  // of a line
 
-std::string path_in(const std::string& out) {
+std::string notes_path(const std::string& out) {
   return (std::filesystem::path(out) / "notes.jsonl").string();
 }
 
@@ -25,7 +25,7 @@ bool add_note(const std::string& out, const BatchNote& note) {
   const std::string text = note.text.substr(0, kMostBytes / 2);
   const std::string line = json_line({{"scene", note.scene}, {"note", text}});
   const Descriptor file(
-      open(path_in(out).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+      open(notes_path(out).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   // One call: lines of several processes stay whole.
   return file.number() >= 0 &&
          write(file.number(), line.data(), line.size()) == static_cast<ssize_t>(line.size());
@@ -33,7 +33,7 @@ bool add_note(const std::string& out, const BatchNote& note) {
 
 std::vector<BatchNote> read_notes(const std::string& out, size_t most) {
   std::vector<BatchNote> notes;
-  std::ifstream file(path_in(out));
+  std::ifstream file(notes_path(out));
   std::string line(kMostBytes, '\0');
   while (notes.size() < most &&
          file.getline(line.data(), static_cast<std::streamsize>(kMostBytes))) {
