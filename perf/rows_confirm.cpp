@@ -21,7 +21,7 @@ namespace {
 constexpr int kStageSweeps = 12;
 constexpr double kFinderBudget_ms = 8000;  // CPU, then other sweeps are skipped
 constexpr size_t kFewestStageSweeps = 3;
-constexpr Confirmation kNone{false, 0};
+constexpr Confirmation kNone = kConfirmNone;
 
 /// Depths of all faces in software, as a GPU draws them: no candidates.
 class SoftwareDepths : public CandidateFinder {
@@ -85,7 +85,8 @@ struct Question {
   double ask(const FirstContactQuery& query, std::vector<FacePair>& kept, bool& answered) const {
     return timed_all([&] {
              kept = pairs;
-             answered = confirm_pairs(query, horizon, kept);
+             FirstContact best;
+             answered = decide_by_embree(query, horizon, kept, best);
            })
         .cpu_ms;
   }
@@ -104,7 +105,8 @@ std::optional<Question> question_by_rule(const FirstContactQuery& query,
       std::min(first_contact(query, replay, nullptr, kNone).time, query.motion.limit);
   const auto end = std::partition_point(begin, proposal.pairs.end(),
                                         [&](const FacePair& p) { return p.not_before <= horizon; });
-  if (static_cast<size_t>(end - begin) < Confirmation().fewest_pairs) return std::nullopt;
+  if (static_cast<size_t>(end - begin) < Confirmation().fewest(query.motion.kind))
+    return std::nullopt;
   return Question{{begin, end}, std::min(horizon, proposal.upper)};
 }
 

@@ -42,10 +42,10 @@ def main():
                 for backend in ("auto", "bvh"):
                     found.setdefault((program, backend), []).append(run(
                         program, "put", "scene.glb", "cube.obj", "--position", "0.5", "0", "1", "-o",
-                        "out.glb", "--backend", backend))
+                        "out.glb", "--detector", backend))
         for (program, backend), times in found.items():
             cpu, wall = (sorted(column) for column in zip(*times))
-            print("%s --backend %s: CPU least %.1f median %.1f, wall least %.1f median %.1f ms"
+            print("%s --detector %s: CPU least %.1f median %.1f, wall least %.1f median %.1f ms"
                   % (program, backend, cpu[0], cpu[runs // 2], wall[0], wall[runs // 2]))
 
 

@@ -24,7 +24,8 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: trivet_perf [--out FOLDER] [--only PART,...]\n"
-    "Parts: first-contact, put, push, table1, scale, zlists, places, confirm, settling, shapes.\n"
+    "Parts: first-contact, put, push, table1, scale, zlists, places, confirm, together, settling,\n"
+    "shapes.\n"
     "Prints the table; with --out also writes FOLDER/<date>-<n>core.md (with --only PART:\n"
     "-<n>core-PART.md), and of z-lists a .csv beside it, for plot_zlists.py.\n";
 
@@ -40,6 +41,9 @@ constexpr Part kParts[] = {{"first-contact", first_contact_rows},
                            {"zlists", zlist_rows},
                            {"places", place_rows},
                            {"confirm", confirm_rows},
+#ifdef TRIVET_PERF_GPU
+                           {"together", together_rows},
+#endif
                            {"settling", settling_rows},
                            {"shapes", shape_rows}};
 

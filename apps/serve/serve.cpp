@@ -1,18 +1,18 @@
 #include "apps/serve/serve.h"
 
-#include "apps/serve/detectors.h"
 #include "apps/serve/gate.h"
 #include "apps/serve/http_server.h"
 #include "apps/serve/routes.h"
 #include "apps/serve/sessions.h"
+#include "ops/detect/detector_pool.h"
 
 namespace trivet::serve {
 namespace {
 
 constexpr size_t kMaxTextBytes = 4096;  // of names in requests: a session keeps them
 
-std::vector<OpenedSession> open_all(const ServeOptions& options, Detectors& detectors) {
-  const Detectors::Loan detector(detectors);
+std::vector<OpenedSession> open_all(const ServeOptions& options, DetectorPool& detectors) {
+  const DetectorPool::Loan detector(detectors);
   RunOptions run = options.run;
   run.context.detector = detector.get();
   std::vector<OpenedSession> out;
@@ -64,7 +64,7 @@ HttpLimits http_limits(const ServeOptions& options) {
 }  // namespace
 
 void serve(const ServeOptions& options) {
-  Detectors detectors(options.make_detector);
+  DetectorPool detectors(options.make_detector);
   const ServedThings things{open_all(options, detectors), scenes_of(options), options.import,
                             options.version};
   ServedSessions sessions(dialogue_options(options), {options.max_sessions, options.idle_seconds},

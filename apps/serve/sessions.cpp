@@ -17,7 +17,7 @@ std::string new_id() {
 }  // namespace
 
 ServedSession::ServedSession(OpenedSession opened, const DialogueOptions& options,
-                             Detectors& detectors)
+                             DetectorPool& detectors)
     : m_opened(std::move(opened)), m_dialogue(m_opened, options), m_detectors(detectors) {}
 
 std::optional<Dialogue::Answer> ServedSession::ask(const std::string& line) {
@@ -25,7 +25,7 @@ std::optional<Dialogue::Answer> ServedSession::ask(const std::string& line) {
   if (!lock) return std::nullopt;
   m_cancelled = false;
   if (m_ended) m_cancelled = true;  // in this order: end() may come at any moment
-  const Detectors::Loan detector(m_detectors);
+  const DetectorPool::Loan detector(m_detectors);
   m_dialogue.use(detector.get());
   Dialogue::Answer out = m_dialogue.answer(line, m_cancelled);
   m_dialogue.use(nullptr);
@@ -50,7 +50,7 @@ double ServedSession::idle_seconds() const {
 }
 
 ServedSessions::ServedSessions(DialogueOptions options, const SessionLimits& limits,
-                               Detectors& detectors)
+                               DetectorPool& detectors)
     : m_options(std::move(options)), m_limits(limits), m_detectors(detectors) {}
 
 bool ServedSessions::reserve() {

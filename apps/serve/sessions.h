@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/serve/detectors.h"
+#include "ops/detect/detector_pool.h"
 #include "ops/session/dialogue.h"
 
 namespace trivet::serve {
@@ -24,7 +24,7 @@ struct SessionLimits {
 class ServedSession {
  public:
   /// @param detectors  outlive it.
-  ServedSession(OpenedSession opened, const DialogueOptions& options, Detectors& detectors);
+  ServedSession(OpenedSession opened, const DialogueOptions& options, DetectorPool& detectors);
 
   /// @return nullopt while another request is under way.
   std::optional<Dialogue::Answer> ask(const std::string& line);
@@ -40,7 +40,7 @@ class ServedSession {
   using Clock = std::chrono::steady_clock;
   OpenedSession m_opened;
   Dialogue m_dialogue;
-  Detectors& m_detectors;
+  DetectorPool& m_detectors;
   std::mutex m_busy;
   std::atomic<bool> m_cancelled = false, m_ended = false;
   std::atomic<Clock::time_point> m_used = Clock::now();
@@ -50,7 +50,7 @@ class ServedSession {
 class ServedSessions {
  public:
   /// @param detectors  outlive it.
-  ServedSessions(DialogueOptions options, const SessionLimits& limits, Detectors& detectors);
+  ServedSessions(DialogueOptions options, const SessionLimits& limits, DetectorPool& detectors);
 
   struct Opened {
     std::string id;  // 32 hexadecimal digits that nobody can guess
@@ -73,7 +73,7 @@ class ServedSessions {
 
   DialogueOptions m_options;
   SessionLimits m_limits;
-  Detectors& m_detectors;
+  DetectorPool& m_detectors;
   mutable std::mutex m_mutex;
   std::map<std::string, std::shared_ptr<ServedSession>> m_sessions;
   size_t m_reserved = 0;  // by sessions that are being made

@@ -12,7 +12,6 @@
 #include "core/io/cad_format.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/scene/materials.h"
-#include "ops/detect/calibration_file.h"
 #include "ops/files/json/text.h"
 
 namespace trivet::apps {
@@ -50,30 +49,38 @@ ImportLimits CommonOptions::limits() const {
   return limits;
 }
 
+DetectionChoice CommonOptions::detection() const {
+  DetectionChoice choice;
+  choice.detector = detector;
+  choice.device = device == "auto" ? usual_device() : device_from_text(device);
+  choice.num_threads = num_threads;
+  return choice;
+}
+
 void add_common_options(CLI::App& app, CommonOptions& common) {
   const char* const group = kCommonGroup;
-  app.add_option("--backend", common.backend,
-                 "What finds candidate pairs of faces; results do not depend on it")
-      ->check(one_of({"auto", "gpu", "software", "bvh"}))
+  app.add_option("--detector,--backend", common.detector,
+                 "What finds candidates for contact: auto is the fastest here for each query; "
+                 "gpu is the faster of framebuffer and compute. Results do not depend on it")
+      ->check(one_of(detector_names()))
       ->group(group);
-  app.add_option(
-         "--gpu-method", common.gpu_method,
-         "How --backend gpu finds depths; auto: the faster one; results do not depend on it")
-      ->check(one_of({"auto", "framebuffer", "compute"}))
+  app.add_option("--device", common.device,
+                 "Number of the EGL device for OpenGL, from 1; auto: that of TRIVET_EGL_DEVICE, "
+                 "else the first that works, and workers spread over all")
       ->group(group);
-  app.add_option("--gpu-lists", common.gpu_lists,
-                 "Who lists the faces of the pixels in doubt with --backend gpu; auto: for each "
-                 "query what costs less; results do not depend on it")
-      ->check(one_of({"auto", "gpu", "software"}))
-      ->group(group);
-  app.add_option("--confirm", common.confirm,
-                 "Whether Embree takes pairs away from what z-lists propose; auto: where they are "
-                 "many; results do not depend on it")
-      ->check(one_of({"auto", "embree", "off"}))
-      ->group(group);
-  app.add_option("--threads", common.num_threads, "0: all cores; results do not depend on it")
+  app.add_option("--threads", common.num_threads, "Threads to use; 0: as many as cores")
       ->check(integer_from(0, 4096))
       ->group(group);
+  app.add_flag("--json", common.json, "Print results and errors as JSON")->group(group);
+  app.add_flag("--quiet", common.quiet, "Print only results and errors")->group(group);
+  app.add_flag("--verbose", common.verbose, "Print statistics of each stage to standard error")
+      ->group(group);
+  app.set_version_flag("--version", "trivet " TRIVET_VERSION)->group(group);
+  app.get_help_ptr()->group(group);
+}
+
+void add_import_options(CLI::App& app, CommonOptions& common) {
+  const char* const group = "Reading models";
   app.add_option("--unit", common.unit,
                  "Unit of model files, whatever they state; default: what they state, else metres")
       ->check(one_of({"m", "cm", "mm", "um", "in", "ft"}))
@@ -92,12 +99,6 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
                  "Memory limit per model; 0: 1024, plus 64 per MB of the file")
       ->check(number_from(0, 1e7))
       ->group(group);
-  app.add_flag("--json", common.json, "Print results and errors as JSON")->group(group);
-  app.add_flag("--quiet", common.quiet, "Print only results and errors")->group(group);
-  app.add_flag("--verbose", common.verbose, "Print statistics of each stage to standard error")
-      ->group(group);
-  app.set_version_flag("--version", "trivet " TRIVET_VERSION)->group(group);
-  app.get_help_ptr()->group(group);
 }
 
 namespace {
@@ -165,17 +166,6 @@ void check_tessellation(const Tessellation& tessellation, const std::string& mod
               model);
 }
 
-std::shared_ptr<Machine> make_machine(const CommonOptions& common) {
-  MachineOptions options;
-  options.version = TRIVET_VERSION;
-  options.hardware = graphics_hardware_here();
-  options.note = [&common](const Sentence& note) { print_note(common, note); };
-  options.gpu = gpu_sources(common.num_threads);
-  options.num_threads = common.num_threads;
-  options.file = calibration_path();
-  return std::make_shared<Machine>(std::move(options));
-}
-
 std::optional<PhysicsMaterial> MaterialArguments::material() const {
   if (preset.empty() && !friction && !density && !restitution) return std::nullopt;
   PhysicsMaterial out = preset.empty() ? PhysicsMaterial{} : *material_preset(preset);
@@ -204,28 +194,12 @@ void add_material_options(CLI::App& app, MaterialArguments& arguments) {
       ->group(group);
 }
 
-BackendOptions backend_options(const CommonOptions& common) {
-  BackendOptions options;
-  options.backend = backend_from_name(common.backend);
-  options.num_threads = common.num_threads;
-  options.confirmation = confirmation_from_name(common.confirm);
-  if (options.backend == Backend::Auto) options.machine = make_machine(common);
-  options.note = [&common](const Sentence& note) { print_note(common, note); };
-  options.make_gpu_stage = [&common](const GpuNotes& notes) {
-    return make_gpu_stage(common, notes);
-  };
-  options.make_gpu_brackets = make_gpu_brackets;
-  return options;
-}
-
-BackendOptions shared_backend_options(const CommonOptions& common) {
-  BackendOptions options = backend_options(common);
-  options.gpu_notes = once_each(options.note);
-  return options;
+DetectionNote print_notes(const CommonOptions& common) {
+  return [&common](const Sentence& note) { print_note(common, note); };
 }
 
 std::unique_ptr<Detector> make_detector(const CommonOptions& common) {
-  return trivet::make_detector(backend_options(common));
+  return trivet::make_detector(backend_options(common.detection(), print_notes(common)));
 }
 
 RunOptions run_options(const CommonOptions& common, const SettleArguments& arguments,

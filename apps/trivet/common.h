@@ -9,21 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "apps/detection/detection.h"
 #include "core/base/sentence.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
-#include "ops/detect/backend.h"
 #include "ops/files/layout/run.h"
 
 namespace trivet::apps {
 
 /// Options of every verb.
 struct CommonOptions {
-  std::string backend = "auto";
-  std::string gpu_method = "auto";  // see GpuMethod
-  std::string gpu_lists = "auto";   // see GpuListing
-  std::string confirm = "auto";     // see confirmation_from_name()
-  int num_threads = 0;              // 0: all cores
+  std::string detector = "auto";  // see detector_names()
+  std::string device = "auto";    // see device_from_text()
+  int num_threads = 0;            // 0: all cores
   bool json = false;
   bool quiet = false;
   bool verbose = false;
@@ -35,8 +33,12 @@ struct CommonOptions {
 
   /// @throws Error (Environment) if the program trivet-import is needed and missing.
   ImportLimits limits() const;
+  /// @throws Error as usual_device().
+  DetectionChoice detection() const;
 };
 void add_common_options(CLI::App& app, CommonOptions& common);
+/// Options of verbs that read models.
+void add_import_options(CLI::App& app, CommonOptions& common);
 
 /// Options of settling and of the run.
 struct SettleArguments {
@@ -62,26 +64,11 @@ struct MaterialArguments {
 };
 void add_material_options(CLI::App& app, MaterialArguments& arguments);
 
-/// By --backend, --gpu-method, --gpu-lists, --confirm and --threads; notes on standard error if
-/// what was asked for is unavailable. `common` must outlive it.
-BackendOptions backend_options(const CommonOptions& common);
-/// The same for detectors of several threads: what a GPU's loss tells is told once by all.
-BackendOptions shared_backend_options(const CommonOptions& common);
+/// Notes on standard error. `common` must outlive it.
+DetectionNote print_notes(const CommonOptions& common);
+/// By --detector, --device and --threads; notes on standard error if what was asked for is
+/// unavailable. `common` must outlive it.
 std::unique_ptr<Detector> make_detector(const CommonOptions& common);
-
-/// Sources of candidates for `auto`, with their speed here. `common` must outlive it.
-std::shared_ptr<Machine> make_machine(const CommonOptions& common);
-
-/// Graphics hardware as the kernel shows it; empty: none, or a build without GPU support.
-std::string graphics_hardware_here();
-/// Methods on the GPU that `auto` may choose.
-std::vector<GpuSource> gpu_sources(int num_threads);
-/// Candidate finder by z-lists on the GPU, as --backend gpu asks for it. @throws Error
-/// (Environment) if unavailable, and in a build without it.
-/// @param notes  told when the hardware is lost later.
-std::unique_ptr<CandidateFinder> make_gpu_stage(const CommonOptions& common, const GpuNotes& notes);
-/// Brackets of falls at many places, on the GPU. @throws Error (Environment) likewise.
-DropBracketFunction make_gpu_brackets(bool allow_software);
 
 /// Context for a run of operations. The detector is not owned; null: BVHs.
 RunOptions run_options(const CommonOptions& common, const SettleArguments& arguments,

@@ -139,7 +139,9 @@ std::string lists_summary(const Detector& detector) {
   const ZListWork& work = detector.work().zlist;
   return "    by the GPU (" + detector.method() + ") in " + std::to_string(work.gpu_lists) +
          " queries, in software in " + std::to_string(work.software_lists) + " (" +
-         detector.lists() + ")\n";
+         detector.lists() + ")\n    " + std::to_string(work.draws) + " draws, " +
+         std::to_string(work.read_backs) + " read-backs; " + std::to_string(detector.work().early) +
+         " queries asked together with others, early\n";
 }
 
 // Statistics of the paper's three stages and of the narrow phase, for display.
@@ -225,6 +227,7 @@ Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& input
     : m_paths(paths), m_common(common) {
   check_outputs(paths, inputs);
   PictureRequest request = picture;
+  request.device = common.detection().device;
   request.num_threads = common.num_threads;
   if (!paths.picture.empty()) m_picture = std::make_unique<PictureMaker>(request);
 }

@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kViews = 32;  // per pixel, where none are asked for
 
-std::unique_ptr<GlPictures> chosen_opengl(const std::string& renderer) {
-  if (renderer == "opengl") return make_gl_pictures();
+std::unique_ptr<GlPictures> chosen_opengl(const std::string& renderer, int device) {
+  if (renderer == "opengl") return make_gl_pictures(device);
   if (renderer == "path" || graphics_hardware_here().empty()) return nullptr;
   try {
-    return make_gl_pictures();
+    return make_gl_pictures(device);
   } catch (const Error&) {
     return nullptr;
   }
@@ -43,7 +43,7 @@ std::optional<Camera> PictureRequest::explicit_camera() const {
 }
 
 PictureMaker::PictureMaker(const PictureRequest& request)
-    : m_request(request), m_opengl(chosen_opengl(request.renderer)) {}
+    : m_request(request), m_opengl(chosen_opengl(request.renderer, request.device)) {}
 PictureMaker::~PictureMaker() = default;
 
 std::string PictureMaker::png(const Scene& scene) {

@@ -22,8 +22,9 @@ class GlPictures {
                        const PictureOptions& options) = 0;
   virtual std::string device() const = 0;
 };
+/// @param device  EGL device, from 1; 0: see usual_device().
 /// @throws Error (Environment) without EGL, and in a build without it.
-std::unique_ptr<GlPictures> make_gl_pictures();
+std::unique_ptr<GlPictures> make_gl_pictures(int device);
 
 struct PictureRequest {
   int width = 1280, height = 720;  // pixels
@@ -31,6 +32,7 @@ struct PictureRequest {
   int bounces = 3;                 // of paths
   std::string renderer = "auto";   // or "opengl", "path"
   int num_threads = 0;             // of paths; 0: all cores
+  int device = 0;                  // of OpenGL, see make_gl_pictures()
   std::vector<double> camera;      // eye and target, 6 numbers, metres; empty: frames everything
   double fov_deg = 30;             // for an explicit camera
 

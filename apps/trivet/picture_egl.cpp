@@ -7,6 +7,7 @@ namespace {
 
 class EglPictures : public GlPictures {
  public:
+  explicit EglPictures(const EglOptions& options) : m_context(options) {}
   Image render(const PictureScene& scene, const std::optional<Camera>& camera,
                const PictureOptions& options) override {
     return m_drawer.render(scene, camera, options);
@@ -24,6 +25,10 @@ class EglPictures : public GlPictures {
 
 }  // namespace
 
-std::unique_ptr<GlPictures> make_gl_pictures() { return std::make_unique<EglPictures>(); }
+std::unique_ptr<GlPictures> make_gl_pictures(int device) {
+  EglOptions options;
+  if (device != 0) options.device = device;
+  return std::make_unique<EglPictures>(options);
+}
 
 }  // namespace trivet::apps

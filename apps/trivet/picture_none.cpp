@@ -3,7 +3,7 @@
 
 namespace trivet::apps {
 
-std::unique_ptr<GlPictures> make_gl_pictures() {
+std::unique_ptr<GlPictures> make_gl_pictures(int) {
   throw Error(Error::Kind::Environment,
               "this build of trivet has no OpenGL (configured without EGL); accepted: --renderer "
               "path");

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "apps/trivet/help.h"
 #include "apps/trivet/verbs.h"
@@ -47,8 +48,10 @@ std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
        {add_check, add_export, add_render, add_zlist, add_arrange, add_demo, add_session, add_serve,
         add_replay, add_backends, add_batch, add_doctor, add_report, add_schema})
     verbs.push_back(add(app, common));
+  const std::set<std::string> read_none = {"backends", "doctor", "schema"};
   for (const Verb& verb : verbs) {
     add_common_options(*verb.app, common);
+    if (!read_none.contains(verb.app->get_name())) add_import_options(*verb.app, common);
     verb.app->footer(examples_of(verb.app->get_name()));
   }
   return verbs;
@@ -108,6 +111,8 @@ int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
                                              : tbb::global_control::active_value(all));
   for (const Verb& verb : verbs)
     if (verb.app->parsed()) {
+      // Workers of batches are forked: what EGL opens must not be here.
+      if (verb.app->get_name() != "batch") check_detection(common.detection());
       const int status = verb.run();
       warn_of_importers(common);
       if (!std::cout.flush())
@@ -144,6 +149,7 @@ int run_program(int argc, char** argv) {
   CommonOptions common;
   const std::vector<Verb> verbs = add_verbs(app, common);
   add_common_options(app, common);
+  add_import_options(app, common);
   app.require_subcommand(0, 1);  // a missing verb is reported with the accepted ones
   try {
     app.parse(arguments_of(argc, argv));

@@ -1,6 +1,7 @@
 // Sources of candidates on this machine, their speed, and the one that `auto` takes.
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include "apps/trivet/verbs.h"
@@ -76,11 +77,35 @@ std::string table_text(Machine& machine, const Calibration& calibration, Motion:
   return out.str();
 }
 
+// From how many triangles of both meshes on another source than BVHs is taken; nothing: never.
+std::optional<int> first_other(Machine& machine, Motion::Kind kind) {
+  constexpr int kMost = 100'000'000;
+  for (double n = 100; n <= kMost; n *= 1.1)
+    if (machine.choice(size_for(kind, static_cast<int>(n))) != Calibration::kBvh)
+      return static_cast<int>(2 * n);
+  return std::nullopt;
+}
+
+// The rule of `auto`, with the constants that were measured.
+std::string rule_of(Machine& machine) {
+  std::string out =
+      "auto: BVHs, unless this machine's graphics hardware was measured to be faster for a query "
+      "of that size";
+  if (!machine.has_hardware()) return out + "; it has none";
+  for (const Motion::Kind kind : kKinds) {
+    const std::optional<int> from = first_other(machine, kind);
+    out +=
+        std::string("; a ") + name_of(kind) +
+        (from ? " from " + std::to_string(*from) + " triangles on, of both meshes" : " never is");
+  }
+  return out;
+}
+
 std::string as_text(Machine& machine, const Calibration& calibration, const std::string& file) {
   std::ostringstream out;
   out << "processor: " << calibration.key.cpu << "\ngraphics hardware: "
-      << (machine.has_hardware() ? calibration.key.hardware : "none, so auto takes BVHs")
-      << "\nmeasured in " << short_ms(calibration.seconds) << " s; kept in "
+      << (machine.has_hardware() ? calibration.key.hardware : "none, so auto takes BVHs") << "\n"
+      << rule_of(machine) << "\nmeasured in " << short_ms(calibration.seconds) << " s; kept in "
       << (file.empty() ? "no file: neither XDG_CACHE_HOME nor HOME is set" : file) << "\n\n";
   for (const SourceCost& source : calibration.sources) {
     out << source.name << ": " << (source.device.empty() ? "" : source.device + "; ")
@@ -104,6 +129,7 @@ std::string as_json(Machine& machine, const Calibration& calibration, const std:
   OrderedJson json = OrderedJson::parse(to_json(calibration));
   json["file"] = file;
   json["gpu_lists"] = "auto";
+  json["rule"] = rule_of(machine);
   json["choices"] = std::move(choices);
   return readable_json(json);
 }
@@ -112,12 +138,13 @@ std::string as_json(Machine& machine, const Calibration& calibration, const std:
 
 Verb add_backends(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
-      "backends", "Show what finds candidates here, how fast, and what --backend auto takes");
+      "backends", "Show what finds candidates here, how fast, and what --detector auto takes");
   const auto again = std::make_shared<bool>(false);
   verb->add_flag("--recalibrate", *again, "Measure again, and keep that");
   return {
       verb, [again, &common] {
-        const std::shared_ptr<Machine> machine = make_machine(common);
+        const std::shared_ptr<Machine> machine =
+            make_machine(common.detection(), print_notes(common));
         const auto calibration = *again ? machine->recalibrate(nullptr) : machine->calibration();
         std::cout << (common.json ? as_json : as_text)(*machine, *calibration, calibration_path());
         return 0;

@@ -7,6 +7,7 @@
 #include "apps/farm/batch/batch.h"
 #include "apps/farm/batch/stop_signals.h"
 #include "apps/farm/batch/templates.h"
+#include "apps/trivet/in_child.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
 #include "core/base/count_of.h"
@@ -102,13 +103,15 @@ void warn_of_groups(const BatchTotals& totals, const CommonOptions& common) {
   }
 }
 
-int print_only(const BatchArguments& arguments, const Work& work) {
+int print_only(const BatchArguments& arguments, const Work& work, const CommonOptions& common) {
   bool failed = false;
+  const auto print = [&](const SceneMembers& made) {
+    failed = failed || made.scene.at("status") == "failed";
+    std::cout << json_line(made.scene) << std::flush;
+  };
+  const auto note = [&](const std::string& text) { print_note(common, text); };
   const bool done = make_only(work, arguments.only, arguments.options.jobs,
-                              arguments.options.limits, [&](const SceneMembers& made) {
-                                failed = failed || made.scene.at("status") == "failed";
-                                std::cout << json_line(made.scene) << std::flush;
-                              });
+                              arguments.options.limits, print, note);
   return done ? failed : kComeAgain;
 }
 
@@ -122,7 +125,8 @@ int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedReci
     for (const BatchModel& model : prepared.models) store_model(model, options.out);
     claim_run(options.out, run);
   };
-  const Work work = work_of(prepared, run, common.limits(), options.out, false);
+  Work work = work_of(prepared, run, common.limits(), options.out, false);
+  work.detection = worker_detection(common, first_worker_of(options));
   return print_totals(run_batch(run, work, options), options, common);
 }
 
@@ -167,7 +171,9 @@ int batch(const BatchArguments& given, const CommonOptions& common) {
   if (!arguments.only.empty()) {
     std::set<std::uint64_t> seen;
     std::erase_if(arguments.only, [&](std::uint64_t k) { return !seen.insert(k).second; });
-    return print_only(arguments, work_of(prepared, run, common.limits(), "", false));
+    Work work = work_of(prepared, run, common.limits(), "", false);
+    work.detection = worker_detection(common, 0);
+    return print_only(arguments, work, common);
   }
   return make_batch(arguments, run, prepared, common);
 }
@@ -175,9 +181,9 @@ int batch(const BatchArguments& given, const CommonOptions& common) {
 void add_batch_options(CLI::App& verb, BatchArguments& a) {
   verb.add_option("recipe", a.recipe, "The recipe, JSON; see trivet schema recipe")
       ->type_name("RECIPE.json");
-  verb.add_option("--count", a.run.count, "Scenes: 0 to one less")
+  verb.add_option("--count", a.run.count, "Number of scenes to make; they are numbered from 0")
       ->check(integer_from(1, 1'000'000'000'000));
-  verb.add_option("--seed", a.run.seed, "Others are other scenes")
+  verb.add_option("--seed", a.run.seed, "Seed; each seed gives a different set of scenes")
       ->check(integer_from(0, std::numeric_limits<long>::max()));
   verb.add_option("--out", a.options.out, "Folder of the batch; what is there is not made again")
       ->type_name("DIR");
@@ -225,6 +231,10 @@ int print_totals(const BatchTotals& totals, const BatchOptions& options,
                  const CommonOptions& common) {
   clear_progress_line(common);
   warn_of_groups(totals, common);
+  if (totals.work.draws > 0 && !common.quiet)
+    std::cerr << "z-lists: " << totals.work.queries << " queries, of " << totals.work.early
+              << " asked early, in " << totals.work.draws << " draws and " << totals.work.read_backs
+              << " read-backs\n";
   if (common.json)
     std::cout << json_line({{"shard", options.shard.index},
                             {"shards", options.shard.count},
@@ -237,6 +247,11 @@ int print_totals(const BatchTotals& totals, const BatchOptions& options,
                             {"failed", totals.failed},
                             {"failed_before", totals.failed_before},
                             {"waiting", totals.waiting},
+                            {"queries", totals.work.queries},
+                            {"early_queries", totals.work.early},
+                            {"draws", totals.work.draws},
+                            {"read_backs", totals.work.read_backs},
+                            {"notes", totals.notes},
                             {"stopped", totals.stopped}});
   else
     std::cout << "shard " << options.shard.index << " of " << options.shard.count << ": "
@@ -271,7 +286,8 @@ void add_worker_options(CLI::App& verb, int& jobs, WorkLimits& limits) {
   verb.add_option("--scene-seconds", limits.scene_seconds,
                   "CPU time of a scene; by the clock ten times as much")
       ->check(number_from(0.001, 1e6));
-  verb.add_option("--scene-memory-mb", limits.memory_mb, "Of a process, models included")
+  verb.add_option("--scene-memory-mb", limits.memory_mb,
+                  "Memory limit of one worker process, in MB")
       ->check(integer_from(1, 100'000'000));
   verb.add_option("--retries", limits.retries, "Further tries of a scene that ends its process")
       ->check(integer_from(0, 100));
@@ -279,11 +295,40 @@ void add_worker_options(CLI::App& verb, int& jobs, WorkLimits& limits) {
       ->check(integer_from(1, 1'000'000'000));
 }
 
-// Workers have a small memory limit each, and scenes that small: none makes an OpenGL context.
-void check_backend(const CommonOptions& common) {
-  if (common.backend == "auto" || common.backend == "bvh") return;
-  bad_input("batch: --backend %1 is not accepted, its workers ask BVHs; accepted: auto, bvh",
-            common.backend);
+std::uint64_t first_worker_of(const BatchOptions& options) {
+  return options.shard.index * static_cast<std::uint64_t>(options.jobs);
+}
+
+namespace {
+
+// Scenes that a worker makes side by side for a GPU: measured, see docs/guide/detectors.md.
+constexpr int kScenesTogether = 8;
+
+}  // namespace
+
+WorkerDetection worker_detection(const CommonOptions& common, std::uint64_t first_worker) {
+  DetectionChoice choice = common.detection();
+  choice.num_threads = 1;
+  in_child("EGL", [&] { return check_detection(choice), std::string(); });
+  const Backend backend = backend_from_name(choice.detector);
+  const bool chooses = backend == Backend::Auto && !graphics_hardware_here().empty();
+  WorkerDetection out;
+  if (backend == Backend::Bvh || (backend == Backend::Auto && !chooses)) return out;
+  if (chooses)  // workers would all measure at the same time
+    in_child("OpenGL's driver", [&] {
+      make_machine(choice, print_notes(common))->calibration();
+      return std::string();
+    });
+  out.make = [choice, first_worker](std::uint64_t worker, const GpuNotes& notes) {
+    DetectionChoice here = choice;
+    here.device = device_of_worker(choice, first_worker + worker);
+    BackendOptions options =
+        backend_options(here, [notes](const Sentence& text) { notes.tell_lost(text); });
+    options.gpu_notes = notes;
+    return std::make_unique<DetectorGroup>(options);
+  };
+  if (backend == Backend::Gpu) out.scenes_together = kScenesTogether;
+  return out;
 }
 
 Verb add_batch(CLI::App& app, const CommonOptions& common) {
@@ -296,7 +341,6 @@ Verb add_batch(CLI::App& app, const CommonOptions& common) {
   audits.push_back(add_batch_pictures(*verb, common));
   audits.push_back(add_batch_export(*verb, common));
   return {verb, [arguments, audits, &common] {
-            check_backend(common);
             for (const Verb& audit : audits)
               if (audit.app->parsed()) return audit.run();
             return batch(*arguments, common);

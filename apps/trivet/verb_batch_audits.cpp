@@ -35,6 +35,13 @@ Json reasons_json(const BatchStatus& status) {
   return out;
 }
 
+Json notes_json(const BatchStatus& status) {
+  Json out = Json::array();
+  for (const BatchNote& note : status.notes)
+    out.push_back({{"scene", note.scene}, {"note", note.text}});
+  return out;
+}
+
 void print_status(const BatchStatus& status, std::optional<double> seconds_left) {
   const std::uint64_t made = status.ok + status.refused + status.failed;
   std::cout << "units: " << status.units_there << " of " << status.run.num_units()
@@ -50,6 +57,8 @@ void print_status(const BatchStatus& status, std::optional<double> seconds_left)
   if (status.num_temporaries > 0)
     std::cout << "being written, or left by processes that were killed: " << status.num_temporaries
               << "\n";
+  for (const BatchNote& note : status.notes)
+    std::cout << "note at scene " << note.scene << ": " << note.text << "\n";
   std::vector<std::pair<std::uint64_t, std::string>> reasons;
   for (const auto& [reason, count] : status.reasons) reasons.emplace_back(count, reason);
   std::stable_sort(reasons.begin(), reasons.end(),
@@ -79,6 +88,7 @@ int show_status(const AuditArguments& arguments, const CommonOptions& common) {
          {"scenes_per_second", status.scenes_per_second ? Json(*status.scenes_per_second) : Json()},
          {"seconds_left", seconds_left ? Json(*seconds_left) : Json()},
          {"temporaries", status.num_temporaries},
+         {"notes", notes_json(status)},
          {"reasons", reasons_json(status)}});
   else
     print_status(status, seconds_left);
@@ -90,8 +100,9 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
   options.jobs = num_jobs(options.jobs, common);
   options.import = common.limits();
   options.version = TRIVET_VERSION;
-  options.make_opengl = opengl_pictures;
-  options.before_opengl = tried_opengl;
+  options.make_opengl = opengl_pictures(common, 0);
+  options.before_opengl = [&] { tried_opengl(common); };
+  options.detection = worker_detection(common, 0);
   const Verification result = verify_batch(arguments.folder, options);
   if (common.json) {
     std::cout << json_line(

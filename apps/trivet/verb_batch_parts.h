@@ -19,11 +19,18 @@ void report_to_terminal(farm::BatchOptions& options, const CommonOptions& common
 int print_totals(const farm::BatchTotals& totals, const farm::BatchOptions& options,
                  const CommonOptions& common);
 
-/// Pictures by OpenGL in the process that calls it.
-farm::DrawPicture opengl_pictures();
-/// Tries OpenGL in a process of its own, as what it opens must not be inherited by others.
+/// Number of the first worker of a shard among those of all, to spread them over devices.
+std::uint64_t first_worker_of(const farm::BatchOptions& options);
+/// Detectors of workers, by --detector and --device. Measures first, in a process of its own, what
+/// `auto` needs to know.
+/// @throws Error (BadInput) for a device that is not there.
+farm::WorkerDetection worker_detection(const CommonOptions& common, std::uint64_t first_worker);
+
+/// Pictures by OpenGL in the process that calls it, on --device.
+farm::MakePictures opengl_pictures(const CommonOptions& common, std::uint64_t first_worker);
+/// Tries OpenGL in a process of its own.
 /// @return the device.   @throws Error (Environment)
-std::string tried_opengl();
+std::string tried_opengl(const CommonOptions& common);
 
 Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common);
 Verb add_batch_export(CLI::App& batch, const CommonOptions& common);

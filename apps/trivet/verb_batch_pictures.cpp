@@ -1,17 +1,12 @@
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <iostream>
 
 #include "apps/farm/batch/pictures.h"
 #include "apps/farm/batch/source.h"
 #include "apps/farm/batch/stop_signals.h"
+#include "apps/trivet/in_child.h"
 #include "apps/trivet/picture.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
-#include "core/io/process/local_sockets.h"
-#include "core/io/sentence_json.h"
 #include "core/picture/png.h"
 #include "ops/files/json/input_text.h"
 
@@ -58,15 +53,16 @@ int make(const PictureArguments& given, const CommonOptions& common) {
   if (arguments.per_unit > 0) run.per_unit = arguments.per_unit;
   if (is_data_set(form)) run.per_unit = 1;
   run.with_opengl = arguments.renderer == "opengl";
-  const std::string device = run.with_opengl ? tried_opengl() : "";  // before anything is written
+  const std::string device =
+      run.with_opengl ? tried_opengl(common) : "";  // before anything is written
   BatchOptions options = arguments.options;
   const StopSignals from_here;  // as of scenes
   check_run(options.out, run);
-  const Work work =
-      picture_work(run, arguments.scenes, common.limits(), options.out, opengl_pictures);
   options.shard = arguments.shard.empty() ? shard_from_environment(process_environment())
                                           : shard_from_text(arguments.shard);
   options.jobs = num_jobs(options.jobs, common);
+  const Work work = picture_work(run, arguments.scenes, common.limits(), options.out,
+                                 opengl_pictures(common, first_worker_of(options)));
   report_to_terminal(options, common);
   if (run.with_opengl) options.log("pictures by " + device);
   options.on_models_read = [&] {
@@ -85,36 +81,21 @@ int make(const PictureArguments& given, const CommonOptions& common) {
 
 }  // namespace
 
-DrawPicture opengl_pictures() {
-  return [pictures = std::shared_ptr(make_gl_pictures())](
-             const PictureScene& scene, const PinholeCamera& camera, int samples) {
-    PictureOptions options;
-    options.samples = samples;
-    return encode_png(pictures->render(scene, camera, options));
+MakePictures opengl_pictures(const CommonOptions& common, std::uint64_t first_worker) {
+  return [choice = common.detection(), first_worker](std::uint64_t worker) -> DrawPicture {
+    const int device = device_of_worker(choice, first_worker + worker);
+    return [pictures = std::shared_ptr(make_gl_pictures(device))](
+               const PictureScene& scene, const PinholeCamera& camera, int samples) {
+      PictureOptions options;
+      options.samples = samples;
+      return encode_png(pictures->render(scene, camera, options));
+    };
   };
 }
 
-std::string tried_opengl() {
-  SocketPair ends = socket_pair(SOCK_SEQPACKET);
-  const pid_t child = fork();
-  if (child < 0) throw Error(Error::Kind::Environment, "no process to try OpenGL in");
-  if (child == 0) {
-    std::string text;
-    try {
-      text = "+" + make_gl_pictures()->device();
-    } catch (const Error& error) {
-      text = "-" + to_json(error.sentence());
-    }
-    send_message(ends.b.number(), text);
-    _exit(0);
-  }
-  ends.b = Descriptor();
-  const auto answer = receive_message(ends.a.number());
-  waitpid(child, nullptr, 0);
-  if (!answer) throw Error(Error::Kind::Environment, "OpenGL's driver ended its process");
-  if (answer->bytes[0] != '+')
-    throw Error(Error::Kind::Environment, sentence_from_json(answer->bytes.substr(1)));
-  return answer->bytes.substr(1);
+std::string tried_opengl(const CommonOptions& common) {
+  const int device = common.detection().device;
+  return in_child("OpenGL's driver", [=] { return make_gl_pictures(device)->device(); });
 }
 
 Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common) {
@@ -142,8 +123,8 @@ Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common) {
   verb->add_option("--shard", a->shard, "I/N; default: as trivet batch")->type_name("I/N");
   verb->add_option("--format", a->format, "Of units: tar or dir")->check(one_of({"tar", "dir"}));
   verb->add_option("--renderer", a->renderer,
-                   "Of the pictures: path, rays on the processor, or opengl, on the device of this "
-                   "number in TRIVET_EGL_DEVICE; labels are always by rays")
+                   "Renderer of the pictures: path, rays on the processor, or opengl, on --device; "
+                   "labels are always by rays")
       ->check(one_of({"path", "opengl"}));
   verb->add_option("--per-tar", a->per_unit, "Scenes per unit; default: as the scenes")
       ->check(integer_from(1, 1'000'000));

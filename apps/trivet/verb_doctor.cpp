@@ -19,13 +19,13 @@ struct DoctorArguments {
 };
 
 // Without hardware, pictures are drawn by rays and detection is by BVHs: a note, unless asked for.
-NodeCheck check_graphics(bool needed) {
+NodeCheck check_graphics(bool needed, const DetectionChoice& choice) {
   const std::string hardware = graphics_hardware_here();
   if (hardware.empty())
     return {"graphics", needed ? NodeCheck::Verdict::Lacking : NodeCheck::Verdict::Note,
             "no graphics hardware: pictures are drawn by rays on the processor"};
   try {
-    make_gpu_stage({}, {});
+    make_gpu_stage(choice, {});
   } catch (const Error& e) {
     return {"graphics", needed ? NodeCheck::Verdict::Lacking : NodeCheck::Verdict::Note,
             hardware + ": " + e.what()};
@@ -33,9 +33,27 @@ NodeCheck check_graphics(bool needed) {
   return {"graphics", NodeCheck::Verdict::Ok, hardware + ", OpenGL through EGL"};
 }
 
+// Says what --detector and --device come to here.
+NodeCheck check_detector(const DetectionChoice& choice) {
+  std::string why;
+  const BackendOptions options =
+      backend_options(choice, [&](const Sentence& text) { why = in_english(text); });
+  if (options.backend == Backend::Auto) {
+    const bool chooses = options.machine->has_hardware();
+    return {"detector", NodeCheck::Verdict::Ok,
+            chooses ? "auto: for each query what was measured as the fastest; see trivet backends"
+                    : "auto: BVHs, as there is no graphics hardware"};
+  }
+  const std::unique_ptr<Detector> detector = make_detector(options);
+  if (!why.empty()) return {"detector", NodeCheck::Verdict::Note, why};
+  return {"detector", NodeCheck::Verdict::Ok,
+          choice.detector + ": " + detector->name() + ", " + detector->device()};
+}
+
 int examine(const DoctorArguments& arguments, const CommonOptions& common) {
   std::vector<NodeCheck> checks = farm::check_node(arguments.needs);
-  checks.push_back(check_graphics(arguments.gpu));
+  checks.push_back(check_graphics(arguments.gpu, common.detection()));
+  checks.push_back(check_detector(common.detection()));
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   bool lacking = false;
   for (const NodeCheck& check : checks) {
@@ -56,7 +74,7 @@ Verb add_doctor(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "doctor",
       "Check whether this machine has what batches need: importer and its sandbox, memory, disk, "
-      "files, clock, graphics. The exit status is 3 if something is missing");
+      "files, clock, graphics, detector. The exit status is 3 if something is missing");
   const auto arguments = std::make_shared<DoctorArguments>();
   verb->add_option("--out", arguments->needs.out,
                    "Folder for batches, to check for free space and hard links")

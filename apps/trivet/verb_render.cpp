@@ -23,6 +23,7 @@ struct RenderArguments {
 void render_picture(const RenderArguments& arguments, const CommonOptions& common) {
   PictureRequest request = arguments.request;
   request.num_threads = common.num_threads;
+  request.device = common.detection().device;
   PictureMaker maker(request);
   const SceneFile file = read_scene_with_layout(arguments.scene, common);
   check_not_an_input(arguments.picture, model_files(file.layout, folder_of(arguments.scene)));
@@ -41,6 +42,7 @@ int render_film(const RenderArguments& arguments, const CommonOptions& common) {
     bad_input("--animation is asked for with --cameras or --dome; accepted: one --camera");
   PictureRequest request = arguments.request;
   request.num_threads = common.num_threads;
+  request.device = common.detection().device;
   return render_film(arguments.scene, arguments.film, request, common);
 }
 
@@ -58,6 +60,7 @@ int render(const RenderArguments& arguments, const CommonOptions& common) {
     check_label_outputs(labels, {arguments.scene, many ? "" : arguments.picture});
     PictureRequest request = arguments.request;
     request.num_threads = common.num_threads;
+    request.device = common.detection().device;
     write_labels(arguments.scene, labels, request, common);
   }
   if (!arguments.picture.empty() && !many) render_picture(arguments, common);

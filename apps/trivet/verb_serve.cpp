@@ -24,7 +24,8 @@ int run_server(const ServeArguments& arguments, const CommonOptions& common) {
   if (options.starts.empty() && options.recipe.empty())
     throw Error(Error::Kind::BadInput, "missing START; accepted: layouts, scenes, or --recipe");
   options.run = run_options(common, arguments.settle);
-  options.make_detector = [detection = shared_backend_options(common)] {
+  options.make_detector = [detection =
+                               shared_backend_options(common.detection(), print_notes(common))] {
     return trivet::make_detector(detection);
   };
   options.import = common.limits();

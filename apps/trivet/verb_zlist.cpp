@@ -27,7 +27,15 @@ struct ZListArguments {
   double max_memory_mb = 1024;
   MotionRequest motion;
   SettleArguments settle;
+  std::string gpu_lists = "auto", confirm = "auto";  // see DetectionChoice
 };
+
+DetectionChoice choice_of(const ZListArguments& arguments, const CommonOptions& common) {
+  DetectionChoice choice = common.detection();
+  choice.gpu_lists = arguments.gpu_lists;
+  choice.confirm = arguments.confirm;
+  return choice;
+}
 
 // A layout is run first, like by `run`.
 Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int& status) {
@@ -100,7 +108,7 @@ void zlist_of_motion(Scene& scene, const ZListArguments& arguments, const Common
   const double clearance = clearance_of(scene, arguments.settle.settle);
   update_contacts(scene, clearance);
   MotionLists what = motion_of(scene, arguments.motion);
-  const BackendOptions options = backend_options(common);
+  const BackendOptions options = backend_options(choice_of(arguments, common), print_notes(common));
   const std::unique_ptr<CandidateFinder> finder = make_zlist_stage(options);
   what.finder = finder->name();
   const Stopwatch stopwatch;
@@ -210,6 +218,19 @@ void add_motion_options(CLI::App& verb, MotionRequest& motion) {
       ->group(group);
 }
 
+// Stages of the answer, which no result depends on.
+void add_stage_options(CLI::App& verb, ZListArguments& arguments) {
+  const char* const group = "Stages of a motion";
+  verb.add_option("--gpu-lists", arguments.gpu_lists,
+                  "Who lists the faces of a GPU's doubtful pixels; auto: what costs less")
+      ->check(one_of({"auto", "gpu", "software"}))
+      ->group(group);
+  verb.add_option("--confirm", arguments.confirm,
+                  "Whether Embree visits the listed faces; auto: where they are many")
+      ->check(one_of({"auto", "embree", "off"}))
+      ->group(group);
+}
+
 }  // namespace
 
 Verb add_zlist(CLI::App& app, const CommonOptions& common) {
@@ -245,6 +266,7 @@ Verb add_zlist(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--max-memory-mb", arguments->max_memory_mb, "Refuse longer lists")
       ->check(number_from(1, 1e6));
   add_motion_options(*verb, arguments->motion);
+  add_stage_options(*verb, *arguments);
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return zlist(*arguments, common); }};
 }

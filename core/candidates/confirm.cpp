@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/contact/decide.h"
 #include "core/contact/motion_boxes.h"
 #include "core/contact/pair_numbers.h"
 #include "core/index/box_pairs.h"
@@ -73,64 +76,75 @@ Boxes fixed_boxes(const MotionBoxes& along, std::span<const Body> bodies, const 
   return out;
 }
 
-/// Indices of pairs, grouped by their moving face.
-struct Groups {
-  std::vector<Index> begin, pairs;  // begin: one more than there are faces
+/// Proposed pairs by their faces' numbers.
+class Proposed {
+ public:
+  Proposed(std::vector<NumberedPair> pairs, size_t num_moving) : m_pairs(std::move(pairs)) {
+    m_begin.resize(num_moving + 1);
+    m_order.resize(m_pairs.size());
+    for (const NumberedPair& p : m_pairs) ++m_begin[p.moving];
+    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
+    for (size_t i = m_pairs.size(); i-- > 0;)
+      m_order[--m_begin[m_pairs[i].moving]] = static_cast<Index>(i);
+    for (size_t m = 0; m < num_moving; ++m)
+      std::sort(at(m_begin[m]), at(m_begin[m + 1]),
+                [&](Index a, Index b) { return m_pairs[a].fixed < m_pairs[b].fixed; });
+  }
+
+  /// Index of the pair; nothing: it was not proposed.
+  std::optional<Index> find(Index moving, Index fixed) const {
+    const auto end = m_order.begin() + m_begin[moving + 1];
+    const auto found =
+        std::lower_bound(m_order.begin() + m_begin[moving], end, fixed,
+                         [&](Index i, Index value) { return m_pairs[i].fixed < value; });
+    if (found == end || m_pairs[*found].fixed != fixed) return std::nullopt;
+    return *found;
+  }
+
+ private:
+  std::vector<Index>::iterator at(Index place) { return m_order.begin() + place; }
+
+  std::vector<NumberedPair> m_pairs;
+  std::vector<Index> m_begin, m_order;  // begin: of each moving face's, one more than there are
 };
 
-Groups grouped(std::span<const NumberedPair> pairs, size_t num_moving) {
-  Groups out;
-  out.begin.resize(num_moving + 1);
-  out.pairs.resize(pairs.size());
-  for (const NumberedPair& p : pairs) ++out.begin[p.moving];
-  std::partial_sum(out.begin.begin(), out.begin.end(), out.begin.begin());
-  for (size_t i = pairs.size(); i-- > 0;)
-    out.pairs[--out.begin[pairs[i].moving]] = static_cast<Index>(i);
-  return out;
-}
-
-/// True if each of `asked` is among `reported`.
-std::vector<char> found_among(std::span<const NumberedPair> asked,
-                              std::span<const NumberedPair> reported, size_t num_moving,
-                              size_t num_fixed) {
-  std::vector<char> out(asked.size());
-  const Groups questions = grouped(asked, num_moving), answers = grouped(reported, num_moving);
-  std::vector<Index> met_by(num_fixed, -1);  // the last moving face that meets the fixed one
-  for (Index m = 0; m < static_cast<Index>(num_moving); ++m) {
-    for (Index i = answers.begin[m]; i < answers.begin[m + 1]; ++i)
-      met_by[reported[answers.pairs[i]].fixed] = m;
-    for (Index i = questions.begin[m]; i < questions.begin[m + 1]; ++i)
-      out[questions.pairs[i]] = met_by[asked[questions.pairs[i]].fixed] == m;
-  }
-  return out;
+void decide(const FirstContactQuery& query, const FacePair& p, FirstContact& best) {
+  if (p.not_before > std::min(best.time, query.motion.limit)) return;
+  decide_faces(query, p.moving, p.fixed, p.face_moving, p.face_fixed,
+               query.moving[p.moving].triangle(p.face_moving),
+               query.fixed[p.fixed].triangle(p.face_fixed), best);
 }
 
 }  // namespace
 
-bool confirm_pairs(const FirstContactQuery& query, double horizon, std::vector<FacePair>& pairs) {
+bool decide_by_embree(const FirstContactQuery& query, double horizon, std::vector<FacePair>& pairs,
+                      FirstContact& best) {
   Faces moving, fixed;
-  std::vector<NumberedPair> asked;
-  asked.reserve(pairs.size());
+  std::vector<NumberedPair> numbered;
+  numbered.reserve(pairs.size());
   for (const FacePair& p : pairs)
-    asked.push_back({moving.number(p.moving, p.face_moving), fixed.number(p.fixed, p.face_fixed)});
+    numbered.push_back(
+        {moving.number(p.moving, p.face_moving), fixed.number(p.fixed, p.face_fixed)});
+  const Proposed proposed(std::move(numbered), moving.all().size());
   const MotionBoxes along(query, horizon);
   const Boxes a = moving_boxes(along, query.moving, moving);
   Aabb extent;
   for (const Aabb& box : a.boxes) extent.extend(box);
   const Boxes b = fixed_boxes(along, query.fixed, fixed, extent);
-  std::optional<std::vector<BoxPair>> overlapping;
+  std::vector<char> visited(pairs.size());
+  const auto visit = [&](const BoxPair& met) {
+    const auto i = proposed.find(a.faces[met.a], b.faces[met.b]);
+    if (!i || std::exchange(visited[*i], true)) return;  // a turn may meet a box twice
+    decide(query, pairs[*i], best);
+  };
   try {
-    overlapping = overlapping_boxes(a.boxes, b.boxes, kMostReported * pairs.size());
+    if (!visit_overlapping_boxes(a.boxes, b.boxes, kMostReported * pairs.size(), visit))
+      return false;
   } catch (const Error&) {  // no memory for Embree: the closed form decides alone
+    return false;
   }
-  if (!overlapping) return false;
-  std::vector<NumberedPair> reported;
-  reported.reserve(overlapping->size());
-  for (const BoxPair& p : *overlapping) reported.push_back({a.faces[p.a], b.faces[p.b]});
-  const std::vector<char> confirmed =
-      found_among(asked, reported, moving.all().size(), fixed.all().size());
   size_t next = 0;
-  std::erase_if(pairs, [&](const FacePair&) { return !confirmed[next++]; });
+  std::erase_if(pairs, [&](const FacePair&) { return !visited[next++]; });
   return true;
 }
 

@@ -33,24 +33,32 @@ void decide_pairs(const FirstContactQuery& query, std::span<const FacePair> pair
   }
 }
 
+/// Pairs below which the closed form alone is faster than Embree's scenes with it.
+constexpr std::size_t kFewestFalling = 512, kFewestTurning = 512;
+
 double horizon_of(const FirstContactQuery& query, const FirstContact& best) {
   return std::min(best.time, query.motion.limit);
 }
 
-// The pairs after the first `num_first`, if they are many, less those that Embree does not confirm.
-void confirm_others(const FirstContactQuery& query, double horizon, std::size_t num_first,
-                    const Confirmation& confirmation, CandidatePairs& found) {
+// The pairs after the first `num_first`, if they are many, by Embree and its callback.
+// @return whether they are decided.
+bool decide_others_by_embree(const FirstContactQuery& query, std::size_t num_first,
+                             const Confirmation& confirmation, CandidatePairs& found,
+                             FirstContact& best) {
+  const double horizon = horizon_of(query, best);
   const auto end = std::partition_point(found.pairs.begin(), found.pairs.end(),
                                         [&](const FacePair& p) { return p.not_before <= horizon; });
   const auto num_pairs = static_cast<std::size_t>(end - found.pairs.begin());
-  if (num_pairs < num_first + std::max<std::size_t>(1, confirmation.fewest_pairs)) return;
+  const std::size_t fewest = confirmation.fewest(query.motion.kind);
+  if (num_pairs < num_first + std::max<std::size_t>(1, fewest)) return false;
   std::vector<FacePair> others(found.pairs.begin() + static_cast<std::ptrdiff_t>(num_first), end);
   const std::size_t num_asked = others.size();
-  if (!confirm_pairs(query, std::min(horizon, found.upper), others)) return;
+  if (!decide_by_embree(query, std::min(horizon, found.upper), others, best)) return false;
   found.work.asked_pairs = static_cast<std::int64_t>(num_asked);
   found.work.confirmed_pairs = static_cast<std::int64_t>(others.size());
   found.pairs.resize(num_first);
   found.pairs.insert(found.pairs.end(), others.begin(), others.end());
+  return true;
 }
 
 // `best` is the contact with the floor. Sets `found` to be not usable where it cannot be right.
@@ -59,9 +67,9 @@ FirstContact decide(const FirstContactQuery& query, FirstContact best, Candidate
   if (found.usable) {
     const std::size_t num_first = std::min(kPairsBeforeEmbree, found.pairs.size());
     decide_pairs(query, std::span(found.pairs).first(num_first), best);
-    if (confirmation.enabled)
-      confirm_others(query, horizon_of(query, best), num_first, confirmation, found);
-    decide_pairs(query, std::span(found.pairs).subspan(num_first), best);
+    if (!confirmation.enabled ||
+        !decide_others_by_embree(query, num_first, confirmation, found, best))
+      decide_pairs(query, std::span(found.pairs).subspan(num_first), best);
     // A stage's upper bound only filters: where no pair keeps it, the stage was wrong.
     if (found.upper < kInfinity && best.time > found.upper) {
       found.usable = false;
@@ -72,6 +80,10 @@ FirstContact decide(const FirstContactQuery& query, FirstContact best, Candidate
 }
 
 }  // namespace
+
+std::size_t Confirmation::fewest(Motion::Kind kind) const {
+  return fewest_pairs.value_or(kind == Motion::Kind::Translation ? kFewestFalling : kFewestTurning);
+}
 
 std::vector<CandidatePairs> CandidateFinder::find_candidates_for_all(
     std::span<const FirstContactQuery> queries, std::span<const double> horizons) {

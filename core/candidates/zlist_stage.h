@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,11 @@ struct ZListWork {
   std::int64_t doubtful_pixels = 0;  // stage 3: in which the first contact may be
   std::int64_t face_pairs = 0;       // proposed
   std::int64_t asked_pairs = 0;      // of these, put to Embree; see Confirmation
-  std::int64_t confirmed_pairs = 0;  // of these, can meet in time by boxes along the motion
+  std::int64_t confirmed_pairs = 0;  // of these, visited by it, and decided in its callback
   std::int64_t gpu_lists = 0;        // queries whose lists a GPU made
   std::int64_t software_lists = 0;   // queries of a GPU whose lists software made
   std::int64_t bytes_read_back = 0;  // from a GPU
+  std::int64_t draws = 0;            // times that a GPU drew queries, one or many together
   std::int64_t read_backs = 0;       // times that the processor waited for a GPU's results
 };
 
@@ -68,14 +70,17 @@ class CandidateFinder {
       std::span<const FirstContactQuery> queries, std::span<const double> horizons);
 };
 
-/// Embree between a stage's proposal and the closed form, see confirm_pairs(). The first pairs are
-/// decided at once: they lower the horizon, which leaves fewer pairs to ask about.
+/// Embree on the way from a stage's proposal to the first contact, see decide_by_embree(). The
+/// first pairs are decided at once: they lower the horizon, which leaves fewer pairs to visit.
 struct Confirmation {
   bool enabled = true;
-  /// Asks only about so many pairs or more: a few are decided sooner than Embree has built a scene.
-  /// Measured by trivet_perf --only confirm.
-  std::size_t fewest_pairs = 512;
+  /// Visits so many pairs or more: fewer are decided sooner one by one than Embree has built its
+  /// scenes. Nothing: as was measured by trivet_perf --only confirm, see fewest().
+  std::optional<std::size_t> fewest_pairs = {};
+
+  std::size_t fewest(Motion::Kind kind) const;
 };
+inline constexpr Confirmation kConfirmAll{true, 0}, kConfirmNone{false, 0};
 
 /// The same bits as first_contact(query), with pairs from `stage`; where the stage gives up or
 /// proves wrong, from the BVHs.

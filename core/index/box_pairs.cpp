@@ -3,7 +3,9 @@
 #include "core/index/box_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
+#include <vector>
 
 #include "core/base/arena.h"
 #include "core/base/outward.h"
@@ -106,42 +108,41 @@ EmbreePointer<RTCScene> make_scene(const std::vector<FloatBox>& boxes) {
   return scene;
 }
 
-struct Found {
+struct Visit {
   const BoxSet &a, &b;
+  const std::function<void(const BoxPair&)>& visit;
   std::mutex mutex;
-  std::vector<BoxPair> pairs;
 };
 
-void keep(void* user, RTCCollision* collisions, unsigned num_collisions) {
-  auto& found = *static_cast<Found*>(user);
-  const std::lock_guard lock(found.mutex);  // Embree may call from several threads
+void call(void* user, RTCCollision* collisions, unsigned num_collisions) {
+  auto& all = *static_cast<Visit*>(user);
+  const std::lock_guard lock(all.mutex);  // Embree may call from several threads
   for (unsigned n = 0; n < num_collisions; ++n) {
     const unsigned i = collisions[n].primID0, j = collisions[n].primID1;
     // Embree does not compare boxes of a scene that is a single leaf.
-    if (overlap(found.a.boxes[i], found.b.boxes[j]))
-      found.pairs.push_back({found.a.ids[i], found.b.ids[j]});
+    if (overlap(all.a.boxes[i], all.b.boxes[j])) all.visit({all.a.ids[i], all.b.ids[j]});
   }
 }
 
 }  // namespace
 
-std::optional<std::vector<BoxPair>> overlapping_boxes(std::span<const Aabb> a,
-                                                      std::span<const Aabb> b, std::size_t most) {
+bool visit_overlapping_boxes(std::span<const Aabb> a, std::span<const Aabb> b, std::size_t most,
+                             const std::function<void(const BoxPair&)>& visit) {
   const Scaling scaling(b);
   const BoxSet boxes_a = scaling.apply(a), boxes_b = scaling.apply(b);
-  if (boxes_a.boxes.empty() || boxes_b.boxes.empty()) return std::vector<BoxPair>();
-  // Too many pairs would take longer to list than the caller saves.
-  if (estimated_pairs(boxes_a.boxes, boxes_b.boxes) > static_cast<double>(most))
-    return std::nullopt;
-  Found found{boxes_a, boxes_b, {}, {}};
+  if (boxes_a.boxes.empty() || boxes_b.boxes.empty()) return true;
+  // Too many pairs would take longer to visit than the caller saves.
+  if (estimated_pairs(boxes_a.boxes, boxes_b.boxes) > static_cast<double>(most)) return false;
+  Visit all{boxes_a, boxes_b, visit, {}};
   // One thread: sets are small, and a wait for others' tasks would cost more than it gains.
   in_arena(1, [&] {
     const EmbreePointer<RTCScene> scene_a = make_scene(boxes_a.boxes),
                                   scene_b = make_scene(boxes_b.boxes);
-    if (scene_a && scene_b) rtcCollide(scene_a.get(), scene_b.get(), keep, &found);
+    throw_embree_error("tell which boxes overlap");
+    if (scene_a && scene_b) rtcCollide(scene_a.get(), scene_b.get(), call, &all);
     throw_embree_error("tell which boxes overlap");
   });
-  return std::move(found.pairs);
+  return true;
 }
 
 }  // namespace trivet

@@ -61,7 +61,8 @@ struct EglContext::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
-    if (context != EGL_NO_CONTEXT) eglDestroyContext(display.get(), context);
+    if (context != EGL_NO_CONTEXT && egl_is_of_this_process())
+      eglDestroyContext(display.get(), context);
   }
   void create(int most_version);
 
@@ -101,6 +102,8 @@ int egl_device_from_environment() {
 }
 
 EglContext::EglContext(const EglOptions& options) {
+  if (!egl_is_of_this_process())
+    throw environment_error("OpenGL was in use when this process was forked");
   std::vector<std::string> failures;
   for (const EglCandidate& candidate : list_egl_candidates(failures)) {
     if (options.device > 0 && candidate.device != options.device) continue;
@@ -171,7 +174,10 @@ void EglContext::Current::restore(const Binding& before, void* display) {
   eglBindAPI(before.api);
 }
 
-EglContext::Current::Current(const EglContext& context) : m_before(query()) {
+EglContext::Current::Current(const EglContext& context) {
+  if (!egl_is_of_this_process())
+    throw environment_error("an OpenGL context of the process that this one was forked from");
+  m_before = query();
   m_display = context.m_state->display.get();
   if (!eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, context.m_state->context)) {
     const std::string reason = last_egl_error();

@@ -23,7 +23,8 @@ struct EglOptions {
 /// not suppressed.
 ///
 /// Not current after construction; make it current for a scope with `EglContext::Current`. At most
-/// one thread may have it current at a time. Destroy GL objects while it is current.
+/// one thread may have it current at a time. Destroy GL objects while it is current. A child of a
+/// process that has made one can neither use it nor make one: fork first.
 class EglContext {
  public:
   /// @throws Error (Environment) that names every platform tried and how each failed.

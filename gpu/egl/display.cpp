@@ -1,8 +1,10 @@
 #include "gpu/egl/display.h"
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <iterator>
 #include <map>
@@ -85,6 +87,14 @@ UseCounts& use_counts() {
   return counts;
 }
 
+/// The process that initialised the first display; 0: none.
+std::atomic<pid_t> owner = 0;
+
+void claim_egl() {
+  pid_t none = 0;
+  owner.compare_exchange_strong(none, getpid());
+}
+
 }  // namespace
 
 std::vector<EglCandidate> list_egl_candidates(std::vector<std::string>& failures) {
@@ -115,6 +125,7 @@ std::vector<EglCandidate> list_egl_candidates(std::vector<std::string>& failures
 }
 
 EglDisplayUse::EglDisplayUse(EGLDisplay display) {
+  claim_egl();
   UseCounts& uses = use_counts();
   const std::lock_guard lock(uses.mutex);
   int& count = uses.count[display];
@@ -126,7 +137,7 @@ EglDisplayUse::EglDisplayUse(EGLDisplay display) {
 }
 
 EglDisplayUse::~EglDisplayUse() {
-  if (m_display == EGL_NO_DISPLAY) return;
+  if (m_display == EGL_NO_DISPLAY || !egl_is_of_this_process()) return;
   UseCounts& uses = use_counts();
   const std::lock_guard lock(uses.mutex);
   if (--uses.count[m_display] == 0) eglTerminate(m_display);
@@ -143,6 +154,8 @@ EglDisplayUse& EglDisplayUse::operator=(EglDisplayUse&& other) noexcept {
 bool EglDisplayUse::has_extension(const char* name) const {
   return has_word(eglQueryString(m_display, EGL_EXTENSIONS), name);
 }
+
+bool egl_is_of_this_process() { return owner == 0 || owner == getpid(); }
 
 std::string last_egl_error() {
   static constexpr std::pair<EGLint, const char*> kNames[] = {

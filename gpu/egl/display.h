@@ -38,6 +38,10 @@ class EglDisplayUse {
   EGLDisplay m_display = EGL_NO_DISPLAY;
 };
 
+/// EGL and its drivers do not survive a fork: a child of a process that has initialised a display
+/// can neither use nor end it. Once a display is initialised, this is false in such a child.
+bool egl_is_of_this_process();
+
 /// The calling thread's last EGL error as text, for example "EGL_BAD_ALLOC (0x3003)".
 std::string last_egl_error();
 

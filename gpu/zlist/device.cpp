@@ -20,9 +20,9 @@ constexpr std::size_t kLeastMeshBytes = 8 << 10;
 /// OpenGL with compute shaders.
 constexpr int kComputes = 43;
 
-EglOptions context_options(const GpuZListOptions& options) {
+EglOptions checked_options(const GpuZListOptions& options) {
   options.faults.check_present();
-  return {options.allow_software, options.most_gl_version};
+  return egl_options(options);
 }
 
 std::unique_ptr<ZListRaster> make_raster(const GpuZListOptions& options, int gl_version) {
@@ -93,6 +93,12 @@ std::size_t num_bodies(std::span<const ZListView> views) {
 
 }  // namespace
 
+EglOptions egl_options(const GpuZListOptions& options) {
+  EglOptions out{options.allow_software, options.most_gl_version};
+  if (options.device != 0) out.device = options.device;
+  return out;
+}
+
 const char* to_string(ZListTrouble trouble) {
   switch (trouble) {
     case ZListTrouble::Meshes:
@@ -107,7 +113,7 @@ const char* to_string(ZListTrouble trouble) {
 }
 
 ZListDevice::ZListDevice(const GpuZListOptions& options)
-    : m_options(options), m_context(context_options(options)) {
+    : m_options(options), m_context(checked_options(options)) {
   const EglContext::Current current(m_context);
   m_raster = make_raster(options, gl_version());
   const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
@@ -184,6 +190,7 @@ std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,
       out.push_back(answer_of(asks[i], views[i], lists[i]));
     set_bounds(asks[i], views[i], lists[i], out.back());
     set_work(asks[i], lists[i], out.back().proposal);
+    out.back().proposal.work.draws = i == 0;
   }
   return out;
 }

@@ -7,6 +7,9 @@
 
 namespace trivet {
 
+/// Options of the context that these ask for.
+EglOptions egl_options(const GpuZListOptions& options);
+
 /// A query, and the view for its lists.
 struct ZListAsk {
   const FirstContactQuery* query;

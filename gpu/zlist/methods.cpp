@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "gpu/egl/context.h"
+#include "gpu/zlist/device.h"
 #include "gpu/zlist/measured_shapes.h"
 
 namespace trivet {
@@ -92,7 +92,7 @@ GpuMethod gpu_method_from_name(const std::string& name) {
 }
 
 GpuMethodTimes measure_gpu_methods(const GpuZListOptions& options) {
-  const EglContext context({options.allow_software, options.most_gl_version});
+  const EglContext context(egl_options(options));
   const GpuMethodTimes times = measure(options, context.is_software());
   const std::lock_guard lock(known().mutex);
   known().times[{context.renderer(), options.most_gl_version}] = times;
@@ -101,7 +101,7 @@ GpuMethodTimes measure_gpu_methods(const GpuZListOptions& options) {
 
 std::unique_ptr<CandidateFinder> make_faster_candidate_finder(GpuZListOptions options) {
   options.method = GpuMethod::Framebuffer;
-  const EglContext context({options.allow_software, options.most_gl_version});
+  const EglContext context(egl_options(options));
   if (std::min(context.gl_version(), options.most_gl_version) < 43)
     return make_gpu_candidate_finder(options);
   std::optional<GpuMethodTimes> times = known_times(context, options);

@@ -41,6 +41,7 @@ struct GpuZListOptions {
   std::size_t memory_bytes = 512u << 20;  // of graphics memory, meshes included
   int max_list_entries = 1 << 20;         // faces in doubtful pixels, 16384 to 1048576
   bool allow_software = true;             // false: refuse renderers that run on the CPU
+  int device = 0;                         // EGL device; 0: as EglOptions has it
   GpuMethod method = GpuMethod::Auto;
   int most_gl_version = 46;   // 33 to 46: uses no later OpenGL, for tests of older ones
   bool bounds_alone = false;  // for measurements: no lists, so no usable candidates, but

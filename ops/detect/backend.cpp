@@ -13,7 +13,13 @@ GpuNotes notes_of(const BackendOptions& options) {
   return options.gpu_notes ? *options.gpu_notes : once_each(options.note);
 }
 
-std::unique_ptr<CandidateFinder> gpu_stage(const BackendOptions& options, const GpuNotes& notes) {
+constexpr const char* kBvhsInstead = TRIVET_SENTENCE("%1; BVHs are used instead of the GPU");
+constexpr const char* kSoftwareInstead =
+    TRIVET_SENTENCE("%1; z-lists in software are used instead of the GPU");
+
+// @param instead  tells what answers where it cannot be had; %1: why.
+std::unique_ptr<CandidateFinder> gpu_stage(const BackendOptions& options, const GpuNotes& notes,
+                                           const char* instead) {
   Sentence why;
   try {
     if (!options.make_gpu_stage)
@@ -25,7 +31,7 @@ std::unique_ptr<CandidateFinder> gpu_stage(const BackendOptions& options, const 
   } catch (const Error& error) {
     why = error.sentence();
   }
-  notes.tell_lost(say("%1; z-lists in software are used instead of the GPU", why));
+  notes.tell_lost(say(instead, why));
   return nullptr;
 }
 
@@ -49,12 +55,12 @@ GpuBrackets::Make brackets_maker(const BackendOptions& options) {
 std::unique_ptr<Detector> detector_of(const BackendOptions& options) {
   const GpuNotes notes = notes_of(options);
   if (options.backend == Backend::Gpu)
-    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options, notes)) {
+    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options, notes, kBvhsInstead)) {
       auto detector = std::make_unique<Detector>(std::move(stage), "gpu");
       detector->use_brackets(std::make_unique<GpuBrackets>(brackets_maker(options), notes));
       return detector;
     }
-  if (options.backend == Backend::Gpu || options.backend == Backend::Software)
+  if (options.backend == Backend::Software)
     return std::make_unique<Detector>(software_stage(options), "software");
   if (!chooses(options)) return std::make_unique<Detector>();
   auto detector = std::make_unique<Detector>(
@@ -67,17 +73,19 @@ std::unique_ptr<Detector> detector_of(const BackendOptions& options) {
 
 Backend backend_from_name(const std::string& name) {
   if (name == "auto") return Backend::Auto;
-  if (name == "gpu") return Backend::Gpu;
+  if (name == "gpu" || name == "framebuffer" || name == "compute") return Backend::Gpu;
   if (name == "software") return Backend::Software;
   if (name == "bvh") return Backend::Bvh;
   throw Error(Error::Kind::BadInput,
-              "backend \"%1\" is not accepted; accepted: auto, gpu, software, bvh", name);
+              "detector \"%1\" is not accepted; accepted: auto, bvh, software, gpu, framebuffer, "
+              "compute",
+              name);
 }
 
 Confirmation confirmation_from_name(const std::string& name) {
   if (name == "auto") return {};
   if (name == "embree") return kConfirmAll;
-  if (name == "off") return {.enabled = false};
+  if (name == "off") return kConfirmNone;
   throw Error(Error::Kind::BadInput,
               "confirmation \"%1\" is not accepted; accepted: auto, embree, off", name);
 }
@@ -89,9 +97,18 @@ std::string to_string(const Confirmation& confirmation) {
 
 std::unique_ptr<CandidateFinder> make_zlist_stage(const BackendOptions& options) {
   if (options.backend == Backend::Gpu)
-    if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options, notes_of(options)))
-      return stage;
+    if (auto stage = gpu_stage(options, notes_of(options), kSoftwareInstead)) return stage;
   return software_stage(options);
+}
+
+std::unique_ptr<CandidateFinder> make_gpu_stage_of(const BackendOptions& options) {
+  if (options.backend != Backend::Gpu) return nullptr;
+  return gpu_stage(options, notes_of(options), kBvhsInstead);
+}
+
+std::unique_ptr<BracketSource> make_gpu_brackets_of(const BackendOptions& options) {
+  if (options.backend != Backend::Gpu) return nullptr;
+  return std::make_unique<GpuBrackets>(brackets_maker(options), notes_of(options));
 }
 
 std::unique_ptr<Detector> make_detector(const BackendOptions& options) {

@@ -21,7 +21,8 @@ enum class Backend {
   Bvh,       // BVHs alone
 };
 
-/// From "auto", "gpu", "software" or "bvh". @throws Error (BadInput) for anything else.
+/// From "auto", "bvh", "software"; "gpu", "framebuffer", "compute" are Gpu, by the faster method or
+/// by this one. @throws Error (BadInput) for anything else.
 Backend backend_from_name(const std::string& name);
 
 /// From "embree" (about all pairs that a stage proposes, but the first), "off", or "auto" (about
@@ -49,11 +50,14 @@ struct BackendOptions {
   std::optional<GpuNotes> gpu_notes;
 };
 
-/// A GPU that cannot be had (the factory throws), or that fails self_test(), is replaced by
-/// software z-lists.
+/// A GPU that cannot be had (the factory throws), or that fails self_test(), is replaced by BVHs.
 std::unique_ptr<Detector> make_detector(const BackendOptions& options);
 
-/// Z-lists on the GPU for Backend::Gpu, replaced likewise; else in software.
+/// Z-lists on the GPU for Backend::Gpu; where it cannot be had, and else, in software.
 std::unique_ptr<CandidateFinder> make_zlist_stage(const BackendOptions& options);
+
+/// Parts of a detector for Backend::Gpu. Null for others, and, told once, where it cannot be had.
+std::unique_ptr<CandidateFinder> make_gpu_stage_of(const BackendOptions& options);
+std::unique_ptr<BracketSource> make_gpu_brackets_of(const BackendOptions& options);
 
 }  // namespace trivet

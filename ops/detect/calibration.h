@@ -20,11 +20,13 @@ struct GpuSource {
   std::function<std::unique_ptr<CandidateFinder>(bool allow_software, const GpuNotes& notes)> make;
 };
 
-/// Machine and version for which a calibration is valid.
+/// Machine and build for which a calibration is valid.
 struct MachineKey {
   std::string version;   // of Trivet
+  std::string build;     // ways of a GPU that the build has; empty: without OpenGL
   std::string cpu;       // model and number of cores
   std::string hardware;  // of graphics, with the version of its driver; empty: none
+  int device = 0;        // of OpenGL that was asked for; 0: the usual one
 
   friend bool operator==(const MachineKey&, const MachineKey&) = default;
 };

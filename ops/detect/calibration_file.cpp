@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr std::size_t kMostBytes = 1 << 20;
 constexpr std::size_t kMostSources = 64;
 
@@ -82,8 +82,10 @@ std::string to_json(const Calibration& calibration) {
   for (const SourceCost& source : calibration.sources) sources.push_back(source_json(source));
   const Json json = {{"format", kFormat},
                      {"version", calibration.key.version},
+                     {"build", calibration.key.build},
                      {"cpu", calibration.key.cpu},
                      {"hardware", calibration.key.hardware},
+                     {"device", calibration.key.device},
                      {"seconds", calibration.seconds},
                      {"sources", std::move(sources)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -93,9 +95,10 @@ Calibration calibration_from_json(const std::string& text) {
   try {
     const Json json = json_from_text<Json>(text, "backends.json");
     if (json.at("format") != kFormat)
-      throw Error(Error::Kind::BadInput, "\"format\" is %1; accepted: 1", json.at("format").dump());
+      throw Error(Error::Kind::BadInput, "\"format\" is %1; accepted: 2", json.at("format").dump());
     Calibration out;
-    out.key = {json.at("version"), json.at("cpu"), json.at("hardware")};
+    out.key = {json.at("version"), json.at("build"), json.at("cpu"), json.at("hardware"),
+               json.at("device")};
     out.seconds = number_of(json, "seconds");
     for (const Json& source : json.at("sources")) out.sources.push_back(source_from(source));
     if (out.sources.empty() || out.sources.size() > kMostSources)

@@ -19,6 +19,7 @@ void add(const ZListWork& work, ZListWork& sum) {
   sum.gpu_lists += work.gpu_lists;
   sum.software_lists += work.software_lists;
   sum.bytes_read_back += work.bytes_read_back;
+  sum.draws += work.draws;
   sum.read_backs += work.read_backs;
 }
 
@@ -62,10 +63,36 @@ FirstContact Detector::first_contact(const FirstContactQuery& query) {
 FirstContact Detector::ask_stage(const FirstContactQuery& query, CandidateFinder& stage) {
   CandidatePairs proposal;
   const FirstContact found = trivet::first_contact(query, stage, &proposal, m_confirmation);
+  note(proposal);
+  return found;
+}
+
+void Detector::note(const CandidatePairs& proposal) {
   add(proposal.work, m_work.zlist);
   m_work.fallbacks += !proposal.usable;
   if (m_chooser) m_chooser->answered(proposal.usable, proposal.why);
-  return found;
+}
+
+std::vector<FirstContact> Detector::first_contacts_early(
+    std::span<const FirstContactQuery> queries) {
+  const Stopwatch stopwatch;
+  m_work.early += static_cast<std::int64_t>(queries.size());
+  std::vector<FirstContact> out;
+  CandidateFinder* const stage = m_chooser ? m_chooser->stage_for(queries.front()) : m_stage.get();
+  if (stage) {
+    std::vector<CandidatePairs> proposals;
+    out = trivet::first_contacts(queries, *stage, &proposals, m_confirmation);
+    for (const CandidatePairs& proposal : proposals) note(proposal);
+  } else {
+    for (const FirstContactQuery& query : queries) out.push_back(trivet::first_contact(query));
+  }
+  for (const FirstContact& found : out) {
+    m_work.node_pairs += found.work.node_pairs;
+    m_work.face_pairs += found.work.face_pairs;
+    m_work.stalled += found.stalled;
+  }
+  m_work.seconds += stopwatch.milliseconds() / 1000;
+  return out;
 }
 
 void Detector::use_brackets(std::unique_ptr<BracketSource> source) {

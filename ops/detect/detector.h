@@ -13,7 +13,8 @@ namespace trivet {
 
 /// Summed cost of queries.
 struct DetectionWork {
-  std::int64_t num_queries = 0;
+  std::int64_t num_queries = 0;    // whose answers were used
+  std::int64_t early = 0;          // asked together with others before they were needed
   double seconds = 0;              // of these queries, wall clock
   std::int64_t node_pairs = 0;     // of BVHs
   std::int64_t face_pairs = 0;     // decided exactly
@@ -37,6 +38,14 @@ class Detector {
   ~Detector();
 
   FirstContact first_contact(const FirstContactQuery& query);
+
+  /// True if a GPU answers, which draws many queries at the cost of few.
+  bool asks_together() const { return !method().empty(); }
+  /// Answers to queries of which some may be used, see used_early().
+  std::vector<FirstContact> first_contacts_early(std::span<const FirstContactQuery> queries);
+  /// To be told when an early answer is used: it counts as a query then.
+  void used_early() { ++m_work.num_queries; }
+
   /// Sets how a stage's proposals are confirmed from now on.
   void set_confirmation(const Confirmation& confirmation) { m_confirmation = confirmation; }
   const Confirmation& confirmation() const { return m_confirmation; }
@@ -59,6 +68,7 @@ class Detector {
 
  private:
   FirstContact ask_stage(const FirstContactQuery& query, CandidateFinder& stage);
+  void note(const CandidatePairs& proposal);
 
   std::unique_ptr<CandidateFinder> m_stage;
   std::unique_ptr<BackendChooser> m_chooser;

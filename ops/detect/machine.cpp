@@ -17,7 +17,10 @@ Machine::Machine(MachineOptions options, Calibration calibration)
       m_calibration(std::make_shared<const Calibration>(std::move(calibration))) {}
 
 MachineKey Machine::key() const {
-  return {m_options.version, processor_name(), m_options.hardware};
+  std::string build;
+  for (const GpuSource& source : m_options.gpu) build += (build.empty() ? "" : ", ") + source.name;
+  return {m_options.version, std::move(build), processor_name(), m_options.hardware,
+          m_options.device};
 }
 
 std::shared_ptr<const Calibration> Machine::calibration() {
@@ -67,7 +70,7 @@ void Machine::tell(const Sentence& note) const {
 std::shared_ptr<const Calibration> Machine::read() const {
   std::error_code error;
   if (m_options.file.empty() || !std::filesystem::exists(m_options.file, error)) return nullptr;
-  Sentence why = "it is of another version, processor or driver";
+  Sentence why = "it is of another version, build, processor, driver or device";
   try {
     auto found = std::make_shared<const Calibration>(read_calibration(m_options.file));
     if (found->key == key()) return found;

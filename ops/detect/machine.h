@@ -13,6 +13,7 @@ namespace trivet {
 struct MachineOptions {
   std::string version;   // of Trivet: another one measures again
   std::string hardware;  // of graphics, such as from graphics_hardware(); empty: none
+  int device = 0;        // of OpenGL that `gpu` uses; 0: the usual one
   std::vector<GpuSource> gpu;
   int num_threads = 0;  // of software z-lists; 0: all cores
   std::string file;     // where the calibration is kept; empty: nowhere

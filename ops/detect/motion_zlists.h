@@ -10,7 +10,7 @@ namespace trivet {
 struct MotionZLists {
   MotionDepths depths;        // by software, whatever the source of the pairs
   double floor = kInfinity;   // time of the contact with the floor, up to which the others matter
-  CandidatePairs candidates;  // proposed by the stage, less those that Embree does not confirm
+  CandidatePairs candidates;  // proposed by the stage, less those that Embree does not visit
   FirstContact contact;       // the answer, the same bits whatever the stage
   /// The first of these, by `not_before`: those that their bounds did not rule out either when the
   /// first contact was decided.
@@ -21,9 +21,6 @@ struct MotionZLists {
   double lower() const { return std::min(depths.lower, floor); }
   double upper() const { return std::min(depths.upper, floor); }
 };
-
-/// Embree is asked about all pairs but the first ones.
-inline constexpr Confirmation kConfirmAll{.enabled = true, .fewest_pairs = 0};
 
 /// @param stage  proposes the pairs; where it gives up, `candidates` are not usable and
 ///   none are confirmed.

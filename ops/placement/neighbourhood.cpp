@@ -69,19 +69,56 @@ Neighbours Neighbourhood::near(const Aabb& box, double margin) const {
 
 Aabb Neighbourhood::box() const { return m_scene->extent_without(m_without).box; }
 
-ObstacleContact first_contact(std::span<const Body> moving, const Neighbourhood& others,
-                              const Motion& motion, const Clearance& clearance, Detector* detector,
-                              SeparatingPlanes* planes) {
-  Aabb box;
-  for (const Body& body : moving)
-    if (!body.world_box.empty()) box.extend(body.world_box);
-  const double margin = 1.01 * clearance.largest_stop() + 1e-13 * box.max_abs_coordinate();
-  const Neighbours near = others.near(swept_box(box, motion, margin), 0);
-  const FirstContactQuery query{moving, near.bodies, others.floor(), motion, clearance, planes};
-  const FirstContact found = detector ? detector->first_contact(query) : first_contact(query);
+namespace {
+
+// Finds the neighbours that a motion of these bodies may meet.
+class NearMotion {
+ public:
+  explicit NearMotion(std::span<const Body> moving) {
+    for (const Body& body : moving)
+      if (!body.world_box.empty()) m_box.extend(body.world_box);
+  }
+  Neighbours find(const Neighbourhood& others, const Motion& motion,
+                  const Clearance& clearance) const {
+    const double margin = 1.01 * clearance.largest_stop() + 1e-13 * m_box.max_abs_coordinate();
+    return others.near(swept_box(m_box, motion, margin), 0);
+  }
+
+ private:
+  Aabb m_box;
+};
+
+ObstacleContact with_obstacle(const FirstContact& found, const Neighbours& near) {
   ObstacleContact out{found, Support::floor()};
   if (found.status != FirstContact::Status::Free && found.fixed != FirstContact::kFloor)
     out.with = near.ids[found.fixed];
+  return out;
+}
+
+}  // namespace
+
+ObstacleContact first_contact(std::span<const Body> moving, const Neighbourhood& others,
+                              const Motion& motion, const Clearance& clearance, Detector* detector,
+                              SeparatingPlanes* planes) {
+  const Neighbours near = NearMotion(moving).find(others, motion, clearance);
+  const FirstContactQuery query{moving, near.bodies, others.floor(), motion, clearance, planes};
+  return with_obstacle(detector ? detector->first_contact(query) : first_contact(query), near);
+}
+
+std::vector<ObstacleContact> first_contacts_early(std::span<const Body> moving,
+                                                  const Neighbourhood& others,
+                                                  std::span<const Motion> motions,
+                                                  const Clearance& clearance, Detector& detector,
+                                                  SeparatingPlanes* planes) {
+  const NearMotion near_motion(moving);
+  std::vector<Neighbours> near;
+  for (const Motion& motion : motions) near.push_back(near_motion.find(others, motion, clearance));
+  std::vector<FirstContactQuery> queries;
+  for (size_t i = 0; i < motions.size(); ++i)
+    queries.push_back({moving, near[i].bodies, others.floor(), motions[i], clearance, planes});
+  const std::vector<FirstContact> found = detector.first_contacts_early(queries);
+  std::vector<ObstacleContact> out;
+  for (size_t i = 0; i < motions.size(); ++i) out.push_back(with_obstacle(found[i], near[i]));
   return out;
 }
 

@@ -68,5 +68,12 @@ struct ObstacleContact : FirstContact {
 ObstacleContact first_contact(std::span<const Body> moving, const Neighbourhood& others,
                               const Motion& motion, const Clearance& clearance, Detector* detector,
                               SeparatingPlanes* planes = nullptr);
+/// The same for many motions from here, asked together and early: see
+/// Detector::first_contacts_early().
+std::vector<ObstacleContact> first_contacts_early(std::span<const Body> moving,
+                                                  const Neighbourhood& others,
+                                                  std::span<const Motion> motions,
+                                                  const Clearance& clearance, Detector& detector,
+                                                  SeparatingPlanes* planes);
 
 }  // namespace trivet

@@ -97,8 +97,7 @@ class FrictionSettling {
   bool none_topples(const std::vector<FrictionContact>& contacts) {
     const double tolerance = kBalanceTolerance * clearance();
     const std::vector<Candidate> turns = sticking_turns(contacts, rubbing(), true);
-    return std::none_of(turns.begin(), turns.end(),
-                        [&](const Candidate& c) { return m_body.can_sink(c.motion, tolerance); });
+    return !m_body.any_can_sink(turns, tolerance);
   }
 
   Hold is_held() {
@@ -160,23 +159,39 @@ class FrictionSettling {
       }
       sort_by_gain(motions);
       for (const Candidate& c : frictionless_slide(contacts, body)) motions.push_back(c);
-      for (const Candidate& c : motions)
-        if (const auto done = attempt(c, contacts)) return *done;
+      for (size_t i = 0; i < motions.size(); ++i) {
+        if (i == 1) foresee_after_first(motions);
+        if (const auto done = attempt(motions[i], contacts)) return *done;
+      }
       if (contacts.size() == num_known) break;
     }
     if (first.duration > 0 && execute_screw(contacts, body, first)) return Outcome::Moved;
     return take_best();
   }
 
+  // Most often the first one moves it: the others are asked about, together, when it does not.
+  void foresee_after_first(const std::vector<Candidate>& candidates) {
+    std::vector<Motion> motions;
+    for (size_t i = 1; i < candidates.size(); ++i)
+      motions.push_back(as_tried(candidates[i]).motion);
+    m_body.foresee(motions);
+  }
+
+  // As far as it is tried.
+  Candidate as_tried(Candidate c) const {
+    if (c.kind == SettleStep::Kind::Slide && c.motion.kind == Motion::Kind::Translation)
+      c.motion.limit *= m_slide_steps;
+    if (c.motion.kind == Motion::Kind::Rotation)
+      c.motion.limit = std::min(c.motion.limit, m_problem.longest_turn);
+    return c;
+  }
+
   // Executes it if it gets far enough. @return nothing if it does not; what blocks it joins the
   // contacts then.
   std::optional<Outcome> attempt(const Candidate& candidate,
                                  std::vector<FrictionContact>& contacts) {
-    Candidate c = candidate;
+    const Candidate c = as_tried(candidate);
     const bool slides = c.kind == SettleStep::Kind::Slide;
-    if (slides && c.motion.kind == Motion::Kind::Translation) c.motion.limit *= m_slide_steps;
-    if (c.motion.kind == Motion::Kind::Rotation)
-      c.motion.limit = std::min(c.motion.limit, m_problem.longest_turn);
     const ObstacleContact found = m_body.query(c.motion);
     if (found.status == FirstContact::Status::Crossing && num_steps() == 0)
       return Outcome::Crossing;

@@ -110,9 +110,7 @@ class Settling {
 
   // By more than the contacts' tolerance.
   bool none_sinks(const std::vector<Candidate>& motions) {
-    const double tolerance = kBalanceTolerance * clearance();
-    return std::none_of(motions.begin(), motions.end(),
-                        [&](const Candidate& c) { return m_body.can_sink(c.motion, tolerance); });
+    return !m_body.any_can_sink(motions, kBalanceTolerance * clearance());
   }
 
   std::vector<Candidate> candidate_motions(const std::vector<ContactPoint>& points) const {
@@ -126,9 +124,18 @@ class Settling {
     return last_resorts(points, object());
   }
 
+  // Most often the first one moves it: the others are asked about, together, when it does not.
+  void foresee_after_first(const std::vector<Candidate>& candidates) {
+    std::vector<Motion> motions;
+    for (size_t i = 1; i < candidates.size(); ++i) motions.push_back(candidates[i].motion);
+    m_body.foresee(motions);
+  }
+
   // Executes the first candidate that lowers the centre of mass by `least` clearances.
   Outcome give_way(const std::vector<Candidate>& candidates, double least) {
-    for (const Candidate& c : candidates) {
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      if (i == 1) foresee_after_first(candidates);
+      const Candidate& c = candidates[i];
       const FirstContact found = m_body.query(c.motion);
       if (found.status == FirstContact::Status::Crossing && m_body.outcome().steps.empty())
         return Outcome::Crossing;

@@ -7,6 +7,7 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "core/scene/friction.h"
+#include "ops/detect/detector.h"
 #include "ops/settle/rest.h"
 #include "ops/settle/separation.h"
 
@@ -39,6 +40,7 @@ SettlingBody::SettlingBody(const SettleProblem& problem) : m_problem(problem) {
 }
 
 void SettlingBody::update() {
+  m_foreseen.clear();
   m_bodies = {Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale))};
   for (size_t i = 0; i < m_problem.carried.size(); ++i) {
     const CarriedShape& c = m_problem.carried[i];
@@ -149,11 +151,36 @@ std::vector<TouchedPoint> SettlingBody::touched(double num_clearances) const {
 ObstacleContact SettlingBody::query(const Motion& motion) {
   Clearance keep;
   keep.distance = clearance();
-  ObstacleContact found =
-      first_contact(m_bodies, *m_problem.others, motion, keep, m_problem.detector, &m_planes);
+  const std::optional<ObstacleContact> known = foreseen(motion);
+  if (known) m_problem.detector->used_early();
+  ObstacleContact found = known ? *known
+                                : first_contact(m_bodies, *m_problem.others, motion, keep,
+                                                m_problem.detector, &m_planes);
   ++m_out.num_queries;
   m_out.num_face_pairs += found.work.face_pairs;
   return found;
+}
+
+void SettlingBody::foresee(std::span<const Motion> motions) {
+  Detector* const detector = m_problem.detector;
+  if (!detector || !detector->asks_together()) return;
+  std::vector<Motion> unknown;
+  for (const Motion& motion : motions)
+    if (!foreseen(motion)) unknown.push_back(motion);
+  if (unknown.size() < 2) return;
+  Clearance keep;
+  keep.distance = clearance();
+  const auto found =
+      first_contacts_early(m_bodies, *m_problem.others, unknown, keep, *detector, &m_planes);
+  for (size_t i = 0; i < unknown.size(); ++i) m_foreseen.emplace_back(unknown[i], found[i]);
+}
+
+std::optional<ObstacleContact> SettlingBody::foreseen(const Motion& motion) const {
+  for (const auto& [known, found] : m_foreseen)
+    if (known.kind == motion.kind && known.axis == motion.axis && known.centre == motion.centre &&
+        known.limit == motion.limit)
+      return found;
+  return std::nullopt;
 }
 
 double SettlingBody::fall_limit() const {
@@ -169,14 +196,30 @@ double SettlingBody::sinks_by(const Motion& motion, double time) const {
   return m_object.centre.z() - moved_point(m_object.centre, motion, time).z();
 }
 
-bool SettlingBody::can_sink(const Motion& motion, double drop) {
-  if (sinks_by(motion, motion.limit) <= drop) return false;
+// No longer than it takes to sink so far; nothing: it never does.
+std::optional<Motion> SettlingBody::part_that_sinks(const Motion& motion, double drop) const {
+  if (sinks_by(motion, motion.limit) <= drop) return std::nullopt;
   Motion part = motion;
   while (sinks_by(motion, 0.5 * part.limit) > drop) part.limit *= 0.5;
-  return sinks_by(motion, std::min(query(part).time, part.limit)) > drop;
+  return part;
+}
+
+bool SettlingBody::can_sink(const Motion& motion, double drop) {
+  const std::optional<Motion> part = part_that_sinks(motion, drop);
+  return part && sinks_by(motion, std::min(query(*part).time, part->limit)) > drop;
+}
+
+bool SettlingBody::any_can_sink(std::span<const Candidate> candidates, double drop) {
+  std::vector<Motion> parts;
+  for (const Candidate& c : candidates)
+    if (const auto part = part_that_sinks(c.motion, drop)) parts.push_back(*part);
+  foresee(parts);
+  return std::any_of(candidates.begin(), candidates.end(),
+                     [&](const Candidate& c) { return can_sink(c.motion, drop); });
 }
 
 void SettlingBody::execute(SettleStep::Kind kind, const Motion& motion, double time, double drop) {
+  m_foreseen.clear();
   m_out.pose = moved_pose(m_out.pose, motion, time);
   for (Pose& pose : m_out.carried) pose = moved_pose(pose, motion, time);
   m_out.steps.push_back({kind, m_out.pose, drop});
@@ -199,6 +242,7 @@ bool SettlingBody::separate_if_needed(const std::vector<ContactPoint>& points) {
 }
 
 void SettlingBody::go_back(const Place& place) {
+  m_foreseen.clear();
   m_out.pose = place.pose;
   m_out.carried = place.carried;
   m_out.steps.resize(place.num_steps, {});

@@ -1,6 +1,9 @@
 // The object that settles, with what it carries: where it is, what it touches, how it moves.
 #pragma once
 
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "ops/settle/candidates.h"
@@ -35,12 +38,16 @@ class SettlingBody {
   double friction_with(Index body, const Support& with) const;
 
   ObstacleContact query(const Motion& motion);
+  /// Where a GPU answers: asks about these motions together; query() then knows the answers until
+  /// the body moves.
+  void foresee(std::span<const Motion> motions);
   /// Metres that it may fall before it is below everything; 0 when nothing is below.
   double fall_limit() const;
   double sinks_by(const Motion& motion, double time) const;
   /// True if a motion to where the centre is lowest sinks by more than `drop` before its first
   /// contact. Looks no farther than that takes.
   bool can_sink(const Motion& motion, double drop);
+  bool any_can_sink(std::span<const Candidate> candidates, double drop);
   void execute(SettleStep::Kind kind, const Motion& motion, double time, double drop);
   /// Opens gaps that shrank below half the clearance, by the smallest translation.
   /// @return whether it has moved.
@@ -61,6 +68,8 @@ class SettlingBody {
   SettleOutcome finish(SettleOutcome::Status status);
 
  private:
+  std::optional<Motion> part_that_sinks(const Motion& motion, double drop) const;
+  std::optional<ObstacleContact> foreseen(const Motion& motion) const;
   std::vector<ContactsWith> contacts_of(size_t body, double num_clearances) const;
   bool is_lower_than_seen() const;
   double own_friction(Index body) const;
@@ -72,7 +81,8 @@ class SettlingBody {
   SeparatingPlanes m_planes;  // every motion meets faces of the one before
   SettleOutcome m_out;
   SettlingObject m_object;
-  std::vector<Body> m_bodies;  // the object, then what it carries
+  std::vector<Body> m_bodies;                                  // the object, then what it carries
+  std::vector<std::pair<Motion, ObstacleContact>> m_foreseen;  // from here
   bool m_loads_weigh = false;
   int m_num_separating_motions = 0;
   // When it last looked around: the height of its centre, and the number of its steps.

@@ -97,16 +97,21 @@ gpu_wins() {  # COLUMN
 }
 
 # A layout by each backend: the same bytes; auto asks the GPU where it is twice as fast, and none without hardware.
-gpu_ways=("gpu --gpu-method framebuffer" "gpu --gpu-method compute")
+gpu_ways=("framebuffer" "compute")
 ways=("bvh" "auto" "software" "${gpu_ways[@]}")
 check_layout() {  # NAME COLUMN COMMAND...
-  local name="$1" column="$2" way hashes="" failed=0 found
+  local name="$1" column="$2" way hashes="" failed=0 found from count
   shift 2
   for way in "${ways[@]}"; do
+    from="$(now_ms)"
     # shellcheck disable=SC2086
-    if ! timeout 120 "$kit/bin/trivet" "$@" -o "$work/s.glb" --report "$work/r.json" --backend $way >/dev/null 2>"$work/why"; then
+    if ! timeout 120 "$kit/bin/trivet" "$@" -o "$work/s.glb" --report "$work/r.json" --detector $way >/dev/null 2>"$work/why"; then
       say "FAILED: $name by $way: $(tail -n 1 "$work/why")"; failed=1; continue
     fi
+    cell["$name, ms|$way"]=$(($(now_ms) - from))
+    for count in queries early_queries draws read_backs; do
+      if [ "$(number_in draws "$work/r.json")" -gt 0 ]; then cell["$name, ${count//_/ }|$way"]="$(number_in $count "$work/r.json")"; fi
+    done
     hashes+="$(sha256sum <"$work/s.glb")"$'\n'
     found="$(sed -n 's/^ *"backend": "\(.*\)".*/\1/p' "$work/r.json")"
     echo "$name by $way: $found, $(sha256sum <"$work/s.glb" | cut -c 1-16)" >>"$out/auto.txt"

@@ -33,7 +33,7 @@ for test in "$build"/tests/test_gpu_*; do
 done
 [ $found = 1 ] || { echo "$build/tests/test_gpu_* are missing: build them" >&2; exit 2; }
 
-ldd "$root"/bin/* | sed -n 's/^[[:space:]]*\([^ ]*\) => \(\/[^ ]*\) .*/\1 \2/p' | sort -u | while read -r name path; do
+{ ldd "$root"/bin/*; ldd "$build"/apps/python/trivet/*.so 2>/dev/null || true; } | sed -n 's/^[[:space:]]*\([^ ]*\) => \(\/[^ ]*\) .*/\1 \2/p' | sort -u | while read -r name path; do
   if [[ $name =~ $glibc || $name =~ $driver ]]; then continue; fi
   folder=lib; if [[ $name =~ $shared ]]; then folder=lib/machine; fi
   install -m 644 "$(readlink -f "$path")" "$root/$folder/$name"
@@ -49,7 +49,12 @@ newest() { objdump -T "$root"/bin/* "$root"/lib/*.so* "$root"/lib/machine/* 2>/d
 printf '%s\n%s\n' "$(newest GLIBC_2)" "$(newest GLIBCXX_3)" >"$root/NEEDS"
 git -C "$here" describe --always --dirty >"$root/COMMIT" 2>/dev/null || echo unknown >"$root/COMMIT"
 install -m 755 "$here/run.sh" "$root/run.sh"
-install -m 644 "$here/check_auto.sh" "$root/check_auto.sh"
+install -m 644 "$here/check_auto.sh" "$here/ways.sh" "$here/../../apps/farm/examples/breakfast.json" "$root/"
+if [ -f "$build/apps/python/trivet/__init__.py" ]; then  # configured with Python's package
+  mkdir -p "$root/python" && cp -r "$build/apps/python/trivet" "$root/python/"
+  printf '"""Programs of the kit."""\nIMPORTER = "../../bin/trivet-import"\n' >"$root/python/trivet/_paths.py"
+  find "$root/python" -name '*.so' -exec strip --strip-unneeded {} +
+fi
 
 tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@0 -C "$work" -cf - trivet-kit | $packer >"$out"
 bytes="$(stat -c %s "$out")"

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Measures Trivet on this machine's GPU, without installing anything, within 10 minutes:
-#   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,confirm,zlists]
+#   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,together,confirm,zlists]
 # Leaves in the folder OUT: summary.txt, backends.txt and backends.json (devices, self-tests, what `auto` takes), auto.txt (layouts by `auto`
-# and by each backend), tests.txt, table1.md, confirm.md, zlists.md, zlists.csv. Status 0: done; 1: a test or a measurement failed, or `auto` does not
-# take what is fastest; 3: no hardware renderer answers, unless --allow-software is given, for trying the kit where there is none.
+# and by each detector), tests.txt, table1.md, together.md, confirm.md, zlists.md, zlists.csv, and table.md (layouts, batches and Python by each
+# detector). Status 0: done; 1: a test or a measurement failed, or `auto` does not take what is fastest; 3: no hardware renderer
+# answers, unless --allow-software is given, for trying the kit where there is none.
 set -uo pipefail
 kit="$(dirname "$(readlink -f "$0")")"
-out="" parts="table1 confirm zlists" allow=0
+out="" parts="table1 together confirm zlists" allow=0
 while [ $# -gt 0 ]; do
   case "$1" in
     --allow-software) allow=1 ;;
@@ -75,7 +76,11 @@ fi
 # shellcheck source=perf/kit/check_auto.sh
 . "$kit/check_auto.sh"
 check_table || status=1
+# shellcheck source=perf/kit/ways.sh
+. "$kit/ways.sh"
 check_layouts || status=1
+check_batch "$([ $hardware = 1 ] && echo 20 || echo 2)" || status=1
+check_python || status=1
 
 : >"$out/tests.txt"
 for test in "$kit"/bin/test_gpu_*; do
@@ -101,5 +106,6 @@ for part in $parts; do
   say "trivet_perf --only $part: status $code, $(grep -c '^|' "$out/$part.md") rows, $(grep -c WRONG "$out/$part.md") wrong"
   if grep -q WRONG "$out/$part.md"; then status=1; fi
 done
+write_table
 say "$([ $status = 0 ] && echo done || echo FAILED) after $SECONDS s"
 exit $status

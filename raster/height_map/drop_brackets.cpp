@@ -46,58 +46,82 @@ std::vector<Tile> tiles_of(const HeightMap& object, const std::vector<float>& he
   return out;
 }
 
+// The lowest and highest of heights in the window that begins at each pixel.
+struct Windows {
+  std::vector<float> lowest, highest;
+
+  Windows() = default;
+  // Windows must end within their rows.
+  Windows(const std::vector<float>& heights, int stride, int width, int height)
+      : lowest(heights), highest(heights) {
+    widen(1, width);
+    widen(size_t(stride), height);
+  }
+
+ private:
+  // Two windows that overlap make one, at most twice as long.
+  void widen(size_t along, int wanted) {
+    for (int length = 1, more = 0; length < wanted; length += more) {
+      more = std::min(length, wanted - length);
+      const size_t step = along * more;
+      const auto count = static_cast<Eigen::Index>(lowest.size() - step);
+      using Line = Eigen::Map<Eigen::ArrayXf>;
+      Line low(lowest.data(), count), high(highest.data(), count);
+      low = low.min(Line(lowest.data() + step, count));
+      high = high.max(Line(highest.data() + step, count));
+    }
+  }
+};
+
 // The scene with an empty margin to the right and below, so that tiles and lanes fit everywhere.
 struct Top {
   int stride = 0, num_rows = 0;
   std::vector<float> heights;
-  std::vector<float> lowest, highest;  // in the tile that begins at each pixel
+  Windows tiles, objects;  // of the size of a tile, and of the object
 
   Top() = default;
-  Top(const HeightMap& scene, const std::vector<float>& from)
+  Top(const HeightMap& object, const HeightMap& scene, const std::vector<float>& from)
       : stride(scene.width + kSide + kLanes),
         num_rows(scene.height + kSide),
         heights(size_t(stride) * num_rows, -kEmpty) {
     for (int y = 0; y < scene.height; ++y)
       std::copy_n(&from[scene.index(0, y)], scene.width, &heights[index(0, y)]);
-    lowest = highest = heights;
-    for (const size_t along : {size_t{1}, size_t(stride)})
-      for (size_t step = along; step < kSide * along; step *= 2) widen(step);
+    tiles = Windows(heights, stride, kSide, kSide);
+    objects = Windows(heights, stride, object.width, object.height);
   }
   size_t index(int column, int row) const { return size_t(row) * stride + column; }
-
- private:
-  // Only margin lies between the end of a row and the start of the next.
-  void widen(size_t step) {
-    const auto count = static_cast<Eigen::Index>(heights.size() - step);
-    using Line = Eigen::Map<Eigen::ArrayXf>;
-    Line low(lowest.data(), count), high(highest.data(), count);
-    low = low.min(Line(lowest.data() + step, count));
-    high = high.max(Line(highest.data() + step, count));
-  }
 };
 
-// The smallest difference of an object's heights and a scene's, by branch and bound: it is at most
-// a tile's lowest less the lowest under the tile, and in no tile below the lowest less the highest
-// there. Rounding is monotone, so that this holds for rounded differences.
+// The smallest difference of an object's heights and a scene's. Over a flat part of the scene it is
+// the object's lowest less that height. Elsewhere by branch and bound: it is at most a tile's
+// lowest less the lowest under the tile, and in no tile below the lowest less the highest there.
+// Rounding is monotone, so that all this holds for rounded differences.
 class SmallestGaps {
  public:
   SmallestGaps(const HeightMap& object, const std::vector<float>& object_heights,
                const HeightMap& scene, const std::vector<float>& scene_heights)
       : m_tiles(tiles_of(object, object_heights)) {
-    if (!m_tiles.empty()) m_top = Top(scene, scene_heights);
+    if (m_tiles.empty()) return;
+    m_top = Top(object, scene, scene_heights);
+    for (const Tile& tile : m_tiles) m_lowest = std::min(m_lowest, tile.lowest);
   }
 
   // At the first `count` places from (column, row) on.
   // @param bounds  scratch.
   Lanes at(int column, int row, int count, std::vector<Lanes>& bounds) const {
+    if (m_tiles.empty()) return Lanes::Constant(kEmpty);
+    const size_t place = m_top.index(column, row);
+    const Eigen::Map<const Lanes> low(&m_top.objects.lowest[place]);
+    const Eigen::Map<const Lanes> high(&m_top.objects.highest[place]);
+    if ((low == high).head(count).all()) return m_lowest - high;
     bounds.resize(m_tiles.size());
     Lanes least = Lanes::Constant(kEmpty), most = least;
     for (size_t k = 0; k < m_tiles.size(); ++k) {
       const Tile& tile = m_tiles[k];
       const size_t under = m_top.index(column + tile.column, row + tile.row);
-      bounds[k] = tile.lowest - Eigen::Map<const Lanes>(&m_top.highest[under]);
+      bounds[k] = tile.lowest - Eigen::Map<const Lanes>(&m_top.tiles.highest[under]);
       least = least.min(bounds[k]);
-      most = most.min(tile.lowest - Eigen::Map<const Lanes>(&m_top.lowest[under]));
+      most = most.min(tile.lowest - Eigen::Map<const Lanes>(&m_top.tiles.lowest[under]));
     }
     for (int lane = 0; lane < count; ++lane)
       if (least[lane] < most[lane])
@@ -129,6 +153,7 @@ class SmallestGaps {
   }
 
   std::vector<Tile> m_tiles;
+  float m_lowest = kEmpty;  // of all tiles
   Top m_top;
 };
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "raster/zlist/depth_map.h"
+#include "raster/zlist/draw_faces.h"
 
 namespace trivet {
 namespace {
@@ -34,9 +34,34 @@ bool beside(const Aabb& box, const MapGrid& grid) {
          (box.lower.head<2>().array() > end.array()).any();
 }
 
-DepthMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& view, double ceiling) {
-  DepthMap map(grid.width, grid.height);
-  DepthMapSink sink(map);
+/// One side of what is drawn, in pixels: the highest (kTop) or the lowest depths, and those that
+/// the lines through the centres meet for certain.
+template <bool kTop>
+class SideSink final : public SpanSink {
+ public:
+  explicit SideSink(HeightMap& map) : m_map(map) {}
+  void span(const Span& s) override {
+    const size_t at = m_map.index(s.first, s.row);
+    float *bound = &m_map.bound[at], *sample = &m_map.sample[at];
+    for (int i = 0; i < s.count; ++i)
+      bound[i] = kTop ? std::max(bound[i], s.upper[i]) : std::min(bound[i], s.lower[i]);
+    if (!(s.centre_error <= kLargestCentreError)) return;
+    for (int i = 0; i < s.count; ++i) {
+      const float met = kTop ? s.centre[i] - s.centre_error : s.centre[i] + s.centre_error;
+      const bool better = kTop ? met > sample[i] : met < sample[i];  // false for NaN
+      sample[i] = better ? met : sample[i];
+    }
+  }
+
+ private:
+  HeightMap& m_map;
+};
+
+template <bool kTop>
+HeightMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& view,
+               double ceiling) {
+  HeightMap map(grid.width, grid.height, kTop ? -kNothingBelow : kNothingBelow);
+  SideSink<kTop> sink(map);
   TriangleRaster raster(view);
   const double highest = (ceiling - grid.level) / grid.pixel;
   for (const Body& body : bodies) {
@@ -53,19 +78,36 @@ DepthMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& vie
   return map;
 }
 
-// out[x] = max(out[x], maximum of row[x - half .. x + half]); linear for any `half`: running maxima
-// from the left and from the right ends of blocks of that length [van Herk 1992].
-void take_highest_in_reach(const float* row, int half, std::span<float> out) {
-  const int length = 2 * half + 1, count = static_cast<int>(out.size()) + 2 * half;
-  std::vector<float> from_left(count), from_right(count);
-  const float* first = row - half;
-  for (int i = 0; i < count; ++i)
-    from_left[i] = i % length == 0 ? first[i] : std::max(from_left[i - 1], first[i]);
-  for (int i = count - 1; i >= 0; --i)
-    from_right[i] =
-        i + 1 == count || (i + 1) % length == 0 ? first[i] : std::max(from_right[i + 1], first[i]);
-  for (size_t x = 0; x < out.size(); ++x)
-    out[x] = std::max({out[x], from_right[x], from_left[x + 2 * half]});
+/// Maxima of a row's reaches, linear for any reach: by running maxima from the left and from the
+/// right ends of blocks of its length [van Herk 1992].
+class ReachOfRow {
+ public:
+  ReachOfRow(int width, int border)
+      : m_left(width + 2 * border), m_right(m_left.size()), m_highest(width) {}
+
+  /// The maximum of row[x - half .. x + half], for each x of the width.
+  const std::vector<float>& highest(const float* row, int half) {
+    const int length = 2 * half + 1, count = static_cast<int>(m_highest.size()) + 2 * half;
+    const float* first = row - half;
+    for (int begin = 0; begin < count; begin += length) {
+      const int end = std::min(begin + length, count);
+      m_left[begin] = first[begin];
+      for (int i = begin + 1; i < end; ++i) m_left[i] = std::max(m_left[i - 1], first[i]);
+      m_right[end - 1] = first[end - 1];
+      for (int i = end - 2; i >= begin; --i) m_right[i] = std::max(m_right[i + 1], first[i]);
+    }
+    for (size_t x = 0; x < m_highest.size(); ++x)
+      m_highest[x] = std::max(m_right[x], m_left[x + 2 * half]);
+    return m_highest;
+  }
+
+ private:
+  std::vector<float> m_left, m_right, m_highest;
+};
+
+void take_higher(const std::vector<float>& row, HeightMap& map, int y) {
+  float* const out = &map.bound[map.index(0, y)];
+  for (int x = 0; x < map.width; ++x) out[x] = std::max(out[x], row[x]);
 }
 
 }  // namespace
@@ -84,11 +126,11 @@ MapGrid MapGrid::about(const Aabb& box, double pixel, double level) {
 HeightMap draw_underside(std::span<const Body> bodies, const MapGrid& grid, double growth) {
   HeightMap out(grid.width, grid.height, kNothingBelow);
   const ZListFrame frame = frame_of(grid, growth);
-  const DepthMap map = draw(bodies, grid, View::whole(frame, true), kInfinity);
+  const HeightMap map = draw<false>(bodies, grid, View::whole(frame, true), kInfinity);
   const auto pixel = static_cast<float>(grid.pixel);
   for (size_t i = 0; i < out.bound.size(); ++i) {
-    if (map.lower[i] < kNothingBelow) out.bound[i] = lowered(pixel * map.lower[i]);
-    if (map.lowest_centre[i] < kNothingBelow) out.sample[i] = raised(pixel * map.lowest_centre[i]);
+    if (map.bound[i] < kNothingBelow) out.bound[i] = lowered(pixel * map.bound[i]);
+    if (map.sample[i] < kNothingBelow) out.sample[i] = raised(pixel * map.sample[i]);
   }
   return out;
 }
@@ -101,13 +143,13 @@ HeightMap draw_top(std::span<const Body> bodies, const MapGrid& grid, bool floor
     std::fill(out.sample.begin(), out.sample.end(), lowered(height));
   }
   const ZListFrame frame = frame_of(grid, 0);
-  const DepthMap map = draw(bodies, grid, View::whole(frame, false), ceiling);
+  const HeightMap map = draw<true>(bodies, grid, View::whole(frame, false), ceiling);
   const auto pixel = static_cast<float>(grid.pixel);
   for (size_t i = 0; i < out.bound.size(); ++i) {
-    if (map.upper[i] > -kNothingBelow)
-      out.bound[i] = std::max(out.bound[i], raised(pixel * map.upper[i]));
-    if (map.highest_centre[i] > -kNothingBelow)
-      out.sample[i] = std::max(out.sample[i], lowered(pixel * map.highest_centre[i]));
+    if (map.bound[i] > -kNothingBelow)
+      out.bound[i] = std::max(out.bound[i], raised(pixel * map.bound[i]));
+    if (map.sample[i] > -kNothingBelow)
+      out.sample[i] = std::max(out.sample[i], lowered(pixel * map.sample[i]));
   }
   return out;
 }
@@ -116,12 +158,17 @@ HeightMap widened_top(const HeightMap& map, double pixels, int border) {
   HeightMap out(map.width - 2 * border, map.height - 2 * border, -kNothingBelow);
   const auto r = static_cast<int>(pixels);
   assert(r <= border);
-  for (int dy = -r; dy <= r; ++dy) {
-    const auto half = static_cast<int>(std::sqrt(pixels * pixels - dy * dy));
-    for (int y = 0; y < out.height; ++y)
-      take_highest_in_reach(&map.bound[map.index(border, y + border + dy)], half,
-                            {&out.bound[out.index(0, y)], size_t(out.width)});
-  }
+  ReachOfRow reach(out.width, border);
+  // Each row of the map raises those above and below it that are within reach.
+  const auto is_in = [&](int y) { return y >= 0 && y < out.height; };
+  for (int y = -r; y < out.height + r; ++y)
+    for (int dy = 0; dy <= r; ++dy) {
+      if (!is_in(y - dy) && !is_in(y + dy)) continue;
+      const auto half = static_cast<int>(std::sqrt(pixels * pixels - dy * dy));
+      const auto& highest = reach.highest(&map.bound[map.index(border, y + border)], half);
+      if (is_in(y - dy)) take_higher(highest, out, y - dy);
+      if (dy > 0 && is_in(y + dy)) take_higher(highest, out, y + dy);
+    }
   return out;
 }
 

@@ -75,12 +75,12 @@ int gettimeofday(struct timeval* now, void* zone) {
   return result;
 }
 
-// Requests of workers are their scene's number, in eight bytes.
+// Requests of workers are 16 bytes, which begin with the scene's number.
 ssize_t recv(int socket, void* bytes, size_t size, int flags) {
   const ssize_t count =
       ((ssize_t(*)(int, void*, size_t, int))dlsym(RTLD_NEXT, "recv"))(socket, bytes, size, flags);
   uint64_t k = 0;
-  if (!getenv("FAULTY_SCENE") || count != sizeof k) return count;
+  if (!getenv("FAULTY_SCENE") || count != 16) return count;
   memcpy(&k, bytes, sizeof k);
   if (k != (uint64_t)number("FAULTY_SCENE")) return count;
   FILE* log = fopen(getenv("FAULTY_LOG"), "a");

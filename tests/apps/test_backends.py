@@ -35,13 +35,13 @@ class Backends(Case):
         found, texts = {}, set()
         for backend in BACKENDS:
             output = ["-o", backend + ".glb"] if scenes else []
-            _, err = self.trivet(*arguments, *output, "--report", "r.json", "--backend", backend,
+            _, err = self.trivet(*arguments, *output, "--report", "r.json", "--detector", backend,
                                  status=statuses)
             report = self.read_json("r.json")
             found[backend] = {key: report[key] for key in OWN_KEYS}
             texts.add(common_part(report))
             if backend == "gpu" and not self.has_gpu:
-                self.assertEqual(report["backend"], "software")
+                self.assertEqual(report["backend"], "bvh")
                 self.assertIn("used instead of the GPU", err)
             else:
                 self.assertEqual(report["backend"], backend)
@@ -95,7 +95,7 @@ class Backends(Case):
         answers = set()
         for backend in BACKENDS:
             result = subprocess.run(
-                [PROGRAM, "session", "layout.json", "--journal", backend + ".journal", "--backend",
+                [PROGRAM, "session", "layout.json", "--journal", backend + ".journal", "--detector",
                  backend, "--verbose"], cwd=self.folder, input="\n".join(lines), text=True,
                 capture_output=True, timeout=300)
             self.assertEqual(result.returncode, 0, result.stderr)
@@ -121,7 +121,7 @@ class Backends(Case):
         """Requests the GPU in this environment: report and messages; results must not change."""
         layout = self.places_layout()
         self.trivet("run", layout, "-o", "bvh.glb", "--report", "bvh.json")
-        _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json", "--backend",
+        _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json", "--detector",
                              "gpu", env=env)
         report = self.read_json("gpu.json")
         self.assertEqual(common_part(self.read_json("bvh.json")), common_part(dict(report)))
@@ -132,9 +132,9 @@ class Backends(Case):
         report, err = self.on_gpu_with(__EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
         if report["backend"] == "gpu":
             self.skipTest("the drivers cannot be hidden here")
-        self.assertEqual(report["backend"], "software")
+        self.assertEqual(report["backend"], "bvh")
         self.assertEqual(err.count("trivet: note:"), 1, err)
-        self.assertIn("used instead of the GPU", err)
+        self.assertIn("BVHs are used instead of the GPU", err)
 
     def test_without_opengl_4_3(self):
         """z-lists work with framebuffers; places need compute shaders."""
@@ -148,54 +148,46 @@ class Backends(Case):
         self.assertIn("places are judged in software instead", err)
 
     def test_methods(self):
-        """--gpu-method and --gpu-lists are named in the report; results do not depend on them."""
+        """The report names the one that was asked for; results do not depend on it."""
         layout = self.two_cubes()
         self.trivet("run", layout, "-o", "bvh.glb", "--report", "bvh.json")
         for method, name in (("framebuffer", "framebuffers"), ("compute", "compute shaders")):
-            for lists in ("gpu", "software", "auto"):
-                _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json", "--backend", "gpu",
-                                     "--gpu-method", method, "--gpu-lists", lists, "--verbose")
-                report = self.read_json("gpu.json")
-                self.assertEqual(self.read("bvh.glb"), self.read("gpu.glb"))
-                if self.has_gpu:
-                    self.assert_listed(method, name, lists, report, err)
+            _, err = self.trivet("run", layout, "-o", "gpu.glb", "--report", "gpu.json", "--detector", method,
+                                 "--verbose")
+            report = self.read_json("gpu.json")
+            self.assertEqual(self.read("bvh.glb"), self.read("gpu.glb"))
+            if self.has_gpu:
+                self.assert_listed(method, name, report, err)
 
-    def assert_listed(self, method, name, lists, report, err):
+    def assert_listed(self, method, name, report, err):
         self.assertIn(name, report["device"])
         self.assertIn(name, err)
-        self.assertEqual((report["gpu_method"], report["gpu_lists"]), (method, lists))
+        self.assertEqual((report["gpu_method"], report["gpu_lists"]), (method, "auto"))
         work = report["work"]
         self.assertIn(f"by the GPU ({method}) in {work['lists_by_gpu']} queries, "
-                      f"in software in {work['lists_in_software']} ({lists})", err)
+                      f"in software in {work['lists_in_software']} (auto)", err)
+        self.assertIn(f"{work['draws']} draws, {work['read_backs']} read-backs", err)
         self.assertGreater(work["lists_by_gpu"] + work["lists_in_software"], 0)
-        if lists == "gpu":
-            self.assertEqual(work["lists_in_software"], 0)
-        elif lists == "software":
-            self.assertGreater(work["lists_in_software"], work["lists_by_gpu"])
 
-    def test_confirmation(self):
-        """--confirm is named in the report; results do not depend on it, on any backend."""
-        texts, scenes = set(), set()
-        for backend in BACKENDS:
-            for confirm in ("embree", "off", "auto"):
-                _, err = self.trivet("demo", "spoon-saucer", "-o", "s.glb", "--report", "r.json",
-                                     "--backend", backend, "--confirm", confirm, "--verbose")
-                report = self.read_json("r.json")
-                self.assertEqual(report.pop("confirmation"), confirm)
-                work = report["work"]
-                if backend == "bvh" or confirm == "off":
-                    self.assertEqual(work["asked_face_pairs"], 0)
-                elif confirm == "embree":
-                    self.assertGreater(work["asked_face_pairs"], 0)
-                    self.assertLessEqual(work["confirmed_face_pairs"], work["asked_face_pairs"])
-                if backend != "bvh":
-                    self.assertIn(f"Embree ({confirm})", err)
-                texts.add(common_part(report))
-                scenes.add(self.read("s.glb"))
-        self.assertEqual((len(texts), len(scenes)), (1, 1))
+    def test_devices(self):
+        """A device that is not there is an error where OpenGL may be used, and no concern of BVHs."""
+        run = ("run", self.two_cubes(), "-o", "s.glb")
+        self.trivet(*run, "--detector", "bvh", "--device", 99)
+        self.trivet(*run, "--detector", "bvh", "--device", "auto")
+        for device in ("0", "-1", "two", "1.5", ""):
+            self.refused(*run, "--device", device, says="accepted: auto, or the number of an EGL device, from 1")
+        if not self.has_gpu:
+            self.skipTest("no OpenGL here")
+        self.refused(*run, "--detector", "gpu", "--device", 99, "--quiet", says="device 99 is not accepted; accepted: auto")
+        self.trivet(*run, "--detector", "compute", "--device", 1, "--report", "r.json")
+        self.assertEqual(self.read_json("r.json")["gpu_method"], "compute")
+        _, err = self.trivet(*run, "--quiet", env={"TRIVET_EGL_DEVICE": "two"}, status=3)
+        self.assertIn('TRIVET_EGL_DEVICE is "two"; accepted', err)
+        out, _ = self.trivet("doctor", "--detector", "compute", "--device", 1, "--memory-mb", 1)
+        self.assertRegex(out, "ok +detector +compute: gpu, .*compute")
 
     def test_places(self):
-        """--backend selects the evaluation of places; results do not depend on it."""
+        """--detector selects the evaluation of places; results do not depend on it."""
         found = self.reports("run", self.places_layout())
         places = {f["work"]["places"] for f in found.values()}
         self.assertEqual(len(places), 1)
@@ -217,7 +209,7 @@ class Backends(Case):
         self.reports("run", layout, statuses=(0, 1))
 
     def test_verbose_prints_work_of_stages(self):
-        _, err = self.trivet("run", self.two_cubes(), "-o", "s.glb", "--backend", "software",
+        _, err = self.trivet("run", self.two_cubes(), "-o", "s.glb", "--detector", "software",
                              "--verbose")
         for words in ("stage 1, boxes:", "stage 2, depths:", "stage 3, lists:", "narrow phase:"):
             self.assertIn(words, err)
@@ -254,6 +246,22 @@ class Calibration(Case):
         self.assertNotEqual(third["seconds"], first["seconds"])
         text, _ = self.trivet("backends", env={"XDG_CACHE_HOME": self.path("cache")})
         self.assertIn("auto takes", text)
+
+    def test_a_file_of_another_build_or_device_is_measured_again(self):
+        """A build without OpenGL must not hide a GPU from one that has it."""
+        kept, _ = self.without_drivers()
+        self.assertEqual(self.without_drivers("--device", 1)[0]["device"], 1)
+        for key, value in (("build", ""), ("device", 7), ("cpu", "another")):
+            self.write("cache/trivet/backends.json", json.dumps({**kept, key: value}))
+            found, err = self.without_drivers()
+            self.assertIn("it is of another version, build, processor, driver or device", err)
+            self.assertEqual(found[key], kept[key])
+
+    def test_the_rule_of_auto_is_a_line(self):
+        found, _ = self.without_drivers()
+        self.assertTrue(found["rule"].startswith("auto: BVHs, unless"), found["rule"])
+        text, _ = self.trivet("backends", env={"XDG_CACHE_HOME": self.path("cache")})
+        self.assertIn("\nauto: BVHs, unless", text)
 
     def test_damaged_file_is_replaced_with_a_note(self):
         self.write("cache/trivet/backends.json", "{")

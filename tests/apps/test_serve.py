@@ -41,11 +41,11 @@ class Routes(Served):
         self.assertEqual(answers, expected[1:])
 
     def test_backends_give_the_same_bytes(self):
-        """A detector for each computing thread, as --backend asks for; what is missing is told once."""
+        """A detector for each computing thread, as --detector asks for; what is missing is told once."""
         hidden = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}
         answers = {}
         for backend in ("bvh", "software", "gpu"):
-            with self.server("--backend", backend, "--threads", "3", env=hidden) as server:
+            with self.server("--detector", backend, "--threads", "3", env=hidden) as server:
                 sessions = [server.open() for _ in range(3)]
                 with ThreadPoolExecutor(3) as pool:
                     found = list(pool.map(lambda s: server.ask("POST", s, put("b", 0.01, 0.02, 1)), sessions))
@@ -61,7 +61,7 @@ class Routes(Served):
         self.assertEqual(answers["bvh"], answers["gpu"])
 
     def hides_egl(self):
-        _, err = self.trivet("run", self.start, "-o", "s.glb", "--backend", "gpu",
+        _, err = self.trivet("run", self.start, "-o", "s.glb", "--detector", "gpu",
                              env={"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"})
         return "used instead of the GPU" in err
 

@@ -17,7 +17,7 @@ class Help(Case):
         for verb in VERBS:
             self.assertIn(verb, out)
             text, err = self.trivet(verb, "--help")
-            for option in ("--backend", "--threads", "--json", "--quiet", "--verbose", "--help",
+            for option in ("--detector", "--device", "--threads", "--json", "--quiet", "--verbose", "--help",
                            "--version"):
                 self.assertIn(option, text)
             self.assertEqual(err, "")
@@ -39,16 +39,14 @@ class WrongUsage(Case):
                 ((*run, "--fast"), "run: there is no option --fast"),
                 ((*run, "--repotr", "r.json"),
                  'there is no option --repotr; did you mean "--report"?'),
-                ((*run, "--confirm", "yes"), "yes\" is not accepted; accepted: auto, embree, off"),
-                ((*run, "--gpu-method", "raster"),
-                 '"raster" is not accepted; accepted: auto, framebuffer, compute'),
-                ((*run, "--gpu-lists", "cpu"),
+                (("zlist", "cube.obj", "--confirm", "yes"),
+                 "yes\" is not accepted; accepted: auto, embree, off"),
+                (("zlist", "cube.obj", "--gpu-lists", "cpu"),
                  '"cpu" is not accepted; accepted: auto, gpu, software'),
-                (("batch", "recipe.json", "--backend", "gpu"),
-                 "batch: --backend gpu is not accepted, its workers ask BVHs; accepted: auto, bvh"),
-                (("batch", "status", "folder", "--backend", "software"), "accepted: auto, bvh"),
-                ((*run, "--backend", "cuda"),
-                 '"cuda" is not accepted; accepted: auto, gpu, software, bvh'),
+                ((*run, "--confirm", "off"), "there is no option --confirm"),
+                ((*run, "--detector", "cuda"),
+                 '"cuda" is not accepted; accepted: auto, bvh, software, gpu, framebuffer, compute'),
+                (("batch", "status", "folder", "--detector", "raster"), '"raster" is not accepted'),
                 ((*run, "--threads", "many"), '"many" is not accepted; accepted: whole numbers'),
                 ((*run, "--threads", "-1"), '"-1" is not accepted; accepted: whole numbers from 0'),
                 ((*run, "--threads", "1.5"), '"1.5" is not accepted'),
@@ -96,7 +94,7 @@ class NearestNames(Case):
         self.trivet("run", self.layout([SLAB, {"name": "mug", "model": "cube.obj"}],
                                        [put("mug", 0, 0, 1)]), "-o", "s.glb")
         for arguments, meant in ((("pusch",), "push"), (("Run", "layout.json"), "run"),
-                                 (("run", "layout.json", "-o", "t.glb", "--backend", "GPU"), "gpu"),
+                                 (("run", "layout.json", "-o", "t.glb", "--detector", "GPU"), "gpu"),
                                  (("demo", "brekfast", "-o", "t.glb"), "breakfast"),
                                  (("push", "s.glb", "Mug", "--to", 0, 0, "-o", "t.glb"), "mug"),
                                  (("fix", "s.glb", "slap", "-o", "t.glb"), "slab")):

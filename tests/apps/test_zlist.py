@@ -207,7 +207,7 @@ class ZLists(Case):
 
     def test_the_gpu_finds_the_same_contact(self):
         scene = self.scene()
-        a, b = (self.zlist(scene, "--backend", backend, "--drop", "b", "--raise", 0.1)
+        a, b = (self.zlist(scene, "--detector", backend, "--drop", "b", "--raise", 0.1)
                 for backend in ("software", "gpu"))
         self.assertEqual((a["contact"], a["image"], a["bounds"]),
                          (b["contact"], b["image"], b["bounds"]))

@@ -3,7 +3,7 @@
 
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile,bin] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
-        [--backends software,gpu/compute] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
+        [--backends software,compute] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
         [--tries 3] [--starts 12] [--solids 20x8] [--simulate 5 [--rest 95,99]] [--placed 98]
 
 floor: every model in 5 random orientations, put onto the floor.
@@ -24,8 +24,7 @@ many times in all; "placed" counts objects, "PUTs ok" PUTs.
 --same-as, --threads and --backends run each layout again, by another build, with other numbers of
 threads or other sources of candidates: reports (apart from milliseconds, and what a backend says of
 itself) and scenes must be the same bytes. Without --referee, no other check is made.
-A backend may be followed by the method of the GPU, by who lists the doubtful pixels and by what Embree confirms:
-gpu/framebuffer/software/off. "five" is short for BVHs, software, both methods with lists by the GPU, and the hybrid.
+They are named as --detector has them; "five" is short for all but gpu.
 Prints a table; exit status 1 if a scene is not true, a result differs, a backend is not the one asked
 for, or fewer are placed than --placed says, 98 % by default.
 """
@@ -57,22 +56,14 @@ def comparable(report):
     return json.dumps(report)
 
 
-HOW = {"framebuffer": "--gpu-method", "compute": "--gpu-method", "gpu": "--gpu-lists", "software": "--gpu-lists",
-       "embree": "--confirm", "off": "--confirm"}
-FIVE_WAYS = "bvh,software,gpu/framebuffer/gpu,gpu/compute/gpu,gpu/framebuffer/software"
+FIVE_WAYS = "bvh,software,framebuffer,compute,auto"
 
 
-def backend_options(backend):
-    """Of a name such as gpu/compute/software/off."""
-    name, *how = backend.split("/")
-    return ["--backend", name, *(text for value in how for text in (HOW[value], value))]
-
-
-def is_as_asked(backend, report):
-    """Whether a report is of the backend that was asked for."""
-    name, *how = backend.split("/")
-    keys = {"--gpu-method": "gpu_method", "--gpu-lists": "gpu_lists", "--confirm": "confirmation"}
-    return report["backend"] == name and all(report[keys[HOW[value]]] == value for value in how)
+def is_as_asked(detector, report):
+    """Whether a report is of the detector that was asked for."""
+    if detector in ("framebuffer", "compute"):
+        return report["backend"] == "gpu" and report["gpu_method"] == detector
+    return detector == "auto" or report["backend"] == detector
 
 
 def run_trivet(trivet, base, suffix, *options):
@@ -106,7 +97,7 @@ def differences(options, base, scene, report):
     """Other runs that did not give the same bytes."""
     others = [(options.trivet, f"-{n}-threads", ["--threads", n], "")
               for n in filter(None, options.threads.split(","))]
-    others += [(options.trivet, "-" + name.replace("/", "-"), backend_options(name), name)
+    others += [(options.trivet, "-" + name, ["--detector", name], name)
                for name in filter(None, options.backends.split(","))]
     if options.same_as:
         others.append((options.same_as, "-other-build", [], ""))
@@ -252,7 +243,7 @@ def main():
     parser.add_argument("--starts", type=int, default=1, help="starts that a PUT may try")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
-    parser.add_argument("--backends", default="", help="bvh, software, gpu, with commas; also gpu/compute/software/off; or five")
+    parser.add_argument("--backends", default="", help="as --detector has them, with commas; or five")
     options = parser.parse_args()
     if options.backends == "five":
         options.backends = FIVE_WAYS

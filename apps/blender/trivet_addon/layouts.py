@@ -26,6 +26,12 @@ class Settings:
     floor: bool = True
     clearance: float = 0.0  # metres; 0: 2^-20 of the scene's size
     seconds: float = 30.0  # an operation may take; 0: any time
+    detector: str = "auto"  # as --detector of the program has it; no result depends on it
+    device: int = 0  # EGL device of a GPU, from 1; 0: automatic
+
+    @property
+    def device_name(self) -> str:
+        return str(self.device) if self.device else "auto"
 
 
 @dataclass(frozen=True)

@@ -75,6 +75,8 @@ class ModuleLayout:
             [body.name for body in here], [shapes[body.name] for body in here], [translation(body.origin) for body in here],
             fixed=[body.name for body in here if body.fixed], materials={body.name: material[body.name] for body in here},
             floor=settings.floor, clearance=settings.clearance)
+        self._scene.device = settings.device or "auto"
+        self._scene.detector = settings.detector
         for body in bodies:
             if body.name in out:
                 self._scene.add(body.name, shapes[body.name], fixed=body.fixed, material=material[body.name])

@@ -28,6 +28,15 @@ class TrivetPreferences(bpy.types.AddonPreferences):
         ("VISIBLE", "All that is visible", "All surfaces that the view shows"),
         ("COLLECTION", "A collection", "What is in the collection that the scene names"),
         ("SELECTED", "Selected objects only", "The selected objects and the floor")])
+    detector: bpy.props.EnumProperty(name="Detector", default="auto", items=[
+        ("auto", "Automatic", "The fastest here for each query"),
+        ("bvh", "BVHs", "Trees of boxes"),
+        ("software", "z-lists in software", "On the processor"),
+        ("gpu", "z-lists on the GPU", "By the faster of the two ways"),
+        ("framebuffer", "Framebuffers", "z-lists on the GPU, rasterised"),
+        ("compute", "Compute shaders", "z-lists on the GPU, computed")],
+        description="What finds candidates for contact; no result depends on it")
+    device: bpy.props.IntProperty(name="Device", default=0, min=0, description="EGL device of a GPU, from 1; 0: automatic")
     clearance: bpy.props.FloatProperty(name="Clearance", default=0.0, min=0.0, unit="LENGTH", precision=6,
                                        description="How far objects stay apart; 0: a millionth of the scene's size")
     seconds: bpy.props.FloatProperty(name="Seconds for each object", default=30.0, min=0.0,
@@ -47,7 +56,7 @@ class TrivetPreferences(bpy.types.AddonPreferences):
                 layout.label(text=backend.note, icon="INFO")
         except backends.NoBackend as error:
             layout.label(text=str(error), icon="ERROR")
-        for name in ("obstacles", "clearance", "seconds", "most_millions"):
+        for name in ("detector", "device", "obstacles", "clearance", "seconds", "most_millions"):
             layout.prop(self, name)
         layout.label(text="Pie menu: Shift Alt D in the 3D view; change it in Keymap, 3D View, Trivet")
 
@@ -63,7 +72,8 @@ def find_backend(chosen: TrivetPreferences) -> backends.Backend:
 def choices(context) -> Choices:
     """Raises backends.NoBackend."""
     chosen = of(context)
-    settings = Settings(context.scene.trivet.floor, chosen.clearance, chosen.seconds)
+    settings = Settings(context.scene.trivet.floor, chosen.clearance, chosen.seconds, chosen.detector,
+                        chosen.device)
     return Choices(find_backend(chosen), settings, chosen.obstacles, round(chosen.most_millions * 1e6))
 
 

@@ -86,13 +86,17 @@ def verdict_of(report: Mapping[str, Any]) -> Verdict:
                    float("inf") if margin is None else margin)
 
 
+def _detection(settings: Settings) -> list:
+    return ["--detector", settings.detector, "--device", settings.device_name]
+
+
 class _Session:
     """The process and its lines."""
 
     def __init__(self, program: str, layout: str, settings: Settings) -> None:
         self._process = subprocess.Popen(
             [program, "session", layout, "--quiet", "--clearance", repr(settings.clearance), "--operation-seconds",
-             repr(settings.seconds)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+             repr(settings.seconds), *_detection(settings)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self._write_lock, self._number = threading.Lock(), 0
         self._errors = b""
         self._reader = threading.Thread(target=self._read_errors, daemon=True)
@@ -273,7 +277,7 @@ def _run(program: str, *arguments: str) -> Any:
 
 
 def _report(program: str, scene: str, settings: Settings) -> Mapping[str, Any]:
-    done = _run(program, "check", scene, "--json", "--clearance", repr(settings.clearance))
+    done = _run(program, "check", scene, "--json", "--clearance", repr(settings.clearance), *_detection(settings))
     if done.returncode not in (0, 1):
         raise ProgramError(done.stderr.strip() or done.stdout.strip())
     return json.loads(done.stdout)

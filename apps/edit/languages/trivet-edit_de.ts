@@ -1323,8 +1323,8 @@
         <translation>&quot;floor&quot; oder der Name eines von /objects%1</translation>
     </message>
     <message>
-        <source>&quot;format&quot; is %1; accepted: 1</source>
-        <translation>„format“ ist %1; erlaubt: 1</translation>
+        <source>&quot;format&quot; is %1; accepted: 2</source>
+        <translation>„format“ ist %1; erlaubt: 2</translation>
     </message>
     <message>
         <source>&quot;front&quot;, &quot;back&quot;, &quot;left&quot; or &quot;right&quot;</source>
@@ -1919,6 +1919,18 @@
         <translation>%1; BVHs und Software antworten anstelle der GPU</translation>
     </message>
     <message>
+        <source>%1; BVHs are used instead of the GPU</source>
+        <translation>%1; statt der GPU werden BVHs verwendet</translation>
+    </message>
+    <message>
+        <source>OpenGL was in use when this process was forked</source>
+        <translation>OpenGL war in Gebrauch, als dieser Prozess abgespalten wurde</translation>
+    </message>
+    <message>
+        <source>an OpenGL context of the process that this one was forked from</source>
+        <translation>ein OpenGL-Kontext des Prozesses, von dem dieser abgespalten wurde</translation>
+    </message>
+    <message>
         <source>%1; a new OpenGL context goes on</source>
         <translation>%1; ein neuer OpenGL-Kontext macht weiter</translation>
     </message>
@@ -2131,8 +2143,8 @@
         <translation>mindestens eine Kamera</translation>
     </message>
     <message>
-        <source>backend &quot;%1&quot; is not accepted; accepted: auto, gpu, software, bvh</source>
-        <translation>das Backend „%1“ ist nicht erlaubt; erlaubt: auto, gpu, software, bvh</translation>
+        <source>detector &quot;%1&quot; is not accepted; accepted: auto, bvh, software, gpu, framebuffer, compute</source>
+        <translation>der Detektor „%1“ ist nicht erlaubt; erlaubt: auto, bvh, software, gpu, framebuffer, compute</translation>
     </message>
     <message>
         <source>below a node that is not scaled evenly it would have shear, which glTF has not</source>
@@ -2275,7 +2287,7 @@
         <translation>es wird von einem Skelett verformt</translation>
     </message>
     <message>
-        <source>it is of another version, processor or driver</source>
+        <source>it is of another version, build, processor, driver or device</source>
         <translation>sie gehört zu einer anderen Version, einem anderen Prozessor oder Treiber</translation>
     </message>
     <message>

@@ -5,6 +5,7 @@
 #include <QStandardPaths>
 #include <iostream>
 
+#include "apps/detection/detection.h"
 #include "apps/edit/window/language.h"
 #include "apps/edit/window/main_window.h"
 #include "core/base/error.h"
@@ -26,19 +27,17 @@ void add_options(QCommandLineParser& parser) {
   parser.addPositionalArgument("file", "A scene (.glb), a layout (.json), or a model to import",
                                "[FILE]");
   parser.addOption({"demo", "Opens a demo: spoon-saucer, breakfast, office1, office2", "name"});
-  parser.addOption({"backend",
-                    "Who finds what stops a motion: auto, bvh, software or gpu; results do not "
-                    "depend on it",
+  parser.addOption({{"detector", "backend"},
+                    "What finds candidates for contact: auto, bvh, software, gpu, framebuffer or "
+                    "compute; results do not depend on it",
                     "name"});
+  parser.addOption({"device", "Number of the EGL device for OpenGL, from 1, or auto", "number"});
   parser.addOption({"perfect-friction",
                     "Settles with nearly perfect friction, each object alone, as the paper does"});
   parser.addOption({"objects-alone",
                     "Settles each object on what stands still, whether the whole stands or not"});
   parser.addOption(
       {"language", "Of the windows: en or de; otherwise as chosen, or the system's", "code"});
-  parser.addOption({"gpu-method", "How a GPU does it: auto, framebuffer or compute", "name"});
-  parser.addOption(
-      {"gpu-lists", "Who lists faces in its pixels in doubt: auto, gpu or software", "name"});
 }
 
 // Help, version and a language that is none need no display.
@@ -55,6 +54,16 @@ void answer_without_display(int argc, char** argv) {
   if (is_known && parser.isSet("language")) trivet::edit::check_language(parser.value("language"));
 }
 
+// The saved choice, and what the command line says otherwise.
+trivet::edit::EditorDetection detection_of(const QCommandLineParser& parser, QString& note) {
+  trivet::edit::EditorDetection out = trivet::edit::saved_detection(&note);
+  if (parser.isSet("detector")) out.set_detector(parser.value("detector"));
+  const bool has_device = parser.isSet("device") && parser.value("device") != "auto";
+  out.device = has_device ? trivet::device_from_text(parser.value("device").toStdString())
+                          : trivet::usual_device();
+  return out;
+}
+
 int run(int argc, char** argv) {
   answer_without_display(argc, argv);
   QApplication application(argc, argv);
@@ -66,10 +75,7 @@ int run(int argc, char** argv) {
   trivet::edit::speak(application, parser.isSet("language") ? parser.value("language")
                                                             : trivet::edit::saved_language());
   QString note;
-  trivet::edit::DetectionChoice detection = trivet::edit::saved_detection(&note);
-  if (parser.isSet("backend")) detection.backend = parser.value("backend");
-  if (parser.isSet("gpu-method")) detection.gpu_method = parser.value("gpu-method");
-  if (parser.isSet("gpu-lists")) detection.gpu_lists = parser.value("gpu-lists");
+  const trivet::edit::EditorDetection detection = detection_of(parser, note);
   trivet::edit::DocumentOptions options;
   options.version = TRIVET_VERSION;
   options.detection = trivet::edit::backend_options(detection);

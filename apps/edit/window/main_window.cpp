@@ -25,7 +25,7 @@ QString aim_note(const Selection& selection) {
 
 }  // namespace
 
-MainWindow::MainWindow(Document& document, const DetectionChoice& detection)
+MainWindow::MainWindow(Document& document, const EditorDetection& detection)
     : m_document(document),
       m_toolbox(document),
       m_drawing(document, m_toolbox),
@@ -184,7 +184,7 @@ void MainWindow::ask_preferences() {
   });
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PreferencesDialog::detection_chosen, this,
-          [this](const DetectionChoice& choice) {
+          [this](const EditorDetection& choice) {
             if (choice == m_detection) return;
             m_detection = choice;
             save_detection(choice);

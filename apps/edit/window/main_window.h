@@ -35,7 +35,7 @@ class MainWindow : public QMainWindow {
 
  public:
   /// @param detection  what the document was made with.
-  explicit MainWindow(Document& document, const DetectionChoice& detection = {});
+  explicit MainWindow(Document& document, const EditorDetection& detection = {});
   ~MainWindow() override;
 
   // For the command line and tests.
@@ -221,7 +221,7 @@ class MainWindow : public QMainWindow {
   AssetBrowser* m_assets = nullptr;
   QDockWidget* m_arrange_dock = nullptr;
   ArrangePanel* m_arrange_panel = nullptr;
-  DetectionChoice m_detection;
+  EditorDetection m_detection;
   QLabel *m_hand = nullptr, *m_hint = nullptr, *m_count = nullptr, *m_busy = nullptr,
          *m_answering = nullptr;
   QLabel* m_stands = nullptr;

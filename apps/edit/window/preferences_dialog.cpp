@@ -7,12 +7,9 @@
 
 namespace trivet::edit {
 
-PreferencesDialog::PreferencesDialog(Document& document, const DetectionChoice& choice,
+PreferencesDialog::PreferencesDialog(Document& document, const EditorDetection& choice,
                                      const SnapSteps& steps, QWidget* parent)
-    : QDialog(parent),
-      m_document(document),
-      m_gpu_lists(choice.gpu_lists),
-      m_answering(new QLabel) {
+    : QDialog(parent), m_document(document), m_device(choice.device), m_answering(new QLabel) {
   setWindowTitle(tr("Preferences"));
   m_backend = make_box("backend",
                        {{"auto", tr("Automatic: the fastest here")},
@@ -94,8 +91,8 @@ QDoubleSpinBox* PreferencesDialog::make_step(const char* name, double value, dou
   return box;
 }
 
-DetectionChoice PreferencesDialog::choice() const {
-  return {m_backend->currentData().toString(), m_method->currentData().toString(), m_gpu_lists};
+EditorDetection PreferencesDialog::choice() const {
+  return {m_backend->currentData().toString(), m_method->currentData().toString(), m_device};
 }
 
 void PreferencesDialog::show_answering() {

@@ -23,11 +23,11 @@ class PreferencesDialog : public QDialog {
 
  public:
   /// @param document  tells who answers.
-  PreferencesDialog(Document& document, const DetectionChoice& choice, const SnapSteps& steps,
+  PreferencesDialog(Document& document, const EditorDetection& choice, const SnapSteps& steps,
                     QWidget* parent);
 
  Q_SIGNALS:
-  void detection_chosen(const trivet::edit::DetectionChoice& choice);
+  void detection_chosen(const trivet::edit::EditorDetection& choice);
   void steps_chosen(const trivet::edit::SnapSteps& steps);
 
  private:
@@ -37,12 +37,12 @@ class PreferencesDialog : public QDialog {
   QDoubleSpinBox* make_step(const char* name, double value, double least, double largest,
                             const QString& unit);
   QComboBox* make_languages();
-  DetectionChoice choice() const;
+  EditorDetection choice() const;
   void show_answering();
 
   Document& m_document;
   QComboBox *m_backend, *m_method;
-  QString m_gpu_lists;  // of the command line
+  int m_device;  // of the command line
   QDoubleSpinBox *m_grid, *m_angle;
   QLabel* m_answering;
 };

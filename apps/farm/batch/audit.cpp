@@ -115,6 +115,7 @@ BatchStatus batch_status(const std::string& out) {
                        status.run.end_scene(unit) - status.run.first_scene(unit));
   }
   status.scenes_per_second = rate_of(times);
+  status.notes = read_notes(out, BatchStatus::kMostNotes);
   visit_temporaries(out, [&](const fs::path&) { ++status.num_temporaries; });
   return status;
 }

@@ -6,16 +6,18 @@
 #include <optional>
 
 #include "apps/farm/batch/batch.h"
+#include "apps/farm/store/notes.h"
 
 namespace trivet::farm {
 
 struct BatchStatus {
   BatchRun run;
   std::uint64_t units_there = 0, ok = 0, refused = 0, failed = 0;
-  static constexpr size_t kMostMissing = 100;
+  static constexpr size_t kMostMissing = 100, kMostNotes = 20;
   std::vector<std::uint64_t> first_missing;      // units, of all that are missing
   std::map<std::string, std::uint64_t> reasons;  // of scenes that are not ok
   std::optional<double> scenes_per_second;       // of all processes, by the times of the units
+  std::vector<BatchNote> notes;                  // the first ones
   size_t num_temporaries = 0;                    // being written, or left by a killed process
 
   bool complete() const { return units_there == run.num_units(); }
@@ -30,8 +32,9 @@ struct VerifyOptions {
   int jobs = 1;
   WorkLimits limits;
   ImportLimits import;
-  std::function<DrawPicture()> make_opengl;  // for pictures by OpenGL; see PictureWork
-  std::function<void()> before_opengl;       // called once before; may throw
+  WorkerDetection detection;            // of scenes that are made again
+  MakePictures make_opengl;             // for pictures by OpenGL; see PictureWork
+  std::function<void()> before_opengl;  // called once before; may throw
 };
 struct Verification {
   std::uint64_t units = 0, scenes = 0, made_again = 0;

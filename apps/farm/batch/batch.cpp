@@ -7,6 +7,7 @@
 #include <map>
 
 #include "apps/farm/batch/stop_signals.h"
+#include "apps/farm/store/notes.h"
 #include "apps/farm/workers/pool.h"
 
 namespace trivet::farm {
@@ -92,6 +93,7 @@ class BatchLoop {
   bool open_next_unit();
   size_t early_bytes() const;
   void take(DoneScene done);
+  void keep_notes(const DoneScene& done);
   void publish_complete();
   void report_progress();
   std::uint64_t scenes_of(std::uint64_t unit) const {
@@ -162,7 +164,8 @@ size_t BatchLoop::early_bytes() const {
 // them.
 void BatchLoop::hand_out(Pool& pool) {
   constexpr size_t kMaxOpenUnits = 2, kMaxEarlyBytes = size_t{64} << 20;
-  const auto most = static_cast<size_t>(m_options.jobs) + 1;
+  const auto together = static_cast<size_t>(std::max(1, m_work.detection.scenes_together));
+  const auto most = static_cast<size_t>(m_options.jobs) * together + 1;
   while (pool.num_pending() < most && early_bytes() < kMaxEarlyBytes) {
     if (m_next_scene == m_end_scene && (m_open.size() >= kMaxOpenUnits || !open_next_unit()))
       return;
@@ -176,6 +179,8 @@ void BatchLoop::take(DoneScene done) {
   count_status(scene, m_totals);
   count_groups(scene, m_totals.groups);
   ++m_num_made;
+  m_totals.work.add(done.work);
+  keep_notes(done);
   if (m_totals.failed > failed)
     log("scene " + std::to_string(done.k) + " failed: " + scene.at("reason").get<std::string>());
   for (OpenUnit& unit : m_open)
@@ -184,6 +189,17 @@ void BatchLoop::take(DoneScene done) {
       break;
     }
   report_progress();
+}
+
+// A note that several workers have is told once.
+void BatchLoop::keep_notes(const DoneScene& done) {
+  for (const std::string& text : done.notes) {
+    if (std::find(m_totals.notes.begin(), m_totals.notes.end(), text) != m_totals.notes.end())
+      continue;
+    m_totals.notes.push_back(text);
+    log("note: " + text);
+    add_note(m_options.out, {done.k, text});
+  }
 }
 
 void BatchLoop::publish_complete() {
@@ -266,7 +282,8 @@ BatchTotals run_batch(const BatchRun& run, const Work& work, const BatchOptions&
 }
 
 bool make_only(const Work& work, const std::vector<std::uint64_t>& ks, int jobs,
-               const WorkLimits& limits, const std::function<void(const SceneMembers&)>& take) {
+               const WorkLimits& limits, const std::function<void(const SceneMembers&)>& take,
+               const std::function<void(const std::string&)>& note) {
   StopSignals signals;
   Pool pool(work, limits, std::min(jobs, static_cast<int>(ks.size())));
   std::map<std::uint64_t, SceneMembers> early;
@@ -276,8 +293,10 @@ bool make_only(const Work& work, const std::vector<std::uint64_t>& ks, int jobs,
     if (signals.asked()) return false;
     const size_t most = next_out + 2 * static_cast<size_t>(jobs);  // results wait for their turn
     for (; next_in < ks.size() && next_in < most; ++next_in) pool.submit(ks[next_in]);
-    for (DoneScene& done : pool.wait(signals.descriptor(), 1000))
+    for (DoneScene& done : pool.wait(signals.descriptor(), 1000)) {
+      for (const std::string& text : done.notes) note(text);
       early[done.k] = std::move(done.members);
+    }
     for (; next_out < ks.size() && early.count(ks[next_out]) != 0; ++next_out) {
       take(early[ks[next_out]]);
       early.erase(ks[next_out]);

@@ -9,7 +9,7 @@
 #include "apps/farm/batch/shard.h"
 #include "apps/farm/scene/model_store.h"
 #include "apps/farm/store/run_file.h"
-#include "apps/farm/workers/work.h"
+#include "apps/farm/workers/reply.h"
 
 namespace trivet::farm {
 
@@ -66,6 +66,8 @@ struct BatchTotals {
   std::uint64_t ok = 0, refused = 0, failed = 0;  // scenes of the shard's units
   std::uint64_t failed_before = 0;  // scenes without pictures, as they had failed themselves
   std::uint64_t waiting = 0;        // units that were not ready
+  SceneWork work;                   // of the scenes made now
+  std::vector<std::string> notes;   // on the detectors, each once; see store/notes.h
   bool stopped = false;             // by a signal
   std::map<std::string, GroupTotals> groups;  // of a batch of scenes, of those made now
 };
@@ -76,8 +78,9 @@ struct BatchTotals {
 BatchTotals run_batch(const BatchRun& run, const Work& work, const BatchOptions& options);
 
 /// Scenes alone, in this order, to `take`; nothing is written.
-/// @return false if stopped by a signal.
+/// @param note  told what the detectors have to say. @return false if stopped by a signal.
 bool make_only(const Work& work, const std::vector<std::uint64_t>& ks, int jobs,
-               const WorkLimits& limits, const std::function<void(const SceneMembers&)>& take);
+               const WorkLimits& limits, const std::function<void(const SceneMembers&)>& take,
+               const std::function<void(const std::string&)>& note);
 
 }  // namespace trivet::farm

@@ -51,7 +51,7 @@ BatchRun pictures_of(const std::string& scenes, const std::string& views) {
 }
 
 Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLimits& import,
-                  const std::string& out, const std::function<DrawPicture()>& make_opengl) {
+                  const std::string& out, const MakePictures& make_opengl) {
   const BatchRun there = source_of(run, scenes);
   Work work = work_of(prepared_recipe(there, scenes), there, import, scenes, true);
   if (run.format == UnitFormat::Bop) check_rigid(set_labels(work.recipe));

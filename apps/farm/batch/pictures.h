@@ -25,7 +25,7 @@ PreparedViews prepare_views(const std::string& text, const std::string& file);
 /// @throws Error (BadInput) when these are not the scenes that the run names, or they do not fit a
 ///   data set.
 Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLimits& import,
-                  const std::string& out, const std::function<DrawPicture()>& make_opengl);
+                  const std::string& out, const MakePictures& make_opengl);
 
 /// Files that the scenes of a data set share; they may be there.
 /// @return names of models that were found to be surfaces of revolution.

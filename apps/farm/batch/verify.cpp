@@ -90,7 +90,8 @@ Verification verify_batch(const std::string& out, const VerifyOptions& options) 
     return result;
   }
   Sample sample;
-  const Work work = work_again(run, out, options);
+  Work work = work_again(run, out, options);
+  work.detection = options.detection;
   check_bytes(out, run, options.sample, sample, result);
   check_models(run.has_scenes() ? out : options.scenes, work, result);
   if (sample.empty() || !result.findings.empty()) return result;
@@ -101,14 +102,15 @@ Verification verify_batch(const std::string& out, const VerifyOptions& options) 
   std::vector<std::uint64_t> ks;
   ks.reserve(sample.size());
   for (const auto& [k, unused] : sample) ks.push_back(k);
+  const auto compare = [&](const SceneMembers& made) {
+    ++result.made_again;
+    const std::uint64_t k = made.scene.at("k");
+    const std::string what = difference(sample.at(k), made);
+    if (!what.empty())
+      result.findings.push_back("scene " + std::to_string(k) + " made again has " + what);
+  };
   result.stopped =
-      !make_only(work, ks, options.jobs, options.limits, [&](const SceneMembers& made) {
-        ++result.made_again;
-        const std::uint64_t k = made.scene.at("k");
-        const std::string what = difference(sample.at(k), made);
-        if (!what.empty())
-          result.findings.push_back("scene " + std::to_string(k) + " made again has " + what);
-      });
+      !make_only(work, ks, options.jobs, options.limits, compare, [](const std::string&) {});
   return result;
 }
 

@@ -14,13 +14,15 @@ namespace trivet::farm {
 using DrawPicture =
     std::function<std::string(const PictureScene& scene, const PinholeCamera& camera, int samples)>;
 
+/// Called once in every process that draws pictures by OpenGL, with its number.
+using MakePictures = std::function<DrawPicture(std::uint64_t worker)>;
+
 /// Input of pictures.
 struct PictureWork {
   std::string folder;  // the batch of the scenes
   BatchRun scenes;
   Views views;
-  // Called once in every process that draws pictures by OpenGL. Null: they are drawn by rays.
-  std::function<DrawPicture()> make_opengl;
+  MakePictures make_opengl;                    // null: they are drawn by rays
   UnitFormat form = UnitFormat::Tar;           // of data sets their own members instead
   std::shared_ptr<Environments> environments;  // of the look; read when they are needed
 };

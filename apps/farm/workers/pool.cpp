@@ -38,11 +38,12 @@ std::string death_text(int status, bool over_time, const WorkLimits& limits) {
 Pool::Pool(const Work& work, const WorkLimits& limits, int num_workers)
     : m_limits(limits),
       m_max_workers(static_cast<size_t>(num_workers)),
+      m_most_together(static_cast<size_t>(std::max(1, work.detection.scenes_together))),
       m_zygote(start_zygote(work, m_limits)) {}
 
 Pool::~Pool() {
   for (const Worker& worker : m_workers)
-    if (worker.busy) kill(worker.id, SIGKILL);
+    if (worker.busy()) kill(worker.id, SIGKILL);
   if (!m_ready) kill(m_zygote.id, SIGKILL);
   // Idle workers end when their sockets close, the zygote when all have: so their CPU time counts
   // as this process's.
@@ -77,45 +78,58 @@ void Pool::add_worker() {
     }
     if (message.descriptor.number() < 0)
       fail("too many open files; accepted: fewer --jobs, or a larger ulimit -n");
-    Worker worker{news.id, std::move(message.descriptor), false, false, {}, {}, 0};
-    m_workers.push_back(std::move(worker));
+    m_workers.push_back({news.id, std::move(message.descriptor)});
     return;
   }
 }
 
 size_t Pool::num_pending() const {
-  const auto is_busy = [](const Worker& worker) { return worker.busy; };
-  return m_waiting.size() +
-         static_cast<size_t>(std::count_if(m_workers.begin(), m_workers.end(), is_busy));
+  size_t out = m_waiting.size();
+  for (const Worker& worker : m_workers) out += worker.jobs.size();
+  return out;
 }
 
 bool Pool::give(Worker& worker, const Job& job) {
-  char bytes[sizeof job.k];
-  std::memcpy(bytes, &job.k, sizeof bytes);
+  const SceneRequest request{job.k, job.alone};
+  char bytes[sizeof request];
+  std::memcpy(bytes, &request, sizeof bytes);
   if (!send_frame(worker.socket.number(), {bytes, sizeof bytes})) return false;
-  worker.busy = true;
-  worker.job = job;
-  worker.deadline =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                         std::chrono::duration<double>(kWallFactor * m_limits.scene_seconds));
+  worker.jobs.push_back(job);
+  // Scenes that are made side by side take their turns.
+  worker.jobs.back().deadline =
+      Clock::now() +
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
+          kWallFactor * m_limits.scene_seconds * static_cast<double>(worker.jobs.size())));
   return true;
 }
 
+bool Pool::has_room(const Worker& worker, const Job& job) const {
+  if (!worker.busy()) return true;
+  return !job.alone && !worker.jobs.front().alone && worker.jobs.size() < m_most_together &&
+         worker.num_scenes + static_cast<int>(worker.jobs.size()) < m_limits.recycle;
+}
+
+// The one with the fewest scenes; a new one before any has two. Null: all are full.
+Pool::Worker* Pool::worker_for(const Job& job) {
+  Worker* out = nullptr;
+  for (Worker& worker : m_workers)
+    if (has_room(worker, job) && (!out || worker.jobs.size() < out->jobs.size())) out = &worker;
+  if ((out && !out->busy()) || m_workers.size() >= m_max_workers) return out;
+  add_worker();
+  return &m_workers.back();
+}
+
 void Pool::hand_out() {
-  for (size_t i = 0; i < m_workers.size() && !m_waiting.empty(); ++i) {
-    if (m_workers[i].busy) continue;
+  while (!m_waiting.empty()) {
+    Worker* const worker = worker_for(m_waiting.front());
+    if (!worker) return;
+    if (give(*worker, m_waiting.front())) {
+      m_waiting.pop_front();
+      continue;
+    }
+    if (worker->busy()) return;  // it has died: bury() sees to its scenes
     // One that died idle is no scene's fault.
-    if (give(m_workers[i], m_waiting.front()))
-      m_waiting.pop_front();
-    else
-      m_workers.erase(m_workers.begin() + static_cast<long>(i--));
-  }
-  while (!m_waiting.empty() && m_workers.size() < m_max_workers) {
-    add_worker();
-    if (!give(m_workers.back(), m_waiting.front()))
-      m_workers.pop_back();
-    else
-      m_waiting.pop_front();
+    m_workers.erase(m_workers.begin() + (worker - m_workers.data()));
   }
 }
 
@@ -133,11 +147,16 @@ int Pool::status_of(pid_t id) {
   }
 }
 
-void Pool::fail_or_retry(Job job, const std::string& why, std::vector<DoneScene>& done) {
-  if (job.num_deaths++ < m_limits.retries)
+// @param others  were made in the same process: any may be at fault, so that each is made alone.
+void Pool::fail_or_retry(Job job, bool others, const WorkerReply& why,
+                         std::vector<DoneScene>& done) {
+  if (!others) ++job.num_deaths;
+  job.alone = true;
+  if (others || job.num_deaths <= m_limits.retries)
     m_waiting.push_front(job);
   else
-    done.push_back({job.k, {failed_scene_json(job.k, why), {}}, why.size()});
+    done.push_back(
+        {job.k, {failed_scene_json(job.k, why.error), {}}, why.error.size(), why.notes, why.work});
 }
 
 void Pool::bury(size_t index, std::vector<DoneScene>& done) {
@@ -147,42 +166,44 @@ void Pool::bury(size_t index, std::vector<DoneScene>& done) {
   m_workers[index].id = worker.id;
   const int status = status_of(worker.id);
   m_workers.erase(m_workers.begin() + static_cast<long>(index));
-  if (worker.busy) fail_or_retry(worker.job, death_text(status, worker.over_time, m_limits), done);
+  WorkerReply why;
+  why.error = death_text(status, worker.over_time, m_limits);
+  for (const Job& job : worker.jobs) fail_or_retry(job, worker.jobs.size() > 1, why, done);
 }
 
 void Pool::receive(size_t index, std::vector<DoneScene>& done) {
   Worker& worker = m_workers[index];
-  const auto reply = receive_frame(worker.socket.number());
-  if (!reply) return bury(index, done);
-  nlohmann::json json = nlohmann::json::from_cbor(*reply, true, false);
-  worker.busy = false;
+  const auto bytes = receive_frame(worker.socket.number());
+  if (!bytes) return bury(index, done);
+  std::optional<WorkerReply> reply = reply_from(*bytes);
+  const auto job = std::find_if(worker.jobs.begin(), worker.jobs.end(),
+                                [&](const Job& j) { return reply && j.k == reply->k; });
+  if (job == worker.jobs.end()) return bury(index, done);  // it gave no scene
+  const Job made = *job;
+  worker.jobs.erase(job);
   ++worker.num_scenes;
-  const Job job = worker.job;
-  bool last = worker.num_scenes >= m_limits.recycle;
-  if (json.is_object() && json.contains("scene")) {
-    DoneScene out{
-        job.k, {Json::parse(json["scene"].get_ref<const std::string&>()), {}}, reply->size()};
-    for (const nlohmann::json& member : json["more"]) {
-      const auto& bytes = member[1].get_binary();
-      out.members.more.push_back({member[0].get<std::string>(), {bytes.begin(), bytes.end()}});
-    }
-    done.push_back(std::move(out));
-  } else if (json.is_object() && json.contains("error")) {
-    last = last || json["fatal"].get<bool>();
-    fail_or_retry(job, json["error"].get<std::string>(), done);
-  } else {
-    last = true;
-    fail_or_retry(job, "its process gave no scene", done);
+  if (reply->members)
+    done.push_back(
+        {made.k, std::move(*reply->members), bytes->size(), std::move(reply->notes), reply->work});
+  else
+    fail_or_retry(made, reply->is_fatal && worker.busy(), *reply, done);
+  if (reply->is_fatal) {
+    for (const Job& other : worker.jobs) fail_or_retry(other, true, *reply, done);
+    worker.jobs.clear();
   }
-  if (last) m_workers.erase(m_workers.begin() + static_cast<long>(index));  // its socket closes
+  if (!worker.busy() && (reply->is_fatal || worker.num_scenes >= m_limits.recycle))
+    m_workers.erase(m_workers.begin() + static_cast<long>(index));  // its socket closes
 }
 
 void Pool::kill_late() {
-  for (Worker& worker : m_workers)
-    if (worker.busy && !worker.over_time && Clock::now() > worker.deadline) {
-      worker.over_time = true;
-      kill(worker.id, SIGKILL);
-    }
+  const auto now = Clock::now();
+  for (Worker& worker : m_workers) {
+    const bool is_late = std::any_of(worker.jobs.begin(), worker.jobs.end(),
+                                     [&](const Job& job) { return now > job.deadline; });
+    if (!is_late || worker.over_time) continue;
+    worker.over_time = true;
+    kill(worker.id, SIGKILL);
+  }
 }
 
 void Pool::read_news() {

@@ -1,95 +1,131 @@
+#include <pthread.h>
 #include <signal.h>
-#include <sys/time.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cmath>
+#include <condition_variable>
 #include <cstring>
-#include <new>
-#include <optional>
+#include <deque>
+#include <thread>
 
-#include "apps/farm/workers/zygote.h"
-#include "core/base/error.h"
+#include "apps/farm/workers/scene_maker.h"
 
 namespace trivet::farm {
 namespace {
 
-/// SIGPROF, which ends the process, after this CPU time of all its threads; 0: never.
-void set_cpu_limit(double seconds) {
-  const double whole = std::floor(seconds);
-  itimerval timer{};
-  timer.it_value.tv_sec = static_cast<time_t>(whole);
-  timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - whole) * 1e6);
-  setitimer(ITIMER_PROF, &timer, nullptr);
-}
-
-std::string error_reply(const std::string& text, bool fatal) {
-  const nlohmann::json json = {{"error", text}, {"fatal", fatal}};
-  const std::vector<std::uint8_t> bytes = nlohmann::json::to_cbor(json);
-  return {bytes.begin(), bytes.end()};
-}
-
-/// Makes scenes; or pictures or exports of scenes that are there.
-class Maker {
+/// While it lives: SIGPROF, which ends the process, after this CPU time of this thread.
+class CpuLimit {
  public:
-  Maker(const Work& work, const LoadedModels& models) : m_work(work), m_models(models) {
-    if (const PictureWork* const pictures = work.pictures.get())
-      m_scenes.emplace(pictures->folder, pictures->scenes.format);
-    if (const ExportWork* const exports = work.exports.get())
-      m_scenes.emplace(exports->folder, exports->scenes.format);
+  explicit CpuLimit(double seconds) {
+    sigevent event{};
+    event.sigev_notify = SIGEV_SIGNAL;
+    event.sigev_signo = SIGPROF;
+    if (timer_create(CLOCK_THREAD_CPUTIME_ID, &event, &m_timer) != 0) return;
+    m_is_made = true;
+    const double whole = std::floor(seconds);
+    itimerspec limit{};
+    limit.it_value.tv_sec = static_cast<time_t>(whole);
+    limit.it_value.tv_nsec = std::max(1L, static_cast<long>((seconds - whole) * 1e9));
+    timer_settime(m_timer, 0, &limit, nullptr);
+  }
+  ~CpuLimit() {
+    if (m_is_made) timer_delete(m_timer);
+  }
+  CpuLimit(const CpuLimit&) = delete;
+  CpuLimit& operator=(const CpuLimit&) = delete;
+
+ private:
+  timer_t m_timer{};
+  bool m_is_made = false;
+};
+
+/// The requests of a socket, answered by as many threads as scenes are made side by side.
+class Worker {
+ public:
+  Worker(SceneMaker& maker, const WorkLimits& limits, int socket)
+      : m_maker(maker), m_limits(limits), m_socket(socket) {}
+
+  void answer_here() {
+    while (const auto request = next_request()) answer(*request);
   }
 
-  SceneMembers make(std::uint64_t k) {
-    if (!m_scenes) return make_members(m_work, m_models, k);
-    if (m_work.exports) return make_exports(*m_work.exports, *m_scenes, m_work.recipe, m_models, k);
-    const PictureWork& pictures = *m_work.pictures;
-    if (pictures.make_opengl && !m_opengl) m_opengl = pictures.make_opengl();
-    return make_pictures(pictures, *m_scenes, m_work.recipe, m_models, m_work.key, k, m_opengl);
+  // Threads wait for requests, this one for the socket.
+  void answer_in_threads(int num_threads) {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < num_threads; ++i) threads.emplace_back([this] { answer_waiting(); });
+    while (const auto request = next_request()) {
+      if (request->alone) {  // nothing else was asked for
+        answer(*request);
+        continue;
+      }
+      const std::lock_guard lock(m_mutex);
+      m_waiting.push_back(*request);
+      m_changed.notify_one();
+    }
+    {
+      const std::lock_guard lock(m_mutex);
+      m_has_ended = true;
+      m_changed.notify_all();
+    }
+    for (std::thread& thread : threads) thread.join();
   }
 
  private:
-  const Work& m_work;
-  const LoadedModels& m_models;
-  std::optional<SceneReader> m_scenes;
-  DrawPicture m_opengl;
-};
-
-std::string reply_for(Maker& maker, const WorkLimits& limits, std::uint64_t k) {
-  try {
-    return reply_of(maker.make(k));
-  } catch (const std::bad_alloc&) {
-    return error_reply("needs more than " + std::to_string(limits.memory_mb) + " MB", true);
-  } catch (const std::exception& e) {
-    return error_reply(e.what(), false);
+  std::optional<SceneRequest> next_request() {
+    const auto bytes = receive_frame(m_socket);
+    if (!bytes) return std::nullopt;
+    SceneRequest request;
+    if (bytes->size() != sizeof request) _exit(1);
+    std::memcpy(&request, bytes->data(), sizeof request);
+    return request;
   }
-}
+
+  void answer_waiting() {
+    while (true) {
+      std::unique_lock lock(m_mutex);
+      m_changed.wait(lock, [this] { return m_has_ended || !m_waiting.empty(); });
+      if (m_waiting.empty()) return;
+      const SceneRequest request = m_waiting.front();
+      m_waiting.pop_front();
+      lock.unlock();
+      answer(request);
+    }
+  }
+
+  void answer(const SceneRequest& request) {
+    std::string reply;
+    {
+      const CpuLimit limit(m_limits.scene_seconds);
+      reply = to_bytes(m_maker.make(request));
+    }
+    const std::lock_guard lock(m_sending);
+    if (!send_frame(m_socket, reply)) _exit(1);
+  }
+
+  SceneMaker& m_maker;
+  const WorkLimits& m_limits;
+  int m_socket;
+  std::mutex m_sending, m_mutex;  // the second guards all below
+  std::condition_variable m_changed;
+  std::deque<SceneRequest> m_waiting;
+  bool m_has_ended = false;
+};
 
 }  // namespace
 
-std::string reply_of(const SceneMembers& members) {
-  nlohmann::json json = {{"scene", json_line(members.scene)}, {"more", nlohmann::json::array()}};
-  for (const Member& member : members.more)
-    json["more"].push_back(
-        {member.name, nlohmann::json::binary({member.bytes.begin(), member.bytes.end()})});
-  const std::vector<std::uint8_t> bytes = nlohmann::json::to_cbor(json);
-  return {bytes.begin(), bytes.end()};
-}
-
 void serve_scenes(const Work& work, const LoadedModels& models, const WorkLimits& limits,
-                  int socket) {
+                  std::uint64_t worker, int socket) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   signal(SIGPROF, SIG_DFL);
-  Maker maker(work, models);
-  while (const auto request = receive_frame(socket)) {
-    std::uint64_t k = 0;
-    if (request->size() != sizeof k) _exit(1);
-    std::memcpy(&k, request->data(), sizeof k);
-    set_cpu_limit(limits.scene_seconds);
-    const std::string reply = reply_for(maker, limits, k);
-    set_cpu_limit(0);
-    if (!send_frame(socket, reply)) _exit(1);
-  }
+  SceneMaker maker(work, models, limits, worker);
+  Worker requests(maker, limits, socket);
+  if (work.detection.scenes_together > 1)
+    requests.answer_in_threads(work.detection.scenes_together);
+  else
+    requests.answer_here();
   _exit(0);
 }
 

@@ -48,8 +48,11 @@ LoadedModels load_models(const Work& work) {
   return out;
 }
 
-SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k) {
-  return members_of(work, k, make_scene({work.recipe, models, work.key}, k));
+SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k,
+                          Detector* detector) {
+  SceneSource source{work.recipe, models, work.key};
+  source.context.detector = detector;
+  return members_of(work, k, make_scene(source, k));
 }
 
 SceneMembers members_of(const Work& work, std::uint64_t k, const MadeScene& made) {

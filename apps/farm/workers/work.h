@@ -1,6 +1,7 @@
 // Work of a batch, as the processes that do it need it.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,8 +12,17 @@
 #include "apps/farm/store/unit.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
+#include "ops/detect/detector_group.h"
 
 namespace trivet::farm {
+
+/// Who finds candidates for contact in workers; no byte of a batch depends on it.
+struct WorkerDetection {
+  /// Called in a worker, after its fork, with its number; see DetectorGroup. Empty: BVHs.
+  std::function<std::unique_ptr<DetectorGroup>(std::uint64_t worker, const GpuNotes& notes)> make;
+  /// Scenes that a worker makes side by side, so that their queries share draws.
+  int scenes_together = 1;
+};
 
 struct Work {
   Recipe recipe;  // its models by their stored paths
@@ -23,6 +33,7 @@ struct Work {
   std::string version;                          // of the program, in scene files and reports
   std::shared_ptr<const PictureWork> pictures;  // of scenes that are there
   std::shared_ptr<const ExportWork> exports;    // the same; neither: scenes are made
+  WorkerDetection detection;
 };
 
 /// Limits of a worker, and how often a scene is tried that ends one.
@@ -39,7 +50,9 @@ inline constexpr double kWallFactor = 10;
 LoadedModels load_models(const Work& work);
 
 /// Scene k, with what the work asks for beside its JSON.
-SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k);
+/// @param detector  null: BVHs; the bytes are the same.
+SceneMembers make_members(const Work& work, const LoadedModels& models, std::uint64_t k,
+                          Detector* detector);
 /// The same of a scene that is there.
 SceneMembers members_of(const Work& work, std::uint64_t k, const MadeScene& made);
 

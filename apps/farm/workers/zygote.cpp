@@ -116,12 +116,13 @@ class ZygoteProcess {
       close(m_control);
       sockets.a.reset();
       limit_worker(m_limits);
-      serve_scenes(m_work, m_models, m_limits, sockets.b.number());
+      serve_scenes(m_work, m_models, m_limits, m_num_workers, sockets.b.number());
     }
     if (id < 0) {
       send_message(m_control, std::string("E3no process can be started: ") + std::strerror(errno));
       return false;
     }
+    ++m_num_workers;
     return tell(m_control, 'W', id, 0, sockets.a.number());
   }
 
@@ -129,6 +130,7 @@ class ZygoteProcess {
   const WorkLimits& m_limits;
   int m_control;
   LoadedModels m_models;
+  std::uint64_t m_num_workers = 0;  // that were started
 };
 
 }  // namespace

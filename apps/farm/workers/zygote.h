@@ -4,8 +4,8 @@
 //          <--- 'R' ready, 'E' error, 'W' a worker and its socket, 'D' a worker's death ---
 //          <------------------------- k, scenes ------------------------------->
 //
-// A fork copies one thread only, so that the zygote never has more; workers are not to need any.
-// When the parent dies so do all others.
+// A fork copies one thread only, so that the zygote never has more, and no OpenGL: what a worker
+// needs of these it makes itself. When the parent dies so do all others.
 #pragma once
 
 #include <sys/types.h>
@@ -31,12 +31,15 @@ struct WorkerNews {
   int status = 0;  // of 'D', as waitpid() has it
 };
 
-/// Serves k after k from a socket until it is closed. Does not return.
-[[noreturn]] void serve_scenes(const Work& work, const LoadedModels& models,
-                               const WorkLimits& limits, int socket);
+/// Message to a worker.
+struct SceneRequest {
+  std::uint64_t k = 0;
+  /// By BVHs, and no other at the same time: its process, or that of another one, has ended.
+  bool alone = false;
+};
 
-/// Reply of a worker: CBOR of {"scene": text, "more": [[name, bytes], ...]}, or {"error": text,
-/// "fatal": true if the process is not to be used any more}.
-std::string reply_of(const SceneMembers& members);
+/// Serves request after request from a socket until it is closed. Does not return.
+[[noreturn]] void serve_scenes(const Work& work, const LoadedModels& models,
+                               const WorkLimits& limits, std::uint64_t worker, int socket);
 
 }  // namespace trivet::farm

@@ -21,7 +21,9 @@ class Drag {
     const Operation operation = operation_of(values);
     m_guard = std::make_unique<SceneGuard>(*m_scene, SceneGuard::Use::Change);
     m_scene->cancel() = false;
-    m_live.emplace(m_scene->session().begin_live(operation, m_scene->settle, m_scene->context(0)));
+    m_detector = std::make_unique<DetectorPool::Loan>(m_scene->detectors->pool());
+    m_live.emplace(m_scene->session().begin_live(operation, m_scene->settle,
+                                                 m_scene->context(0, m_detector->get())));
     m_scene->is_dragged = true;
   }
   ~Drag() { release(); }
@@ -86,6 +88,7 @@ class Drag {
   void release() {
     if (!m_guard) return;
     m_live.reset();
+    m_detector.reset();
     m_scene->is_dragged = false;
     m_guard.reset();
   }
@@ -111,7 +114,8 @@ class Drag {
 
   std::shared_ptr<SharedScene> m_scene;
   std::unique_ptr<SceneGuard> m_guard;
-  std::optional<LiveMove> m_live;
+  std::unique_ptr<DetectorPool::Loan> m_detector;
+  std::optional<LiveMove> m_live;  // asks it
   bool m_is_called = false;
 };
 

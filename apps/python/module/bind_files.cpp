@@ -35,7 +35,9 @@ ScenePointer shared(OpenedSession opened, SettleOptions settle) {
 
 ScenePointer open(const std::string& path, const std::string& importer, const SettleOptions& settle,
                   std::optional<bool> perfect_friction, std::optional<bool> whole_at_rest,
-                  const py::object& progress) {
+                  const py::object& progress, const std::string& detector,
+                  const std::string& device) {
+  const std::shared_ptr<ChosenDetectors> chosen = detectors_of(detector, device);
   std::atomic<bool> cancel = false;
   const Cancellable cancellable(cancel);
   PythonCallback told(progress, cancel);
@@ -46,11 +48,17 @@ ScenePointer open(const std::string& path, const std::string& importer, const Se
   if (told.is_given())
     options.progress = [&](const Progress& p) { told(p.stage, p.item, p.done, p.total); };
   options.layout_file = path;
-  OpenedSession opened =
-      without_gil([&] { return open_session(path, options, limits_of(importer)); });
+  OpenedSession opened = without_gil([&] {
+    const DetectorPool::Loan loan(chosen->pool());
+    options.context.detector = loan.get();
+    return open_session(path, options, limits_of(importer));
+  });
   told.rethrow();
   if (PyErr_CheckSignals()) throw py::error_already_set();
-  return shared(std::move(opened), settle);
+  ScenePointer out = shared(std::move(opened), settle);
+  out->detectors = chosen;
+  out->warn_of_detectors();
+  return out;
 }
 
 /// A scene as it was at a moment.
@@ -151,7 +159,7 @@ void bind_files(py::module_& m, SceneClass& scene) {
       });
   scene
       .def_static("open", &open, "path"_a, "importer"_a, "settle"_a, "perfect_friction"_a,
-                  "whole_at_rest"_a, "progress"_a)
+                  "whole_at_rest"_a, "progress"_a, "detector"_a, "device"_a)
       .def("snapshot", &snapshot)
       .def("restore", &restore, "snapshot"_a)
       .def("save", &save, "path"_a)

@@ -142,6 +142,17 @@ void bind_scene(py::module_& m) {
       .def_static("standing", &standing, "objects"_a, "floor"_a, "floor_material"_a, "settle"_a)
       .def_readwrite("settle", &SharedScene::settle)
       .def_readwrite("time_budget", &SharedScene::time_budget_s)
+      .def(
+          "choose_detector",
+          [](SharedScene& s, const std::string& detector, const std::string& device) {
+            const SceneGuard guard(s, SceneGuard::Use::Change);
+            s.detectors = detectors_of(detector, device);
+          },
+          "detector"_a, "device"_a)
+      .def_property_readonly("detector",
+                             [](const SharedScene& s) { return s.detectors->choice().detector; })
+      .def_property_readonly("device",
+                             [](const SharedScene& s) { return s.detectors->choice().device; })
       .def_property_readonly("floor", [](const SharedScene& s) { return s.scene().floor; })
       .def_property_readonly("floor_material",
                              [](const SharedScene& s) { return dict_of(s.scene().floor_material); })

@@ -17,8 +17,9 @@ const Object& SharedScene::at(ObjectKey key, const std::string& name) const {
   return scene().at(id(key, name));
 }
 
-RunContext SharedScene::context(double budget_s) const {
+RunContext SharedScene::context(double budget_s, Detector* detector) const {
   RunContext out;
+  out.detector = detector;
   out.cancel = &m_cancel;
   out.time_budget_s = budget_s > 0 ? budget_s : time_budget_s;
   return out;
@@ -30,10 +31,12 @@ OperationResult SharedScene::perform(const std::vector<Operation>& operations, d
   const Cancellable cancellable(m_cancel);
   const size_t before = session().num_done();
   const SettleOptions options = settle;  // Python may change it meanwhile
-  const RunContext run_context = context(budget_s);
-  if (film) film->add(scene());  // what was undone or restored meanwhile
-  OperationResult result =
-      guard.run([&] { return session().perform_all(operations, options, run_context); });
+  if (film) film->add(scene());          // what was undone or restored meanwhile
+  const std::shared_ptr<ChosenDetectors> chosen = detectors;  // Python may change it meanwhile
+  OperationResult result = guard.run([&] {
+    const DetectorPool::Loan detector(chosen->pool());
+    return session().perform_all(operations, options, context(budget_s, detector.get()));
+  });
   if (result.ok()) m_group_ends.resize(m_position);  // what was undone is forgotten
   if (PyErr_CheckSignals()) {  // a Ctrl+C that came when all was done takes it back
     roll_back(before);
@@ -41,7 +44,15 @@ OperationResult SharedScene::perform(const std::vector<Operation>& operations, d
   }
   if (result.ok()) end_group();
   record(operations, result);
+  warn_of_detectors();
   return result;
+}
+
+void SharedScene::warn_of_detectors() {
+  for (const std::string& note : detectors->take_notes()) {
+    const py::object warning = py::module_::import("trivet").attr("TrivetWarning");
+    if (PyErr_WarnEx(warning.ptr(), note.c_str(), 2) != 0) throw py::error_already_set();
+  }
 }
 
 // For several operations, only their result is known.

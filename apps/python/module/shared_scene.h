@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "apps/python/module/detectors.h"
 #include "apps/python/module/running.h"
 #include "ops/files/animation/motion_film.h"
 #include "ops/session/restore.h"
@@ -30,6 +31,7 @@ class SharedScene {
 
   SettleOptions settle;
   double time_budget_s = 0;  // of each operation; 0: none
+  std::shared_ptr<ChosenDetectors> detectors = detectors_of("auto", "auto");
 
   const Scene& scene() const { return m_opened.session.scene(); }
   OpenedSession& opened() { return m_opened; }
@@ -43,7 +45,9 @@ class SharedScene {
   OperationResult perform(const std::vector<Operation>& operations, double budget_s);
   /// Set to stop the operation under way.
   std::atomic<bool>& cancel() { return m_cancel; }
-  RunContext context(double budget_s) const;
+  RunContext context(double budget_s, Detector* detector) const;
+  /// Python warnings of what the detectors had to say. With the GIL.
+  void warn_of_detectors();
 
   /// A step has been done (or several): they are undone as one.
   void end_group();

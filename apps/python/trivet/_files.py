@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, cast
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Union, cast
 
 from numpy.typing import ArrayLike
 
 from . import _arrays, _foreign, _trivet
 from ._properties import Material, material_of
 from ._results import Export, Overlap
-from ._settle import settings
+from ._settle import detection, settings
 from ._shape import PathLike, find_importer
 from ._snapshot import Snapshot, TrivetWarning
 
@@ -79,7 +79,8 @@ class Files:
         return cls.from_poses(names, shapes, poses, **options)
 
     @classmethod
-    def load(cls, path: PathLike, *, progress: Optional[Progress] = None, clearance: float = 0.0, **options: Any) -> Scene:
+    def load(cls, path: PathLike, *, progress: Optional[Progress] = None, clearance: float = 0.0, detector: str = "auto",
+             device: Union[int, str] = "auto", **options: Any) -> Scene:
         """A scene that Trivet wrote (.glb), or a layout (.json), which is run.
 
         Parameters
@@ -88,7 +89,7 @@ class Files:
         progress : callable, optional
             ``progress(stage, item, done, total)``, from threads of Trivet's too, one at a time; what it raises stops the
             work and is raised here.
-        clearance, **options
+        clearance, detector, device, **options
             As for `Scene`; of rules that are left out, those of the file hold.
 
         Returns
@@ -109,7 +110,7 @@ class Files:
         """
         scene = cls._of(_trivet.Scene.open(_arrays.path("path", path), find_importer(), settings(clearance, options),
                                            options.get("perfect_friction"), options.get("whole_at_rest"),
-                                           _arrays.callback("progress", progress)))
+                                           _arrays.callback("progress", progress), *detection(detector, device)))
         for note in scene.notes:
             warnings.warn(note, TrivetWarning, stacklevel=2)
         return scene

@@ -16,7 +16,7 @@ from ._pictures import Pictures
 from ._properties import Material, material_of
 from ._questions import Questions
 from ._results import Result, done
-from ._settle import Settle, settings
+from ._settle import Settle, detection, settings
 from ._shape import Shape
 from ._snapshot import Snapshot
 from ._transaction import Transaction
@@ -36,6 +36,10 @@ class Scene(Files, Pictures, Questions):
         A name of `materials`, or "friction", "density", "restitution"; nothing: friction 0.5.
     clearance : float
         Metres that objects stay apart; 0: 2^-20 of the size of what is within 10 m, at most 0.0095 mm (more for large objects).
+    detector : "auto", "bvh", "software", "gpu", "framebuffer" or "compute"
+        What finds candidates for contact, as ``--detector`` of the program; results do not depend on it.
+    device : int or "auto"
+        Number of the EGL device of a GPU, from 1, as ``--device`` of the program.
     **options
         How to settle: `perfect_friction`, `whole_at_rest`, `accept_wedged` (bool), `max_motions` (int); what is left out
         is as in the program `trivet`.
@@ -44,9 +48,10 @@ class Scene(Files, Pictures, Questions):
     __slots__ = ("_scene", "__weakref__")
 
     def __init__(self, floor: bool = True, *, floor_material: Optional[Material] = None, clearance: float = 0.0,
-                 **options: Any) -> None:
+                 detector: str = "auto", device: Union[int, str] = "auto", **options: Any) -> None:
         self._scene = _trivet.Scene.empty(_arrays.flag("floor", floor), material_of(floor_material),
                                           settings(clearance, options))
+        self._scene.choose_detector(*detection(detector, device))
 
     @classmethod
     def _of(cls, scene: _trivet.Scene) -> Scene:
@@ -135,6 +140,24 @@ class Scene(Files, Pictures, Questions):
     def settle(self) -> Settle:
         """How operations settle: `clearance`, `perfect_friction`, `whole_at_rest`, `accept_wedged`, `max_motions`."""
         return Settle(self._scene.settle)
+
+    @property
+    def detector(self) -> str:
+        """What finds candidates for contact, from the next operation on; results do not depend on it."""
+        return self._scene.detector
+
+    @detector.setter
+    def detector(self, name: str) -> None:
+        self._scene.choose_detector(*detection(name, self.device))
+
+    @property
+    def device(self) -> Union[int, str]:
+        """Number of the EGL device of a GPU; "auto": the first that works, or that of ``TRIVET_EGL_DEVICE``."""
+        return self._scene.device or "auto"
+
+    @device.setter
+    def device(self, number: Union[int, str]) -> None:
+        self._scene.choose_detector(*detection(self.detector, number))
 
     @property
     def time_budget(self) -> float:
@@ -285,7 +308,7 @@ class Scene(Files, Pictures, Questions):
     def __reduce__(self) -> Any:
         settle = self._scene.settle
         options = {key: getattr(settle, key) for key in dir(settle) if not key.startswith("_")}
-        return _unpickled, (self.snapshot(), options)
+        return _unpickled, (self.snapshot(), options, self.detector, self.device)
 
     def __repr__(self) -> str:
         return f"<trivet.Scene of {len(self)} objects>"
@@ -295,8 +318,10 @@ def _quoted(name: object) -> str:
     return f'"{name}"' if isinstance(name, str) and name.isprintable() else _arrays.short(name)
 
 
-def _unpickled(snapshot: Snapshot, options: dict[str, Any]) -> Scene:
-    return snapshot.scene(**options)
+def _unpickled(snapshot: Snapshot, options: dict[str, Any], detector: str = "auto", device: Union[int, str] = "auto") -> Scene:
+    scene = snapshot.scene(**options)
+    scene._scene.choose_detector(*detection(detector, device))
+    return scene
 
 
 def materials() -> dict[str, dict[str, Any]]:

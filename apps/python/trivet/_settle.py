@@ -70,3 +70,11 @@ def settings(clearance: Optional[float], options: Mapping[str, Any],
         if value is not None or name not in _NAMES:
             setattr(settle, name, _checked(name, value))
     return settle
+
+
+def detection(detector: Any, device: Any) -> tuple[str, str]:
+    """Names of a choice of a detector; the module says which are accepted."""
+    _arrays.text("detector", detector)
+    if device == "auto":
+        return detector, "auto"
+    return detector, str(_arrays.whole("device", device, 1, 1_000_000))

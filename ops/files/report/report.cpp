@@ -100,6 +100,7 @@ OrderedJson importer_json(const Protection& protection) {
 
 OrderedJson work_json(const DetectionWork& work) {
   return {{"queries", work.num_queries},
+          {"early_queries", work.early},
           {"body_pairs", work.zlist.body_pairs},
           {"pixels", work.zlist.pixels},
           {"doubtful_pixels", work.zlist.doubtful_pixels},
@@ -108,6 +109,8 @@ OrderedJson work_json(const DetectionWork& work) {
           {"confirmed_face_pairs", work.zlist.confirmed_pairs},
           {"lists_by_gpu", work.zlist.gpu_lists},
           {"lists_in_software", work.zlist.software_lists},
+          {"draws", work.zlist.draws},
+          {"read_backs", work.zlist.read_backs},
           {"bytes_read_back", work.zlist.bytes_read_back},
           {"fallbacks", work.fallbacks},
           {"places", work.places},

@@ -29,7 +29,7 @@ void choose(QComboBox& box, const QString& wanted) {
 }
 
 /// The choice of detection in Preferences, and what these and the status bar say of it.
-void check_says(MainWindow& window, User& user, const DetectionChoice& choice,
+void check_says(MainWindow& window, User& user, const EditorDetection& choice,
                 const QString& answers) {
   user.with_dialog([&] { window.action("preferences")->trigger(); },
                    [&](QWidget& dialog) {
@@ -56,7 +56,7 @@ void check_says(MainWindow& window, User& user, const DetectionChoice& choice,
 
 /// Chooses by hand, and waits until both threads answer with it.
 void choose_in_preferences(Document& document, MainWindow& window, User& user,
-                           const DetectionChoice& choice) {
+                           const EditorDetection& choice) {
   const auto answers = [&](const Answering& who) {
     if (choice.backend == "auto") return true;
     return who.name == choice.backend.toStdString() &&
@@ -96,7 +96,7 @@ void push_teapot(Document& document, MainWindow& window, User& user, bool looks,
   for (const ObjectSnapshot& object : document.snapshot()->objects) out.push_back(object->pose);
 }
 
-const DetectionChoice kFramebuffer{"gpu", "framebuffer"}, kBvh{"bvh", "auto"};
+const EditorDetection kFramebuffer{"gpu", "framebuffer"}, kBvh{"bvh", "auto"};
 
 QString framebuffers_of(const Document& document) {
   return "z-lists: framebuffer, " + QString::fromStdString(document.detection().moves.device);
@@ -128,7 +128,7 @@ void start_again(User& user, const QString& recovery) {
   options.version = "test";
   options.recovery_folder = recovery.toStdString();
   QVERIFY(QDir().mkpath(recovery));
-  const DetectionChoice saved = saved_detection();
+  const EditorDetection saved = saved_detection();
   options.detection = backend_options(saved);
   Document document(options);
   MainWindow window(document, saved);
@@ -149,7 +149,7 @@ void fall_back_from_a_bad_setting(MainWindow& window) {
     settings.setValue("detection/backend", "gpu");
     settings.setValue("detection/gpu_method", "rays");
   }
-  QVERIFY(saved_detection(&note) == DetectionChoice());
+  QVERIFY(saved_detection(&note) == EditorDetection());
   QCOMPARE(note,
            QString("The saved choice of collision detection, gpu by rays, is not accepted: it "
                    "is automatic"));

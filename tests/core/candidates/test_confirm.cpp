@@ -61,7 +61,8 @@ void check_pairs(const test::RandomQuery& q, int number, Count& count) {
     if (truth.status != FirstContact::Status::Free && number % 2) horizon = truth.time;
     const std::vector<FacePair> pairs = all_pairs(query);
     std::vector<FacePair> kept = pairs;
-    if (!confirm_pairs(query, horizon, kept)) return;
+    FirstContact best;
+    if (!decide_by_embree(query, horizon, kept, best)) return;
     auto at = kept.begin();
     for (const FacePair& p : pairs) {
       const bool is_kept = at != kept.end() && key(*at) == key(p);
@@ -107,7 +108,7 @@ TEST(ConfirmPairs, ChangesNoAnswer) {
     q.ask([&](const FirstContactQuery& query) {
       CandidatePairs with, without;
       const FirstContact a = first_contact(query, stage, &with, kAskAboutAll);
-      const FirstContact b = first_contact(query, stage, &without, {false, 1});
+      const FirstContact b = first_contact(query, stage, &without, kConfirmNone);
       EXPECT_TRUE(test::same_answer(a, b)) << q.describe();
       EXPECT_TRUE(test::same_answer(a, first_contact_brute_force(query))) << q.describe();
       EXPECT_EQ(without.work.asked_pairs, 0);

@@ -42,8 +42,8 @@ Pairs all_overlaps(const Boxes& boxes) {
 
 Pairs reported(const Boxes& boxes) {
   Pairs out;
-  const auto pairs = overlapping_boxes(boxes.a, boxes.b, kNoLimit);
-  for (const BoxPair& p : *pairs) EXPECT_TRUE(out.insert({p.a, p.b}).second);
+  const auto visit = [&](const BoxPair& p) { EXPECT_TRUE(out.insert({p.a, p.b}).second); };
+  EXPECT_TRUE(visit_overlapping_boxes(boxes.a, boxes.b, kNoLimit, visit));
   return out;
 }
 
@@ -86,8 +86,12 @@ TEST(BoxPairs, AcceptsInfiniteBoxesAndNone) {
 
 TEST(BoxPairs, GivesUpWhenThereAreManyMorePairsThanAccepted) {
   const std::vector<Aabb> same(2000, Aabb{Vec3::Zero(), Vec3::Ones()});
-  EXPECT_FALSE(overlapping_boxes(same, same, 100'000));
-  EXPECT_TRUE(overlapping_boxes(same, std::span(same).first(10), 100'000));
+  size_t num_visited = 0;
+  const auto visit = [&](const BoxPair&) { ++num_visited; };
+  EXPECT_FALSE(visit_overlapping_boxes(same, same, 100'000, visit));
+  EXPECT_EQ(num_visited, 0u);
+  EXPECT_TRUE(visit_overlapping_boxes(same, std::span(same).first(10), 100'000, visit));
+  EXPECT_EQ(num_visited, 20'000u);
 }
 
 TEST(BoxPairs, AreTheSameFromManyThreads) {

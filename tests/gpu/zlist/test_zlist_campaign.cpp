@@ -15,7 +15,7 @@ namespace {
 
 constexpr unsigned kCampaignSeed = 777;
 constexpr int kReportEvery = 1000;
-constexpr Confirmation kAskNothing{false, 0};
+constexpr Confirmation kAskNothing = kConfirmNone;
 
 /// Gives every proposal of another stage twice: as it is, then less the pairs that Embree does not
 /// confirm, of all, however few.
@@ -29,7 +29,8 @@ class Twice : public CandidateFinder {
     CandidatePairs& p = m_last;
     if (!p.usable || p.pairs.empty()) return p;
     std::vector<FacePair> pairs = p.pairs;
-    if (!confirm_pairs(query, std::min(horizon, p.upper), pairs)) return p;
+    FirstContact best;
+    if (!decide_by_embree(query, std::min(horizon, p.upper), pairs, best)) return p;
     ++num_asked;
     asked += static_cast<std::int64_t>(p.pairs.size());
     confirmed += static_cast<std::int64_t>(pairs.size());

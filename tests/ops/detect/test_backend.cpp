@@ -32,7 +32,8 @@ class StageThatGivesUp : public CandidateFinder {
 
 TEST(Backend, ListsNamesOfCommandLine) {
   EXPECT_EQ(backend_from_name("auto"), Backend::Auto);
-  EXPECT_EQ(backend_from_name("gpu"), Backend::Gpu);
+  for (const char* name : {"gpu", "framebuffer", "compute"})
+    EXPECT_EQ(backend_from_name(name), Backend::Gpu);
   EXPECT_EQ(backend_from_name("software"), Backend::Software);
   EXPECT_EQ(backend_from_name("bvh"), Backend::Bvh);
   EXPECT_THROW(backend_from_name("GPU"), Error);
@@ -57,18 +58,18 @@ TEST(Backend, SelfTestRejectsFaultyStages) {
   EXPECT_NE(self_test(lazy), "");
 }
 
-TEST(Backend, ReplacesUnavailableGpuBySoftware) {
+TEST(Backend, ReplacesUnavailableGpuByBvhs) {
   std::vector<std::string> notes;
   BackendOptions options;
   options.backend = Backend::Gpu;
   options.note = [&](const Sentence& note) { notes.push_back(in_english(note)); };
-  EXPECT_EQ(make_detector(options)->name(), "software");  // a build without GPU support
+  EXPECT_EQ(make_detector(options)->name(), "bvh");  // a build without GPU support
   options.make_gpu_stage = [](const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
     throw Error(Error::Kind::Environment, "no EGL here");
   };
-  EXPECT_EQ(make_detector(options)->name(), "software");
+  EXPECT_EQ(make_detector(options)->name(), "bvh");
   options.make_gpu_stage = [](const GpuNotes&) { return std::make_unique<ForgetfulStage>(); };
-  EXPECT_EQ(make_detector(options)->name(), "software");
+  EXPECT_EQ(make_detector(options)->name(), "bvh");
   ASSERT_EQ(notes.size(), 3u);
   EXPECT_NE(notes[1].find("no EGL here"), std::string::npos);
   EXPECT_NE(notes[2].find("forgetful fails its self-test"), std::string::npos);
