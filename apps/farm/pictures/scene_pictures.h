@@ -21,8 +21,8 @@ struct PictureWork {
   Views views;
   // Called once in every process that draws pictures by OpenGL. Null: they are drawn by rays.
   std::function<DrawPicture()> make_opengl;
-  UnitFormat form = UnitFormat::Tar;           // of data sets their own members instead
-  std::shared_ptr<Environments> environments;  // of the look; read when they are needed
+  UnitFormat form = UnitFormat::Tar;   // of data sets their own members instead
+  std::shared_ptr<LookImages> images;  // of the look; read when they are needed
 };
 
 /// Pictures and labels of scene k: its JSON with "views", [{"name", "camera"}], and for each view
