@@ -66,7 +66,7 @@ int make(const PictureArguments& given, const CommonOptions& common) {
   report_to_terminal(options, common);
   if (run.with_opengl) options.log("pictures by " + device);
   options.on_models_read = [&] {
-    for (const BatchModel& environment : views.environments) store_model(environment, options.out);
+    for (const BatchModel& image : views.images) store_model(image, options.out);
     claim_run(options.out, run);
     const std::vector<std::string> found = begin_data_set(options.out, run, work);
     if (!found.empty()) options.log(symmetries_text(found));

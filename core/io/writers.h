@@ -32,6 +32,11 @@ struct ObjText {
 /// `mtl_name` is the file name of the material library in the OBJ.
 ObjText obj_text(const ExportScene& scene, const std::string& mtl_name);
 
+/// A line of an OBJ or MTL file: the keyword, and numbers that give the float32 back.
+void append_obj_line(std::string& out, const char* keyword, std::initializer_list<float> values);
+/// "newmtl NAME" and what follows.
+void append_mtl(std::string& out, const std::string& name, const Material& material);
+
 /// World coordinates relative to the scene's origin, z up, binary little endian; one mesh, geometry
 /// only.
 std::string ply_bytes(const ExportScene& scene);

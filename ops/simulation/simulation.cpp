@@ -16,6 +16,7 @@
 #include "ops/files/report/models_of_shapes.h"
 #include "ops/simulation/fitted_parts.h"
 #include "ops/simulation/overlaps.h"
+#include "ops/simulation/looks.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -123,6 +124,10 @@ class SceneMaker {
     const Vec3 shift =
         model.link_from_object.apply(export_centre(object.model.get(), object.shape->box));
     model.link_from_object.translation = -shift;
+    model.look = simulation_look(object.model);
+    if (model.look)
+      m_out.notes.insert(m_out.notes.end(), model.look->left_out.begin(),
+                         model.look->left_out.end());
     m_shifts.push_back(shift);
     m_shapes.push_back(object.shape.get());
     m_out.scene.models.push_back(std::move(model));

@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ElementTree
 
 from batches import HEAP, SLAB, BatchCase
 from program import PROGRAM, box_obj, main
+from textured_boxes import png, textured_box_obj
 
 
 class Exports(BatchCase):
@@ -51,6 +52,22 @@ class Exports(BatchCase):
         self.assertLess(len(os.listdir(self.path("e/meshes"))), 30)
         self.assertIn("units: 2 of 2", self.trivet("batch", "status", "e")[0])
         self.assertEqual(self.temporaries("e"), [])
+
+    def test_images_are_made_once(self):
+        self.write("carton.obj", textured_box_obj(0.03, 0.02, 0.06))
+        self.write("carton.mtl", "newmtl paper\nmap_Kd carton.png\n")
+        self.write("carton.png", png(8, 8, lambda x, y: (255, 30 * x, 30 * y)))
+        self.write_recipe(groups=[{"name": "carton", "count": 2, "on": "slab", "models": [{"model": "carton.obj"}]}])
+        self.batch("cartons", count=6)
+        self.trivet("batch", "export", "cartons", "--out", "e", "--as", "mjcf,urdf,sdf,usd", "--quiet")
+        images = [os.path.basename(name) for name in glob.glob(self.path("e/meshes/*.png"))]
+        self.assertEqual(len(images), 1)
+        for k in [row["k"] for row in self.merged("cartons") if row["status"] == "ok"]:
+            scene = ElementTree.fromstring(self.read("e/0000/scenes-%06d/%09d.xml" % (k // 5, k)).decode())
+            self.assertEqual([t.get("file") for t in scene.iter("texture")], images)
+        meshes = {name: self.read("e/meshes/" + name).decode("latin-1") for name in os.listdir(self.path("e/meshes"))}
+        self.assertEqual(sum("map_Kd " + images[0] in text for name, text in meshes.items() if name.endswith(".mtl")), 1)
+        self.assertEqual(sum("inputs:file = @./" + images[0] in text for name, text in meshes.items()), 1)
 
     def test_shards_and_kills_change_nothing(self):
         self.export("one", "--as", "mjcf,usd", "--jobs", 1)

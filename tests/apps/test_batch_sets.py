@@ -6,14 +6,13 @@ import json
 import math
 import os
 import signal
-import struct
 import subprocess
 import time
-import zlib
 
 from batches import BatchCase
 from program import PROGRAM, box_obj, main
 from set_readers import BopSet, CocoSet, calc_2d_bbox, group_of, pixels_of, projected, silhouette
+from textured_boxes import png, textured_box_obj
 
 SCENES = int(os.environ.get("TRIVET_SET_SCENES", "0"))
 NUM, SHARDS = SCENES or 7, 3
@@ -35,26 +34,6 @@ def lathe_obj(profile, sides):
         j = (i + 1) % sides
         faces += [(low, j + 1, i + 1), (high, last + i + 1, last + j + 1)]
     return "".join("v %.7f %.7f %.7f\n" % p for p in points) + "".join("f %d %d %d\n" % f for f in faces)
-
-
-def png(width, height, pixel):
-    rows = b"".join(b"\0" + b"".join(bytes(pixel(x, y)) for x in range(width)) for y in range(height))
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) + \
-        chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
-
-
-def textured_box_obj(x, y, z):
-    """With an image over each side."""
-    lines = box_obj(x, y, z).splitlines()
-    corners = [line for line in lines if line[0] == "v"]
-    faces = [line.split()[1:] for line in lines if line[0] == "f"]
-    turns = (("1", "2", "3"), ("1", "3", "4"))
-    return "mtllib carton.mtl\n" + "\n".join(corners) + "\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl paper\n" + "".join(
-        "f %s/%s %s/%s %s/%s\n" % tuple(w for v, t in zip(face, turns[i // 6]) for w in (v, t))
-        for i, face in enumerate(faces))
 
 
 class Sets(BatchCase):
@@ -220,6 +199,34 @@ class Sets(BatchCase):
                 self.assertEqual(o["target"], o["class"] not in ("ball", "slab"))
                 self.assertEqual(o.get("model_id"), {"a mug": 3, "brick": 2, "can": 1, "carton": 9}.get(o["class"]))
                 self.assertEqual(len(o["rotation"]), 4)
+
+    def test_rooms_with_images_and_surfaces_of_groups(self):
+        self.batch("scenes", count=3)
+        self.write("floor.png", png(4, 4, lambda x, y: (250, 20, 20)))
+        self.write("wall.png", png(4, 4, lambda x, y: (20, 20, 250)))
+        self.recipe["views"]["dome"].update(around="targets", elevation_deg=[5, 15], min_pixels=1)
+        self.recipe["views"]["look"] = {"room": {"floor_images": ["floor.png"], "wall_images": ["wall.png"]}}
+        self.recipe["groups"][0]["look"] = {"roughness": [0.1, 0.9], "colour": [[0.1, 0.1, 0.1], [0.2, 0.2, 0.2]]}
+        self.write_recipe("looks.json", **self.recipe)
+        self.batch("again", count=3, recipe="looks.json")
+        rows = [[{key: o[key] for key in ("name", "position")} for o in row["objects"]] for row in self.merged("again")]
+        self.assertEqual(rows, [[{key: o[key] for key in ("name", "position")} for o in row["objects"]]
+                                for row in self.merged("scenes")])
+        for name in ("one", "two"):
+            self.trivet("batch", "pictures", "again", "--bop", name, "--jobs", len(name))
+        self.assertEqual(self.hashes("one"), self.hashes("two"))
+        found = BopSet(self.path("one"))
+        for k in found.scene_ids():
+            for v in found.scene(k)[1]:
+                data = found.image(k, "rgb", v)[3]
+                red = sum(data[i] > data[i + 2] + 40 for i in range(0, len(data), 3))
+                blue = sum(data[i + 2] > data[i] + 40 for i in range(0, len(data), 3))
+                self.assertGreater(blue, 50)  # the wall, behind what is there
+                self.assertGreater(red, 0)
+                self.assertTrue(all(found.image(k, "depth", v)[3]))
+        self.assertIn("0 findings", self.trivet("batch", "verify", "one", "--scenes", "again")[0])
+        os.remove(self.path("floor.png"))
+        self.refused("batch", "looks.json", "--count", 3, "--out", "more", says="floor.png")
 
     def test_given_classes_and_ids_change_no_scene(self):
         self.batch("scenes", count=3)

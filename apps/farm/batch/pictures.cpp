@@ -12,14 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kEnvironments = "environments/";
+constexpr const char* kLooks = "looks/";
 
-std::map<std::string, std::string> environment_files(const BatchRun& run, const std::string& scenes,
-                                                     const std::string& out) {
+std::map<std::string, std::string> look_files(const BatchRun& run, const std::string& scenes,
+                                              const std::string& out) {
   std::map<std::string, std::string> files;
   nlohmann::json views = nlohmann::json::parse(run.views);
-  rename_environments(views, [&](const std::string& name) {
-    const bool own = name.rfind(kEnvironments, 0) == 0;
+  rename_look_files(views, [&](const std::string& name) {
+    const bool own = name.rfind(kLooks, 0) == 0;
     files[name] = (fs::path(own ? out : scenes) / name).string();
     return name;
   });
@@ -31,10 +31,10 @@ std::map<std::string, std::string> environment_files(const BatchRun& run, const 
 PreparedViews prepare_views(const std::string& text, const std::string& file) {
   PreparedViews out;
   nlohmann::json views = nlohmann::json::parse(views_text(text, file));
-  rename_environments(views, [&](const std::string& name) {
-    out.environments.push_back(batch_model((fs::path(file).parent_path() / name).string()));
-    out.environments.back().stored_in = kEnvironments;
-    return out.environments.back().stored_path();
+  rename_look_files(views, [&](const std::string& name) {
+    out.images.push_back(batch_model((fs::path(file).parent_path() / name).string()));
+    out.images.back().stored_in = kLooks;
+    return out.images.back().stored_path();
   });
   out.json = views.dump();
   return out;
@@ -59,9 +59,9 @@ Work picture_work(const BatchRun& run, const std::string& scenes, const ImportLi
   const Views wishes = read_view_wishes(JsonPlace(views, "views"));
   if (wishes.look && run.with_opengl)
     bad_input("the views have a \"look\", which OpenGL does not draw; accepted: --renderer path");
-  const auto environments = std::make_shared<Environments>(environment_files(run, scenes, out));
+  const auto images = std::make_shared<LookImages>(look_files(run, scenes, out));
   work.pictures = std::make_shared<const PictureWork>(PictureWork{
-      scenes, there, wishes, run.with_opengl ? make_opengl : nullptr, run.format, environments});
+      scenes, there, wishes, run.with_opengl ? make_opengl : nullptr, run.format, images});
   return work;
 }
 

@@ -10,12 +10,12 @@ namespace trivet::farm {
 /// @throws Error (BadInput) when the folder is no batch of scenes, or there are no views.
 BatchRun pictures_of(const std::string& scenes, const std::string& views);
 
-/// Views of a file with their environments, named as they are stored: in OUT/environments.
+/// Views of a file with their images, named as they are stored: in OUT/looks.
 struct PreparedViews {
   std::string json;  // empty: those of the recipe
-  std::vector<BatchModel> environments;
+  std::vector<BatchModel> images;
 };
-/// @param text, file  see views_text(); its folder is where environments are.
+/// @param text, file  see views_text(); its folder is where images are.
 /// @throws Error (BadInput).
 PreparedViews prepare_views(const std::string& text, const std::string& file);
 

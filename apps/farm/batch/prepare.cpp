@@ -10,12 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Models and environments.
+/// Models, and images of the look.
 std::vector<std::string> files_of(const std::string& text, const std::string& file) {
   std::vector<std::string> out = models_of(parse_recipe(text, file));
   nlohmann::json document = nlohmann::json::parse(text);
   if (document.contains("views"))
-    rename_environments(document["views"], [&](const std::string& name) {
+    rename_look_files(document["views"], [&](const std::string& name) {
       if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
       return name;
     });

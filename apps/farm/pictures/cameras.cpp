@@ -5,9 +5,12 @@
 #include "core/picture/camera_dome.h"
 #include "core/picture/frame.h"
 #include "ops/files/labels/folders.h"
+#include "raster/labels/labels.h"
 
 namespace trivet::farm {
 namespace {
+
+constexpr int kMostTried = 20;  // cameras of a view
 
 // Objects that the cameras look at.
 PictureScene looked_at(const LabelledScene& scene, bool targets) {
@@ -39,6 +42,21 @@ PinholeCamera dome_camera(const Views& views, const PictureScene& scene, DomeOpt
   return out;
 }
 
+// What is seen of the target that is seen least, as a share of what is wanted.
+double seen_share(const DomeRanges& wanted, const LabelledScene& scene,
+                  const PinholeCamera& camera) {
+  const Labels labels = render_labels(scene.picture, camera, {.normals = false});
+  double share = 1;
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    if (!scene.objects[i].is_target()) continue;
+    const ObjectLabel& seen = labels.objects[i];
+    if (wanted.min_visible > 0) share = std::min(share, seen.visible_share() / wanted.min_visible);
+    if (wanted.min_pixels > 0)
+      share = std::min(share, double(seen.num_visible) / wanted.min_pixels);
+  }
+  return share;
+}
+
 }  // namespace
 
 std::vector<LabelView> cameras_of(const Views& views, const LabelledScene& scene,
@@ -50,8 +68,20 @@ std::vector<LabelView> cameras_of(const Views& views, const LabelledScene& scene
   std::vector<LabelView> out;
   for (int i = 0; i < views.dome.count; ++i) {
     dome.count = i + 1;  // the last one
-    const Decision ranges(key, k, "views/" + std::to_string(i));
-    out.push_back({number_text(i), dome_camera(views, seen, dome, ranges)});
+    const std::string name = "views/" + std::to_string(i);
+    PinholeCamera best = dome_camera(views, seen, dome, {key, k, name});
+    double best_share = 1;
+    if (views.ranges.min_visible > 0 || views.ranges.min_pixels > 0)
+      best_share = seen_share(views.ranges, scene, best);
+    for (int t = 1; t < kMostTried && best_share < 1; ++t) {
+      const std::string another = name + "/" + std::to_string(t);
+      DomeOptions other = views.dome;
+      other.count = 1, other.seed = Decision(key, k, another + "/dome").bits();
+      const PinholeCamera camera = dome_camera(views, seen, other, {key, k, another});
+      const double share = seen_share(views.ranges, scene, camera);
+      if (share > best_share) best = camera, best_share = share;
+    }
+    out.push_back({number_text(i), best});
   }
   return out;
 }

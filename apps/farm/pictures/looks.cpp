@@ -28,7 +28,7 @@ Vec3 black_body(double t) {
   return linear_sum(3 * u / scale, 2 * v / scale);
 }
 
-Vec3 colour_within(const ColourRange& range, Decision decision) {
+Vec3 srgb_within(const ColourRange& range, Decision decision) {
   Vec3 out;
   for (int c = 0; c < 3; ++c) out[c] = decision.within({range.low[c], range.high[c]});
   return out;
@@ -51,10 +51,10 @@ std::optional<Vec3> key_within(const LookRanges& ranges, Decision decision) {
               std::sin(elevation));
 }
 
-void draw_environment(const LookRanges& ranges, Environments& environments, Decision decision,
+void draw_environment(const LookRanges& ranges, LookImages& images, Decision decision,
                       PictureLook& look) {
   const size_t index = decision.index(ranges.environments.size());
-  look.environment = environments.get(ranges.environments[index]);
+  look.environment = images.environment(ranges.environments[index]);
   look.environment_strength = decision.within(ranges.environment_strength);
   const Rotation yaw = decision.yaw();  // half the angle: w and z are on a circle
   look.environment_turn = {yaw.w, yaw.z};
@@ -62,18 +62,39 @@ void draw_environment(const LookRanges& ranges, Environments& environments, Deci
 
 }  // namespace
 
-std::shared_ptr<const EnvironmentMap> Environments::get(const std::string& name) {
-  auto& map = m_read[name];
-  if (map) return map;
+template <class Image, class Decode>
+std::shared_ptr<const Image> LookImages::get(
+    std::map<std::string, std::shared_ptr<const Image>>& known, const std::string& name,
+    const Decode& decode) const {
+  auto& image = known[name];
+  if (image) return image;
   const auto file = m_file_of.find(name);
   const std::string& path = file == m_file_of.end() ? name : file->second;
   const std::string bytes = read_text_file(path, kMaxImageBytes);
   try {
-    map = std::make_shared<EnvironmentMap>(decode_exr(bytes));
+    image = std::make_shared<const Image>(decode(bytes));
   } catch (const Error& error) {
     throw Error(error.kind(), "%1: %2", path, error.sentence());
   }
-  return map;
+  return image;
+}
+
+std::shared_ptr<const EnvironmentMap> LookImages::environment(const std::string& name) {
+  return get(m_environments, name,
+             [](const std::string& bytes) { return EnvironmentMap(decode_exr(bytes)); });
+}
+
+std::shared_ptr<const TextureImage> LookImages::texture(const std::string& name) {
+  return get(m_textures, name, [](const std::string& bytes) {
+    return make_texture_image(decode_image(bytes), true);
+  });
+}
+
+std::array<float, 3> colour_within(const ColourRange& range, Decision decision) {
+  const Vec3 srgb = srgb_within(range, std::move(decision));
+  std::array<float, 3> out;
+  for (int c = 0; c < 3; ++c) out[c] = linear_from_srgb(float(srgb[c]));
+  return out;
 }
 
 Vec3 colour_of_temperature(double kelvin) {
@@ -81,7 +102,7 @@ Vec3 colour_of_temperature(double kelvin) {
   return out / (0.2126 * out.x() + 0.7152 * out.y() + 0.0722 * out.z());
 }
 
-PictureLook look_of(const LookRanges& ranges, Environments& environments, const PhiloxKey& key,
+PictureLook look_of(const LookRanges& ranges, LookImages& images, const PhiloxKey& key,
                     std::uint64_t k, int view) {
   const auto of_scene = [&](const char* name) {
     return Decision(key, k, std::string("look/") + name);
@@ -91,15 +112,14 @@ PictureLook look_of(const LookRanges& ranges, Environments& environments, const 
   out.key_colour = light_within(ranges.key, of_scene("key"));
   out.sky_colour = light_within(ranges.sky, of_scene("sky"));
   if (ranges.floor) {
-    const Vec3 colour = colour_within(*ranges.floor, of_scene("floor"));
-    for (int c = 0; c < 3; ++c) out.floor_colour[c] = linear_from_srgb(float(colour[c]));
+    const std::array<float, 3> colour = colour_within(*ranges.floor, of_scene("floor"));
+    out.floor_colour = {colour[0], colour[1], colour[2]};
   }
   if (ranges.background) {
-    const Vec3 colour = colour_within(*ranges.background, of_scene("background"));
+    const Vec3 colour = srgb_within(*ranges.background, of_scene("background"));
     for (int c = 0; c < 3; ++c) out.background[c] = float(colour[c]);
   }
-  if (!ranges.environments.empty())
-    draw_environment(ranges, environments, of_scene("environment"), out);
+  if (!ranges.environments.empty()) draw_environment(ranges, images, of_scene("environment"), out);
   Decision of_view(key, k, "look/" + std::to_string(view) + "/camera");
   out.exposure = of_view.within(ranges.exposure);
   out.noise = of_view.within(ranges.noise);

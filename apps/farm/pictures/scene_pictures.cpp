@@ -4,6 +4,7 @@
 
 #include "apps/farm/pictures/cameras.h"
 #include "apps/farm/pictures/data_set.h"
+#include "apps/farm/pictures/room.h"
 #include "apps/farm/scene/standing.h"
 #include "core/base/arena.h"
 #include "core/picture/image_files.h"
@@ -22,14 +23,19 @@ struct Drawn {
   const Views& views;
   const DrawPicture& opengl;
   std::function<PictureLook(int view)> look;
+  const DrawnScene* drawn = nullptr;
+
+  Labels labels(const LabelView& view) const {
+    return drawn->labels(view.camera, {.normals = views.normals});
+  }
 
   std::string picture(const LabelView& view, int number) const {
     if (!views.picture) return "";
-    if (opengl) return opengl(scene.picture, view.camera, views.samples);
+    if (opengl) return opengl(drawn->picture(), view.camera, views.samples);
     PathOptions path;
     path.bounces = views.bounces;
     if (look) path.look = look(number);
-    return traced_png(scene.picture, view.camera, views.samples, path);
+    return traced_png(drawn->picture(), view.camera, views.samples, path);
   }
 };
 
@@ -81,8 +87,7 @@ class BopMembers : public SceneWriter {
                 out.more.push_back({name, bytes});
               }) {}
   void add(const LabelView& view, int number) override {
-    const Labels labels = render_labels(m_drawn.scene.picture, view.camera, {.normals = false});
-    m_bop.add(view, labels, m_drawn.picture(view, number));
+    m_bop.add(view, m_drawn.labels(view), m_drawn.picture(view, number));
   }
   void finish() override { m_bop.finish(); }
 
@@ -96,9 +101,8 @@ class CocoMembers : public SceneWriter {
   CocoMembers(const Drawn& drawn, std::uint64_t k, SceneMembers& out)
       : m_drawn(drawn), m_folder(number_text(k)), m_out(out), m_coco(drawn.scene) {}
   void add(const LabelView& view, int number) override {
-    const Labels labels = render_labels(m_drawn.scene.picture, view.camera, {.normals = false});
     const std::string file = view.name + ".png";
-    m_coco.add(view, labels, m_folder + "/" + file);
+    m_coco.add(view, m_drawn.labels(view), m_folder + "/" + file);
     if (m_drawn.views.picture) m_out.more.push_back({file, m_drawn.picture(view, number)});
   }
   void finish() override {
@@ -121,8 +125,7 @@ std::unique_ptr<SceneWriter> writer_of(UnitFormat form, const Drawn& drawn, std:
 }
 
 void ViewWriter::add_labels() {
-  const Labels labels =
-      render_labels(m_scene.picture, m_view->camera, {.normals = m_views.normals});
+  const Labels labels = m_drawn.labels(*m_view);
   if (m_views.depth) add_grey(".depth.png", depth_in_units(labels, m_views.depth_unit).units);
   if (m_views.instances) add_grey(".instances.png", labels.instances);
   if (m_views.classes) add_grey(".classes.png", class_mask(m_scene, labels));
@@ -141,7 +144,7 @@ SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const R
   if (out.scene.value("status", Json()) != "ok") {
     const LabelledScene nothing;
     if (is_data_set(work.form))  // files as of a scene without pictures
-      writer_of(work.form, {nothing, work.views, opengl, nullptr}, k, out)->finish();
+      writer_of(work.form, {nothing, work.views, opengl, nullptr, nullptr}, k, out)->finish();
     return out;
   }
   const std::string where = "scene " + std::to_string(k);
@@ -149,15 +152,19 @@ SceneMembers make_pictures(const PictureWork& work, SceneReader& scenes, const R
   const Scene stands = standing(layout, models, where);
   const LabelIds ids = label_ids(recipe, models);
   const LabelledScene scene = labelled_scene(stands, layout, {}, &ids);
-  Drawn drawn{scene, work.views, opengl, nullptr};
+  Drawn drawn{scene, work.views, opengl, nullptr, nullptr};
   if (work.views.look)
-    drawn.look = [&](int view) {
-      return look_of(*work.views.look, *work.environments, key, k, view);
-    };
+    drawn.look = [&](int view) { return look_of(*work.views.look, *work.images, key, k, view); };
   const auto draw = [&] {
+    const std::vector<LabelView> cameras = cameras_of(work.views, scene, key, k);
+    std::vector<PinholeCamera> eyes;
+    for (const LabelView& view : cameras) eyes.push_back(view.camera);
+    const DrawnScene shown(scene, recipe, work.views.look ? &*work.views.look : nullptr,
+                           work.images.get(), eyes, key, k);
+    drawn.drawn = &shown;
     const auto writer = writer_of(work.form, drawn, k, out);
     int number = 0;
-    for (const LabelView& view : cameras_of(work.views, scene, key, k)) {
+    for (const LabelView& view : cameras) {
       views.push_back({{"name", view.name}, {"camera", camera_json(view.camera)}});
       writer->add(view, number++);
     }

@@ -22,9 +22,9 @@ struct PictureWork {
   std::string folder;  // the batch of the scenes
   BatchRun scenes;
   Views views;
-  MakePictures make_opengl;                    // null: they are drawn by rays
-  UnitFormat form = UnitFormat::Tar;           // of data sets their own members instead
-  std::shared_ptr<Environments> environments;  // of the look; read when they are needed
+  MakePictures make_opengl;            // null: they are drawn by rays
+  UnitFormat form = UnitFormat::Tar;   // of data sets their own members instead
+  std::shared_ptr<LookImages> images;  // of the look; read when they are needed
 };
 
 /// Pictures and labels of scene k: its JSON with "views", [{"name", "camera"}], and for each view

@@ -36,11 +36,44 @@ void read_environments(const JsonPlace& place, LookRanges& out) {
   if (out.environments.empty()) place.refuse("an array of at least one .exr file");
 }
 
+std::vector<std::string> read_image_files(const JsonPlace& place) {
+  std::vector<std::string> out;
+  for (const JsonPlace& file : place.items()) {
+    out.push_back(file.text());
+    const std::string kind = lower_extension(out.back());
+    if (kind != ".png" && kind != ".jpg" && kind != ".jpeg" && kind != ".webp")
+      file.refuse("pictures: .png, .jpg, .jpeg or .webp");
+  }
+  if (out.empty()) place.refuse("an array of at least one picture");
+  return out;
+}
+
+RoomRanges read_room(const JsonPlace& place) {
+  place.expect_object({}, {"floor_images", "wall_images", "walls", "tile", "distance", "height"});
+  RoomRanges out;
+  if (const auto files = place.find("floor_images")) out.floor_images = read_image_files(*files);
+  if (const auto files = place.find("wall_images")) out.wall_images = read_image_files(*files);
+  if (const auto walls = place.find("walls")) out.walls = read_colours(*walls);
+  if (const auto tile = place.find("tile")) out.tile = read_interval(*tile, 1e-3, 1e3);
+  if (const auto metres = place.find("distance")) out.distance = read_interval(*metres, 0, 1e3);
+  if (const auto metres = place.find("height")) out.height = read_interval(*metres, 1e-3, 1e3);
+  return out;
+}
+
 }  // namespace
+
+SurfaceRanges read_surface(const JsonPlace& place) {
+  place.expect_object({}, {"roughness", "metallic", "colour"});
+  SurfaceRanges out;
+  if (const auto range = place.find("roughness")) out.roughness = read_interval(*range, 0, 1);
+  if (const auto range = place.find("metallic")) out.metallic = read_interval(*range, 0, 1);
+  if (const auto range = place.find("colour")) out.colour = read_colours(*range);
+  return out;
+}
 
 LookRanges read_look(const JsonPlace& place) {
   place.expect_object({}, {"key", "sky", "environments", "environment_strength", "floor",
-                           "background", "exposure", "noise"});
+                           "background", "room", "exposure", "noise"});
   LookRanges out;
   if (const auto key = place.find("key")) {
     key->expect_object({}, {"strength", "temperature", "elevation_deg", "azimuth_deg"});
@@ -59,6 +92,7 @@ LookRanges read_look(const JsonPlace& place) {
   }
   if (const auto floor = place.find("floor")) out.floor = read_colours(*floor);
   if (const auto background = place.find("background")) out.background = read_colours(*background);
+  if (const auto room = place.find("room")) out.room = read_room(*room);
   if (const auto exposure = place.find("exposure"))
     out.exposure = read_interval(*exposure, 0, 1000);
   if (const auto noise = place.find("noise")) out.noise = read_interval(*noise, 0, 1);

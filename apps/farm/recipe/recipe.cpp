@@ -199,7 +199,7 @@ std::string canonical_recipe(const std::string& text, const std::string& file,
   rename_models(document, "operations", rename);
   if (document.contains("groups"))
     for (nlohmann::json& group : document["groups"]) rename_models(group, "models", rename);
-  if (document.contains("views")) rename_environments(document["views"], rename);
+  if (document.contains("views")) rename_look_files(document["views"], rename);
   return document.dump();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/farm/recipe/decisions.h"
+#include "apps/farm/recipe/look.h"
 #include "ops/files/layout/layout.h"
 
 namespace trivet::farm {
@@ -50,7 +51,8 @@ struct RecipeGroup {
   RotationRule rotation = RotationRule::Yaw;
   Rotation given;
   PlaceRule place;
-  bool target = true;  // of data sets; else its objects are distractors
+  bool target = true;                 // of data sets; else its objects are distractors
+  std::optional<SurfaceRanges> look;  // in pictures
 };
 
 /// Random operations at the end.

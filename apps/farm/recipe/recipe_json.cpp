@@ -148,8 +148,9 @@ Counts read_counts(const JsonPlace& place, int lower, int upper) {
 }
 
 RecipeGroup read_group(const JsonPlace& place) {
-  place.expect_object({"name", "models"}, {"count", "scale_range", "rotation", "on", "keep",
-                                           "region", "region_of", "in", "above", "heap", "target"});
+  place.expect_object({"name", "models"},
+                      {"count", "scale_range", "rotation", "on", "keep", "region", "region_of",
+                       "in", "above", "heap", "target", "look"});
   RecipeGroup group;
   group.name = read_plain_name(place.at("name"));
   for (const JsonPlace& item : place.at("models").items())
@@ -162,6 +163,7 @@ RecipeGroup read_group(const JsonPlace& place) {
   if (const auto rotation = place.find("rotation")) read_rotation_rule(*rotation, group);
   group.place = read_place_rule(place);
   if (const auto target = place.find("target")) group.target = target->boolean();
+  if (const auto look = place.find("look")) group.look = read_surface(*look);
   return group;
 }
 

@@ -163,7 +163,7 @@ std::string recipe_of_scenes(const std::string& canonical) {
   recipe.erase("classes");
   if (recipe.contains("groups"))
     for (nlohmann::json& group : recipe["groups"]) {
-      group.erase("target");
+      group.erase("target"), group.erase("look");
       for (nlohmann::json& model : group["models"]) model.erase("id"), model.erase("symmetries");
     }
   return recipe.dump();

@@ -39,7 +39,8 @@ void read_set_keys(const JsonPlace& place, RecipeModel& model);
 /// @throws Error (BadInput) naming the place.
 void read_set_labels(const JsonPlace& root, Recipe& recipe);
 
-/// The recipe without what only labels depend on: views, classes, targets, ids and symmetries.
+/// The recipe without what only pictures and labels depend on: views, looks, classes, targets, ids
+/// and symmetries.
 std::string recipe_of_scenes(const std::string& canonical);
 
 }  // namespace trivet::farm

@@ -9,7 +9,8 @@ namespace {
 constexpr int kMaxCameras = 1000;  // of a scene
 
 void read_dome(const JsonPlace& place, DomeOptions& dome, DomeRanges& ranges) {
-  place.expect_object({}, {"count", "radius", "elevation_deg", "fov_deg", "roll_deg", "around"});
+  place.expect_object({}, {"count", "radius", "elevation_deg", "fov_deg", "roll_deg", "around",
+                           "min_visible", "min_pixels"});
   if (const auto count = place.find("count")) dome.count = read_integer(*count, 1, kMaxCameras);
   if (const auto radius = place.find("radius"))
     ranges.radius = read_interval(*radius, 1e-6, kMaxLength);
@@ -19,6 +20,9 @@ void read_dome(const JsonPlace& place, DomeOptions& dome, DomeRanges& ranges) {
     const Interval range = read_interval(*elevation, -90, 90);
     dome.lowest_deg = range.low, dome.highest_deg = range.high;
   }
+  if (const auto share = place.find("min_visible")) ranges.min_visible = share->number(0, 1);
+  if (const auto least = place.find("min_pixels"))
+    ranges.min_pixels = read_integer(*least, 0, 1'000'000'000);
   if (const auto around = place.find("around")) {
     ranges.around_targets = around->value() == "targets";
     if (!ranges.around_targets && around->value() != "scene")
@@ -64,10 +68,16 @@ Views read_view_wishes(const JsonPlace& place) {
   return out;
 }
 
-void rename_environments(nlohmann::json& views,
-                         const std::function<std::string(const std::string&)>& rename) {
-  if (!views.contains("look") || !views["look"].contains("environments")) return;
-  for (nlohmann::json& file : views["look"]["environments"]) file = rename(file.get<std::string>());
+void rename_look_files(nlohmann::json& views,
+                       const std::function<std::string(const std::string&)>& rename) {
+  const auto rename_all = [&](const char* list) {
+    const nlohmann::json::json_pointer place(list);
+    if (!views.contains(place)) return;
+    for (nlohmann::json& file : views[place]) file = rename(file.get<std::string>());
+  };
+  for (const char* const list :
+       {"/look/environments", "/look/room/floor_images", "/look/room/wall_images"})
+    rename_all(list);
 }
 
 std::string views_text(const std::string& text, const std::string& file) {

@@ -18,6 +18,9 @@ struct DomeRanges {
   std::optional<Interval> radius;      // metres; none: so that all is seen
   Interval fov_deg{30, 30}, roll_deg;  // degrees; roll: the picture's turn
   bool around_targets = false;         // the box of the targets, not of the scene
+  // What is to be seen of every target, if one of some cameras that are tried has it.
+  double min_visible = 0;  // share
+  int min_pixels = 0;
 };
 
 struct Views {
@@ -37,10 +40,10 @@ struct Views {
 /// @throws Error (BadInput) naming the place, the value and what is accepted.
 Views read_view_wishes(const JsonPlace& place);
 
-/// Calls `rename` with each environment's path, and puts its result there.
+/// Calls `rename` with the path of each image of the look, and puts its result there.
 /// @param views  the value of "views".
-void rename_environments(nlohmann::json& views,
-                         const std::function<std::string(const std::string&)>& rename);
+void rename_look_files(nlohmann::json& views,
+                       const std::function<std::string(const std::string&)>& rename);
 
 /// Views of a file: {"views": ...}, or a recipe with them; as text, keys sorted.
 /// @throws Error (BadInput), also for a file without.

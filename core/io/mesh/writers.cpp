@@ -24,12 +24,6 @@ void append_number(std::string& out, float value) {
   out.append(buffer, end.ptr);
 }
 
-void append_line(std::string& out, const char* keyword, std::initializer_list<float> values) {
-  out += keyword;
-  for (float value : values) out += ' ', append_number(out, value);
-  out += '\n';
-}
-
 // Offset that a reader has to add to the positions: " x y z" in digits that give the doubles back.
 // Empty: none.
 std::string origin_text(const ExportScene& scene) {
@@ -65,7 +59,7 @@ class ObjWriter {
   void add(const ExportObject& object) {
     m_out.obj += "o " + word(object.name, "object") + "\n";
     for (const Eigen::Vector3f& p : positions_in(m_scene, object))
-      append_line(m_out.obj, "v", {p.x(), p.y(), p.z()});
+      append_obj_line(m_out.obj, "v", {p.x(), p.y(), p.z()});
     for (const MaterialFaces& group : faces_by_material(*object.model)) {
       m_out.obj += "usemtl " + material_name(*object.model, group.material) + "\n";
       for (Index f : group.faces) add_face(object.model->mesh.triangles[f]);
@@ -91,22 +85,9 @@ class ObjWriter {
       std::string name = base;
       for (int i = 2; !m_taken.insert(name).second; ++i) name = base + "_" + std::to_string(i);
       entry->second = name;
-      add_material(name, material);
+      append_mtl(m_out.mtl, name, material);
     }
     return entry->second;
-  }
-
-  void add_material(const std::string& name, const Material& material) {
-    const auto& c = material.base_colour;
-    const float r = std::clamp(material.roughness, 0.05f, 1.0f);
-    m_out.mtl += "newmtl " + name + "\n";
-    append_line(m_out.mtl, "Kd",
-                {srgb_from_linear(c[0]), srgb_from_linear(c[1]), srgb_from_linear(c[2])});
-    append_line(m_out.mtl, "Ks", {0.04f, 0.04f, 0.04f});
-    append_line(m_out.mtl, "Ns", {std::min(2 / (r * r * r * r) - 2, 1000.0f)});
-    append_line(m_out.mtl, "d", {c[3]});
-    append_line(m_out.mtl, "Pr", {material.roughness});
-    append_line(m_out.mtl, "Pm", {material.metallic});
   }
 
   const ExportScene& m_scene;
@@ -135,6 +116,25 @@ Counts count(const ExportScene& scene, const char* format) {
 }
 
 }  // namespace
+
+void append_obj_line(std::string& out, const char* keyword, std::initializer_list<float> values) {
+  out += keyword;
+  for (float value : values) out += ' ', append_number(out, value);
+  out += '\n';
+}
+
+void append_mtl(std::string& out, const std::string& name, const Material& material) {
+  const auto& c = material.base_colour;
+  const float r = std::clamp(material.roughness, 0.05f, 1.0f);
+  out += "newmtl " + name + "\n";
+  append_obj_line(out, "Kd",
+                  {srgb_from_linear(c[0]), srgb_from_linear(c[1]), srgb_from_linear(c[2])});
+  append_obj_line(out, "Ks", {0.04f, 0.04f, 0.04f});
+  append_obj_line(out, "Ns", {std::min(2 / (r * r * r * r) - 2, 1000.0f)});
+  append_obj_line(out, "d", {c[3]});
+  append_obj_line(out, "Pr", {material.roughness});
+  append_obj_line(out, "Pm", {material.metallic});
+}
 
 ObjText obj_text(const ExportScene& scene, const std::string& mtl_name) {
   ObjWriter writer(scene, mtl_name);

@@ -1,6 +1,7 @@
 // MuJoCo's MJCF: version 3, or the older 2.2.
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "core/io/simulators/floor_corners.h"
 #include "core/io/simulators/simulation_files.h"
@@ -37,7 +38,10 @@ class MjcfWriter {
     m_document.InsertEndChild(m_document.NewComment(kMadeBy));
     Element* const root = add_child(&m_document, "mujoco", {{"model", m_scene.name}});
     add_child(root, "compiler",
-              {{"angle", "radian"}, {"meshdir", m_folder}, {"inertiafromgeom", "false"}});
+              {{"angle", "radian"},
+               {"meshdir", m_folder},
+               {"texturedir", m_folder},
+               {"inertiafromgeom", "false"}});
     add_size(root);
     // With a single contact point per pair of meshes, the default in MuJoCo 2, boxes rock and
     // drift. Elliptic cones with stiff friction keep objects from creeping down slopes.
@@ -104,15 +108,25 @@ class MjcfWriter {
       for (const VisualMesh& visual : files.visuals) {
         if (known.count(visual.file)) continue;
         add_mesh(visual.file);
-        const Material& m = visual.material;
-        add_child(assets, "material",
-                  {{"name", stem(visual.file)},
-                   {"rgba", numbers_text({m.base_colour[0], m.base_colour[1], m.base_colour[2],
-                                          m.base_colour[3]})},
-                   {"shininess", number_text(1 - m.roughness)}});
+        add_material(assets, visual);
       }
       for (const std::string& part : files.parts) add_mesh(part);
     }
+  }
+
+  void add_material(Element* assets, const VisualMesh& visual) {
+    const Material& m = visual.material;
+    Element* const material = add_child(
+        assets, "material",
+        {{"name", stem(visual.file)},
+         {"rgba",
+          numbers_text({m.base_colour[0], m.base_colour[1], m.base_colour[2], m.base_colour[3]})},
+         {"shininess", number_text(1 - m.roughness)}});
+    if (visual.image.empty()) return;
+    material->SetAttribute("texture", stem(visual.image).c_str());
+    if (m_images.insert(visual.image).second)
+      add_child(assets, "texture",
+                {{"name", stem(visual.image)}, {"type", "2d"}, {"file", visual.image}});
   }
 
   // MuJoCo 2 drops contacts beyond its buffer, whose default does not know the parts. Its memory
@@ -183,6 +197,7 @@ class MjcfWriter {
   const std::string m_folder;
   const int m_version;
   std::set<double> m_frictions;
+  std::set<std::string> m_images;            // that are assets already
   std::vector<std::vector<Vec3>> m_corners;  // of the bodies, see floor_corners()
   tinyxml2::XMLDocument m_document;
 };

@@ -5,7 +5,7 @@
 
 #include "core/base/hash.h"
 #include "core/io/appearance.h"
-#include "core/io/writers.h"
+#include "core/io/simulators/looked_files.h"
 
 namespace trivet {
 namespace {
@@ -36,14 +36,18 @@ void replace_first(std::string& text, const std::string& what, const std::string
 }  // namespace
 
 MeshFiles::MeshFiles(const SimulationScene& scene, bool by_material) {
-  for (const SimulationModel& model : scene.models) add_model(model, by_material);
+  const ImageFiles images(scene);
+  m_files = images.files();
+  for (size_t i = 0; i < scene.models.size(); ++i) {
+    const SimulationModel& model = scene.models[i];
+    ModelFiles files = model.look ? looked_model(model, images.of_model(i), by_material)
+                                  : plain_model(model, by_material);
+    add_parts(model, files);
+    m_models.push_back(std::move(files));
+  }
 }
 
-std::string MeshFiles::add_obj(const std::string& stem, const std::shared_ptr<const Model>& model,
-                               const Affine& link_from_object, bool with_materials) {
-  ExportScene scene;
-  scene.objects.push_back({stem, model, link_from_object, ""});
-  ObjText text = obj_text(scene, kMtl);
+std::string MeshFiles::add_text(const std::string& stem, ObjText text, bool with_materials) {
   std::string name = stem;
   name += "_" + Hash().add(text.obj).add(text.mtl).text();
   if (with_materials) {
@@ -56,26 +60,52 @@ std::string MeshFiles::add_obj(const std::string& stem, const std::shared_ptr<co
   return m_files.back().name;
 }
 
-void MeshFiles::add_model(const SimulationModel& model, bool by_material) {
+std::string MeshFiles::add_obj(const std::string& stem, const std::shared_ptr<const Model>& model,
+                               const Affine& link_from_object, bool with_materials) {
+  ExportScene scene;
+  scene.objects.push_back({stem, model, link_from_object, ""});
+  return add_text(stem, obj_text(scene, kMtl), with_materials);
+}
+
+ModelFiles MeshFiles::plain_model(const SimulationModel& model, bool by_material) {
   ModelFiles out;
   const std::vector<MaterialFaces> groups = faces_by_material(*model.model);
   const bool needs_whole = !by_material || model.parts.empty() || groups.size() == 1;
   if (needs_whole)
     out.whole = add_obj(model.name, model.model, model.link_from_object, !by_material);
-  if (by_material)
-    for (const MaterialFaces& group : groups) {
-      const std::string file =
-          groups.size() == 1
-              ? out.whole
-              : add_obj(model.name + "_m" + std::to_string(group.material),
-                        with_faces(*model.model, group), model.link_from_object, false);
-      out.visuals.push_back({file, material_or_default(*model.model, group.material)});
-    }
+  if (!by_material) return out;
+  for (const MaterialFaces& group : groups) {
+    const std::string file =
+        groups.size() == 1
+            ? out.whole
+            : add_obj(model.name + "_m" + std::to_string(group.material),
+                      with_faces(*model.model, group), model.link_from_object, false);
+    out.visuals.push_back({file, material_or_default(*model.model, group.material), ""});
+  }
+  return out;
+}
+
+ModelFiles MeshFiles::looked_model(const SimulationModel& model,
+                                   const std::vector<std::string>& images, bool by_material) {
+  ModelFiles out;
+  const std::vector<MaterialFaces> groups = faces_of_look(*model.look);
+  if (!by_material || model.parts.empty())
+    out.whole = add_text(model.name, looked_obj(model, groups, images, kMtl), !by_material);
+  if (!by_material) return out;
+  for (const MaterialFaces& group : groups) {
+    const auto material = static_cast<size_t>(group.material);
+    const std::string stem = model.name + "_m" + std::to_string(group.material);
+    out.visuals.push_back({add_text(stem, looked_obj(model, {group}, images, kMtl), false),
+                           model.look->materials[material], images[material]});
+  }
+  return out;
+}
+
+void MeshFiles::add_parts(const SimulationModel& model, ModelFiles& out) {
   for (const ConvexPart& part : model.parts)
     out.parts.push_back(
         add_obj(model.name + "_c" + std::to_string(out.parts.size()), model_of(part), {}, false));
   if (out.parts.empty()) out.parts.push_back(out.whole);
-  m_models.push_back(std::move(out));
 }
 
 std::string number_text(double value) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/io/simulators/simulation_scene.h"
+#include "core/io/writers.h"
 
 namespace trivet {
 
@@ -21,6 +22,7 @@ struct MeshFile {
 struct VisualMesh {
   std::string file;  // name of a MeshFile
   Material material;
+  std::string image;  // of its base colour, a MeshFile; empty: none
 };
 
 struct ModelFiles {
@@ -29,7 +31,7 @@ struct ModelFiles {
   std::vector<std::string> parts;   // collision meshes; the whole mesh if the model has no parts
 };
 
-/// OBJ files of all models, metres, link frame.
+/// OBJ files and images of all models, metres, link frame.
 class MeshFiles {
  public:
   /// @param by_material  fill `visuals`; else they are empty.
@@ -41,7 +43,11 @@ class MeshFiles {
  private:
   std::string add_obj(const std::string& stem, const std::shared_ptr<const Model>& model,
                       const Affine& link_from_object, bool with_materials);
-  void add_model(const SimulationModel& model, bool by_material);
+  std::string add_text(const std::string& stem, ObjText text, bool with_materials);
+  ModelFiles plain_model(const SimulationModel& model, bool by_material);
+  ModelFiles looked_model(const SimulationModel& model, const std::vector<std::string>& images,
+                          bool by_material);
+  void add_parts(const SimulationModel& model, ModelFiles& out);
 
   std::vector<MeshFile> m_files;
   std::vector<ModelFiles> m_models;
@@ -73,7 +79,7 @@ std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
                       const std::string& folder);
 std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
                      const std::string& folder);
-/// Meshes are separate layers, see usda_meshes().
+/// Meshes are separate layers, see usda_meshes(); images are those of looked_files.h.
 std::string usda_text(const SimulationScene& scene, const std::vector<std::string>& layers,
                       const std::string& folder);
 std::vector<MeshFile> usda_meshes(const SimulationScene& scene);

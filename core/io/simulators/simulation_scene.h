@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/convex/parts.h"
+#include "core/io/simulators/simulation_look.h"
 #include "core/model/model.h"
 
 namespace trivet {
@@ -20,7 +21,8 @@ struct SimulationModel {
   std::string name;
   std::shared_ptr<const Model> model;
   Affine link_from_object;
-  std::vector<ConvexPart> parts;  // collision parts; empty: the triangles themselves
+  std::vector<ConvexPart> parts;               // collision parts; empty: the triangles themselves
+  std::shared_ptr<const SimulationLook> look;  // null: the model's materials say all
 };
 
 struct SimulationBody {

@@ -2,189 +2,12 @@
 // layers, one per model.
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <charconv>
 #include <map>
 
-#include "core/base/hash.h"
-#include "core/io/appearance.h"
-#include "core/io/simulators/simulation_files.h"
+#include "core/io/simulators/usda_text.h"
 
 namespace trivet {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out += '"';
-}
-
-std::string tuple(std::initializer_list<double> values) {
-  std::string out = "(";
-  out += numbers_text(values, ", ");
-  return out += ')';
-}
-std::string tuple(const Vec3& v) { return tuple({v.x(), v.y(), v.z()}); }
-std::string tuple(const Rotation& r) { return tuple({r.w, r.x, r.y, r.z}); }
-
-/// Lines indented by two spaces per open brace.
-class UsdaText {
- public:
-  explicit UsdaText(const std::string& default_prim) {
-    m_text = "#usda 1.0\n(\n  defaultPrim = " + quoted(default_prim) +
-             "\n  doc = \"Made by Trivet\"\n  kilogramsPerUnit = 1\n  metersPerUnit = 1\n"
-             "  upAxis = \"Z\"\n)\n";
-  }
-
-  /// def TYPE "NAME" (metadata) {
-  void open(const std::string& type, const std::string& name,
-            const std::vector<std::string>& metadata = {}) {
-    line("def " + type + (type.empty() ? "" : " ") + quoted(name) + (metadata.empty() ? "" : " ("));
-    for (const std::string& entry : metadata) line("  " + entry);
-    if (!metadata.empty()) line(")");
-    line("{");
-    ++m_depth;
-  }
-  void close() {
-    --m_depth;
-    line("}");
-  }
-  void line(const std::string& text) {
-    m_text.append(2 * m_depth, ' ');
-    m_text += text;
-    m_text += '\n';
-  }
-  std::string take() { return std::move(m_text); }
-
- private:
-  std::string m_text;
-  size_t m_depth = 0;
-};
-
-std::string apis(std::initializer_list<const char*> names) {
-  std::string list;
-  for (const char* name : names) list += (list.empty() ? "" : ", ") + quoted(name);
-  return "prepend apiSchemas = [" + list + "]";
-}
-
-template <class Range, class Append>
-std::string array_text(const Range& range, const Append& append) {
-  std::string out = "[";
-  for (const auto& item : range) {
-    if (out.size() > 1) out += ", ";
-    append(out, item);
-  }
-  return out += ']';
-}
-
-void append_float(std::string& out, double value) {
-  char buffer[32];
-  out.append(buffer,
-             std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value) + 0.0f).ptr);
-}
-
-std::string points_text(const std::vector<Vec3>& points) {
-  return array_text(points, [](std::string& out, const Vec3& p) {
-    for (int i = 0; i < 3; ++i) out += i == 0 ? "(" : ", ", append_float(out, p[i]);
-    out += ')';
-  });
-}
-
-template <class Range>
-std::string integers_text(const Range& range) {
-  return array_text(range, [](std::string& out, Index i) { out += std::to_string(i); });
-}
-
-/// Opens a mesh prim and writes the common attributes.
-void open_mesh(UsdaText& text, const std::string& name, const std::vector<std::string>& metadata,
-               const std::vector<Vec3>& points, const std::vector<Index3>& triangles) {
-  Aabb box;
-  for (const Vec3& p : points) box.extend(p);
-  std::vector<Index> corners;
-  for (const Index3& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
-  text.open("Mesh", name, metadata);
-  text.line("float3[] extent = " + points_text({box.lower, box.upper}));
-  text.line("int[] faceVertexCounts = " + integers_text(std::vector<Index>(triangles.size(), 3)));
-  text.line("int[] faceVertexIndices = " + integers_text(corners));
-  text.line("point3f[] points = " + points_text(points));
-  text.line("uniform token subdivisionScheme = \"none\"");
-}
-
-std::string look_name(size_t index) { return "Material" + std::to_string(index); }
-
-void add_looks(UsdaText& text, const std::string& root, const Model& model,
-               const std::vector<MaterialFaces>& groups) {
-  text.open("Scope", "Looks");
-  for (size_t i = 0; i < groups.size(); ++i) {
-    const Material m = material_or_default(model, groups[i].material);
-    text.open("Material", look_name(i));
-    text.line("token outputs:surface.connect = </" + root + "/Looks/" + look_name(i) +
-              "/Surface.outputs:surface>");
-    text.open("Shader", "Surface");
-    text.line("uniform token info:id = \"UsdPreviewSurface\"");
-    text.line("color3f inputs:diffuseColor = " +
-              tuple({m.base_colour[0], m.base_colour[1], m.base_colour[2]}));
-    text.line("float inputs:opacity = " + number_text(m.base_colour[3]));
-    text.line("float inputs:metallic = " + number_text(m.metallic));
-    text.line("float inputs:roughness = " + number_text(m.roughness));
-    text.line("token outputs:surface");
-    text.close();
-    text.close();
-  }
-  text.close();
-}
-
-void add_visual(UsdaText& text, const SimulationModel& model,
-                const std::vector<MaterialFaces>& groups) {
-  std::vector<Vec3> points;
-  for (const Vec3& p : model.model->mesh.vertices)
-    points.push_back(model.link_from_object.apply(p));
-  const auto binding = [&](size_t i) {
-    return "rel material:binding = </" + model.name + "/Looks/" + look_name(i) + ">";
-  };
-  const std::string metadata =
-      model.parts.empty()
-          ? apis({"MaterialBindingAPI", "PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"})
-          : apis({"MaterialBindingAPI"});
-  open_mesh(text, "Visual", {metadata}, points, model.model->mesh.triangles);
-  if (model.parts.empty()) text.line("uniform token physics:approximation = \"none\"");
-  if (groups.size() == 1) text.line(binding(0));
-  if (groups.size() > 1)
-    text.line("uniform token subsetFamily:materialBind:familyType = \"partition\"");
-  for (size_t i = 0; groups.size() > 1 && i < groups.size(); ++i) {
-    text.open("GeomSubset", "faces" + std::to_string(i), {apis({"MaterialBindingAPI"})});
-    text.line("uniform token elementType = \"face\"");
-    text.line("uniform token familyName = \"materialBind\"");
-    text.line("int[] indices = " + integers_text(groups[i].faces));
-    text.line(binding(i));
-    text.close();
-  }
-  text.close();
-}
-
-std::string layer_text(const SimulationModel& model) {
-  const std::vector<MaterialFaces> groups = faces_by_material(*model.model);
-  UsdaText text(model.name);
-  text.open("Xform", model.name);
-  add_visual(text, model, groups);
-  add_looks(text, model.name, *model.model, groups);
-  if (!model.parts.empty()) {
-    text.open("Scope", "Collision");
-    for (size_t i = 0; i < model.parts.size(); ++i) {
-      open_mesh(text, "part" + std::to_string(i),
-                {apis({"PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"})}, model.parts[i].vertices,
-                model.parts[i].triangles);
-      text.line("uniform token physics:approximation = \"convexHull\"");
-      text.line("uniform token purpose = \"guide\"");
-      text.close();
-    }
-    text.close();
-  }
-  text.close();
-  return text.take();
-}
 
 struct PrincipalInertia {
   Vec3 diagonal;
@@ -199,8 +22,8 @@ PrincipalInertia principal(const Mat3& inertia) {
 }
 
 void add_transform(UsdaText& text, const Pose& pose) {
-  text.line("quatd xformOp:orient = " + tuple(pose.rotation));
-  text.line("double3 xformOp:translate = " + tuple(pose.translation));
+  text.line("quatd xformOp:orient = " + usda_tuple(pose.rotation));
+  text.line("double3 xformOp:translate = " + usda_tuple(pose.translation));
   text.line("uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]");
 }
 
@@ -219,7 +42,7 @@ class Surfaces {
   void write(UsdaText& text) const {
     text.open("Scope", "Looks");
     for (const auto& [surface, name] : m_names) {
-      text.open("Material", name, {apis({"PhysicsMaterialAPI", "PhysxMaterialAPI"})});
+      text.open("Material", name, {usda_apis({"PhysicsMaterialAPI", "PhysxMaterialAPI"})});
       text.line("float physics:dynamicFriction = " + number_text(surface.first));
       text.line("float physics:restitution = " + number_text(surface.second));
       text.line("float physics:staticFriction = " + number_text(surface.first));
@@ -240,18 +63,19 @@ void add_body(UsdaText& text, const SimulationBody& body, const std::string& lay
               const Surfaces& surfaces) {
   const std::string reference = "prepend references = @./" + layer + "@";
   // A collider without a rigid body is static.
-  text.open("Xform", body.file_name,
-            {body.fixed ? apis({"MaterialBindingAPI"})
-                        : apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),
-             reference});
-  text.line("custom string trivet:name = " + quoted(body.name));
+  text.open(
+      "Xform", body.file_name,
+      {body.fixed ? usda_apis({"MaterialBindingAPI"})
+                  : usda_apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),
+       reference});
+  text.line("custom string trivet:name = " + usda_quoted(body.name));
   text.line(surfaces.binding(body.friction, body.restitution));
   if (!body.fixed) {
     const PrincipalInertia inertia = principal(body.inertia);
-    text.line("point3f physics:centerOfMass = " + tuple(body.centre));
-    text.line("float3 physics:diagonalInertia = " + tuple(inertia.diagonal));
+    text.line("point3f physics:centerOfMass = " + usda_tuple(body.centre));
+    text.line("float3 physics:diagonalInertia = " + usda_tuple(inertia.diagonal));
     text.line("float physics:mass = " + number_text(body.mass));
-    text.line("quatf physics:principalAxes = " + tuple(inertia.axes));
+    text.line("quatf physics:principalAxes = " + usda_tuple(inertia.axes));
     text.line("bool physics:startsAsleep = 1");
   }
   add_transform(text, body.world_from_link);
@@ -259,15 +83,6 @@ void add_body(UsdaText& text, const SimulationBody& body, const std::string& lay
 }
 
 }  // namespace
-
-std::vector<MeshFile> usda_meshes(const SimulationScene& scene) {
-  std::vector<MeshFile> out;
-  for (const SimulationModel& model : scene.models) {
-    std::string bytes = layer_text(model);
-    out.push_back({model.name + "_" + Hash().add(bytes).text() + ".usda", std::move(bytes)});
-  }
-  return out;
-}
 
 std::string usda_text(const SimulationScene& scene, const std::vector<std::string>& layers,
                       const std::string& folder) {
@@ -280,7 +95,7 @@ std::string usda_text(const SimulationScene& scene, const std::vector<std::strin
   text.close();
   surfaces.write(text);
   if (scene.floor) {
-    text.open("Plane", "floor", {apis({"PhysicsCollisionAPI", "MaterialBindingAPI"})});
+    text.open("Plane", "floor", {usda_apis({"PhysicsCollisionAPI", "MaterialBindingAPI"})});
     text.line("uniform token axis = \"Z\"");
     text.line("uniform token purpose = \"guide\"");
     text.line(surfaces.binding(scene.floor_friction, scene.floor_restitution));

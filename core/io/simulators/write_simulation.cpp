@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/extension.h"
-#include "core/io/simulators/simulation_files.h"
+#include "core/io/simulators/looked_files.h"
 #include "core/io/staged_files.h"
 
 namespace trivet {
@@ -70,6 +70,8 @@ SimulationText text_of(const SimulationScene& scene, Format format, const std::s
     out.meshes = usda_meshes(scene);
     std::vector<std::string> layers;
     for (const MeshFile& file : out.meshes) layers.push_back(file.name);
+    const ImageFiles images(scene);
+    out.meshes.insert(out.meshes.end(), images.files().begin(), images.files().end());
     out.scene = usda_text(scene, layers, folder);
     return out;
   }

@@ -8,9 +8,9 @@
 
 #include "core/io/colour.h"
 #include "core/mesh/hull.h"
+#include "core/picture/base_colours.h"
 #include "core/picture/mesh_values.h"
 #include "core/picture/normals.h"
-#include "core/picture/png.h"
 #include "ops/files/labels/bop_scene.h"
 #include "ops/files/labels/folders.h"
 #include "ops/files/labels/symmetry.h"
@@ -36,13 +36,7 @@ std::uint8_t byte_of(float linear) {
   return static_cast<std::uint8_t>(std::lround(255 * srgb_from_linear(linear)));
 }
 
-Eigen::Vector2f looked_up(const TextureUse& use, const Eigen::Vector2f& uv) {
-  const auto& t = use.transform;
-  return {t[0][0] * uv.x() + t[0][1] * uv.y() + t[0][2],
-          t[1][0] * uv.x() + t[1][1] * uv.y() + t[1][2]};
-}
-
-// Texel at (u, v) of the repeated image.
+// Texel of the repeated image; v from below.
 Colour sampled(const TextureImage& image, const Eigen::Vector2f& uv) {
   const DecodedImage& level = image.levels.front();
   const auto texel = [](float at, int size) {
@@ -50,7 +44,7 @@ Colour sampled(const TextureImage& image, const Eigen::Vector2f& uv) {
     return std::clamp(static_cast<int>(within * static_cast<float>(size)), 0, size - 1);
   };
   const std::size_t i =
-      4 * (std::size_t(texel(uv.y(), level.height)) * level.width + texel(uv.x(), level.width));
+      4 * (std::size_t(texel(1 - uv.y(), level.height)) * level.width + texel(uv.x(), level.width));
   Colour out;
   for (std::size_t k = 0; k < 3; ++k) out[k] = linear_from_srgb_byte(level.rgba[i + k]);
   return out;
@@ -117,23 +111,13 @@ const TextureImage* PlyWriter::the_only_image() const {
 
 std::string PlyWriter::texture() const {
   if (!m_image) return "";
-  const DecodedImage& level = m_image->levels.front();
-  Image out{level.width, level.height, level.rgba};
-  const Colour base = base_of(0);
-  std::array<std::array<std::uint8_t, 256>, 3> tables;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (int v = 0; v < 256; ++v)
-      tables[k][v] = base[k] == 1 ? static_cast<std::uint8_t>(v)
-                                  : byte_of(base[k] * linear_from_srgb_byte(std::uint8_t(v)));
-  for (std::size_t i = 0; i < out.rgba.size(); ++i)
-    out.rgba[i] = i % 4 == 3 ? 255 : tables[i % 4][out.rgba[i]];
-  return encode_png(out);
+  return base_colour_png(*m_image, base_of(0), true);
 }
 
 Eigen::Vector2f PlyWriter::uv_of(std::size_t face, std::size_t k) const {
   const TextureUse& use = finish_of(face)->base_colour;
   const auto& corners = m_mesh.surface->coordinates[static_cast<std::size_t>(use.set)];
-  return face < corners.size() ? looked_up(use, corners[face][k]) : Eigen::Vector2f(0, 0);
+  return face < corners.size() ? upward_coordinates(use, corners[face][k]) : Eigen::Vector2f(0, 1);
 }
 
 std::array<std::uint8_t, 3> PlyWriter::colour_of(std::size_t face, std::size_t k) const {
@@ -153,12 +137,10 @@ PlyWriter::Corner PlyWriter::corner(std::size_t face, std::size_t k) const {
   out.position = p.cast<float>();
   const Vec3 turned = cofactors(m_to_file.linear) * m_normals[face][k].cast<double>();
   out.normal = turned.stableNormalized().cast<float>();
-  if (m_image) {
+  if (m_image)
     out.uv = uv_of(face, k);
-    out.uv.y() = 1 - out.uv.y();
-  } else {
+  else
     out.colour = colour_of(face, k);
-  }
   return out;
 }
 

@@ -43,7 +43,7 @@ TEST(SetLabels, ChangeNoScene) {
   const std::string plain =
       R"({"groups":[{"models":[{"model":"a"}],"name":"g"}],"trivet_recipe":1})";
   const std::string all =
-      R"({"classes":["a"],"groups":[{"models":[{"id":3,"model":"a","symmetries":{}}],"name":"g",)"
+      R"({"classes":["a"],"groups":[{"look":{"roughness":1},"models":[{"id":3,"model":"a","symmetries":{}}],"name":"g",)"
       R"("target":false}],"trivet_recipe":1,"views":{}})";
   EXPECT_EQ(recipe_of_scenes(all), plain);
   EXPECT_EQ(recipe_of_scenes(plain), plain);
@@ -67,7 +67,7 @@ TEST(Looks, AreDrawnForTheSceneAndTheView) {
   ranges.exposure = {0.5, 2};
   ranges.floor = ColourRange{Vec3::Zero(), Vec3::Ones()};
   ranges.azimuth_deg = Interval{0, 360};
-  Environments none({});
+  LookImages none({});
   const auto look = [&](std::uint64_t k, int view) {
     return look_of(ranges, none, {1, 2}, k, view);
   };
