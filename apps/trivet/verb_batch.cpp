@@ -159,9 +159,9 @@ int batch(const BatchArguments& given, const CommonOptions& common) {
 void add_batch_options(CLI::App& verb, BatchArguments& a) {
   verb.add_option("recipe", a.recipe, "The recipe, JSON; see trivet schema recipe")
       ->type_name("RECIPE.json");
-  verb.add_option("--count", a.run.count, "Scenes: 0 to one less")
+  verb.add_option("--count", a.run.count, "Number of scenes to make; they are numbered from 0")
       ->check(integer_from(1, 1'000'000'000'000));
-  verb.add_option("--seed", a.run.seed, "Others are other scenes")
+  verb.add_option("--seed", a.run.seed, "Seed; each seed gives a different set of scenes")
       ->check(integer_from(0, std::numeric_limits<long>::max()));
   verb.add_option("--out", a.options.out, "Folder of the batch; what is there is not made again")
       ->type_name("DIR");
@@ -239,7 +239,8 @@ void add_worker_options(CLI::App& verb, int& jobs, WorkLimits& limits) {
   verb.add_option("--scene-seconds", limits.scene_seconds,
                   "CPU time of a scene; by the clock ten times as much")
       ->check(number_from(0.001, 1e6));
-  verb.add_option("--scene-memory-mb", limits.memory_mb, "Of a process, models included")
+  verb.add_option("--scene-memory-mb", limits.memory_mb,
+                  "Memory limit of one worker process, in MB")
       ->check(integer_from(1, 100'000'000));
   verb.add_option("--retries", limits.retries, "Further tries of a scene that ends its process")
       ->check(integer_from(0, 100));

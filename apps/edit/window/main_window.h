@@ -88,6 +88,9 @@ class MainWindow : public QMainWindow {
   void show_verdict();
   void update_actions();
 
+  // window_events.cpp
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
   // arrangement.cpp
   void toggle_maximised(ViewFrame* frame);
   void place_message_bar();

@@ -10,6 +10,7 @@
 
 #include "apps/demo/demo.h"
 #include "apps/edit/window/main_window.h"
+#include "apps/edit/window/quick_actions.h"
 
 namespace trivet::edit {
 namespace {
@@ -55,6 +56,10 @@ void MainWindow::make_actions() {
   add_action("two minutes", tr("A table in &two minutes"), {}, [this] { show_two_minutes(this); });
   add_action("shortcuts", tr("&Mouse and keys"), Qt::Key_F1,
              [this] { show_shortcuts(this, shortcut_rows()); });
+  add_action(
+      "quick actions", tr("&Quick actions…"), tr("Ctrl+Space"),
+      [this] { (new QuickActions(actions(), this))->show(); },
+      tr("Quick actions: find an action by words"));
   add_action("about", tr("&About Trivet"), {}, [this] {
     QMessageBox::about(
         this, tr("About Trivet"),
@@ -148,7 +153,8 @@ void MainWindow::make_tool_actions() {
     group->addAction(action);
     m_icons[action] = static_cast<Icon>(kind);
   };
-  tool("select", tr("&Select"), "Q", ToolKind::Select, tr("Select: click, or a box"));
+  tool("select", tr("&Select"), "Q", ToolKind::Select,
+       tr("Select and move: drag an object, click it, or draw a box"));
   tool("put", tr("&Put"), "W", ToolKind::Put,
        tr("Put: drop the object where you click, and let it settle"));
   tool("push", tr("Pus&h"), "E", ToolKind::Push,
@@ -173,6 +179,28 @@ void MainWindow::make_hand_actions() {
   add_action(
       "pick up now", tr("Pick up &now"), tr("U"), [this] { m_toolbox.pick_up(); },
       tr("Pick up the selected object by the distance in the operation panel"));
+  add_action(
+      "next way", tr("Next wa&y to lie"), tr("L"), [this] { m_toolbox.lie(Lying::Next); },
+      tr("Lift the object, lay it as it can lie next, and let it settle"));
+  add_action(
+      "on its side", tr("Lay on its s&ide"), {}, [this] { m_toolbox.lie(Lying::OnItsSide); },
+      tr("Lift the object, lay it on its side, and let it settle"));
+  add_action(
+      "upright", tr("Stand upri&ght"), {}, [this] { m_toolbox.lie(Lying::Upright); },
+      tr("Lift the object, stand it upright, and let it settle"));
+  add_action(
+      "lean", tr("L&ean against the last selected"), {},
+      [this] {
+        if (!m_toolbox.lean())
+          say(Message::Kind::Info, tr("Lean: select an object that stands, then what it leans on"));
+      },
+      tr("Tilt the object until it touches the one selected last, and let it go"));
+  add_action(
+      "turn left", tr("Turn &left"), tr(","), [this] { m_toolbox.turn(1); },
+      tr("Turn about the vertical by a step, seen from above to the left"));
+  add_action(
+      "turn right", tr("Turn ri&ght"), tr("."), [this] { m_toolbox.turn(-1); },
+      tr("Turn about the vertical by a step, seen from above to the right"));
   add_action(
       "next contact", tr("Ne&xt contact"), tr("V"), [this] { m_toolbox.next_contact(); },
       tr("The next contact of the active object: the constraint window looks along it, and Push "
@@ -211,8 +239,9 @@ void MainWindow::make_view_menu() {
 void MainWindow::make_context_menu() {
   m_context_menu = new QMenu(this);
   fill(*m_context_menu, m_actions,
-       {"put", "push", "turn", "pick up", "move", "rotate", "", "duplicate", "delete", "lock",
-        "unlock", "fix", "unfix", "", "frame", "hide", "not selectable"});
+       {"put",      "push",        "turn",    "pick up", "move",      "rotate", "",
+        "next way", "on its side", "upright", "",        "duplicate", "delete", "lock",
+        "unlock",   "fix",         "unfix",   "",        "frame",     "hide",   "not selectable"});
   m_context_menu->addMenu(m_colours);
 }
 
@@ -223,13 +252,16 @@ void MainWindow::make_menus() {
       {"undo",        "redo",    "", "duplicate", "rename",    "delete", "",           "select all",
        "select none", "search",  "", "lock",      "unlock",    "fix",    "unfix",      "",
        "group",       "ungroup", "", "collect",   "uncollect", "",       "preferences"});
-  QMenu* const object = add_menu(
-      tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint", "",
-                      "put here", "take next", "pick up now", "next contact", "", "snap"});
+  QMenu* const object =
+      add_menu(tr("&Object"),
+               {"select",       "put",        "push",     "turn",        "pick up",   "move",
+                "rotate",       "paint",      "",         "put here",    "take next", "pick up now",
+                "next contact", "",           "next way", "on its side", "upright",   "lean",
+                "turn left",    "turn right", "",         "snap"});
   object->addMenu(m_snap_menu);
   add_menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange"});
   make_view_menu();
-  add_menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
+  add_menu(tr("&Help"), {"quick actions", "two minutes", "shortcuts", "about"});
   make_context_menu();
 }
 

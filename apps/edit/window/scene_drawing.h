@@ -62,7 +62,7 @@ class SceneDrawing : public QObject {
   void add_playback(LiveOverlay& overlay) const;
   void add_interference(LiveOverlay& overlay) const;
   void add_crossing(LiveOverlay& overlay, const InterferingFaces& faces) const;
-  void add_blocking(LiveOverlay& overlay, const InterferingFaces& faces) const;
+  void add_patch(LiveOverlay& overlay, const InterferingFaces& faces, const Vec3& at) const;
   void add_toppling(LiveOverlay& overlay, const View& view) const;
   void add_zlists(LiveOverlay& overlay) const;
   void add_tool(LiveOverlay& overlay, const View& view) const;

@@ -28,7 +28,7 @@ constexpr QSize kDemoPicture(96, 64);
 QPixmap picture_of(const QString& demo) { return QPixmap(":/demos/" + demo + ".png"); }
 
 QString description_of(const std::string& demo) {
-  if (demo == "spoon-saucer") return StartPage::tr("A cup, a saucer and a spoon: the first steps");
+  if (demo == "spoon-saucer") return StartPage::tr("A spoon and its saucer: the first steps");
   if (demo == "breakfast") return StartPage::tr("A breakfast table of 24 objects");
   if (demo == "office1") return StartPage::tr("A tidy office of 16 objects");
   if (demo == "office2") return StartPage::tr("The same office, untidied, with 9 more objects");
