@@ -3325,14 +3325,6 @@
         <translation>oben</translation>
     </message>
     <message>
-        <source>%1 is locked: it is not taken in hand</source>
-        <translation>%1 ist gesperrt und wird nicht in die Hand genommen</translation>
-    </message>
-    <message>
-        <source>%1 is fixed: it is not taken in hand</source>
-        <translation>%1 ist fest und wird nicht in die Hand genommen</translation>
-    </message>
-    <message>
         <source>the floor</source>
         <translation>der Boden</translation>
     </message>
@@ -3385,6 +3377,14 @@
     <message>
         <source>%1 lies so, or cannot</source>
         <translation>%1 liegt schon so, oder kann es nicht</translation>
+    </message>
+    <message>
+        <source>%1 is locked: unlock it to put it elsewhere</source>
+        <translation>%1 ist gesperrt: zum Umstellen entsperren</translation>
+    </message>
+    <message>
+        <source>%1 is fixed: unfix it to put it elsewhere</source>
+        <translation>%1 ist fest: zum Umstellen lösen</translation>
     </message>
 </context>
 <context>
@@ -3725,16 +3725,16 @@
         <translation>Weich, Gewicht</translation>
     </message>
     <message>
-        <source>Add wish</source>
-        <translation>Wunsch hinzufügen</translation>
+        <source>Add constraint</source>
+        <translation>Bedingung hinzufügen</translation>
     </message>
     <message>
-        <source>Add the wish to the scene&apos;s</source>
-        <translation>Den Wunsch denen der Szene hinzufügen</translation>
+        <source>Add the constraint to the scene&apos;s</source>
+        <translation>Die Bedingung denen der Szene hinzufügen</translation>
     </message>
     <message>
-        <source>Wish</source>
-        <translation>Wunsch</translation>
+        <source>Constraint</source>
+        <translation>Bedingung</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -3745,16 +3745,16 @@
         <translation>Alle</translation>
     </message>
     <message>
-        <source>All wishes, not of the selected objects alone</source>
-        <translation>Alle Wünsche, nicht nur der ausgewählten Objekte</translation>
+        <source>All constraints, not of the selected objects alone</source>
+        <translation>Alle Bedingungen, nicht nur die der ausgewählten Objekte</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Remove the chosen wishes</source>
-        <translation>Die gewählten Wünsche entfernen</translation>
+        <source>Remove the chosen constraints</source>
+        <translation>Die gewählten Bedingungen entfernen</translation>
     </message>
     <message>
         <source>Load…</source>
@@ -3769,8 +3769,8 @@
         <translation>Speichern…</translation>
     </message>
     <message>
-        <source>Save scene and wishes as a problem of trivet arrange</source>
-        <translation>Szene und Wünsche als Aufgabe von trivet arrange speichern</translation>
+        <source>Save scene and constraints as a problem of trivet arrange</source>
+        <translation>Szene und Bedingungen als Aufgabe von trivet arrange speichern</translation>
     </message>
     <message>
         <source>Selected only</source>
@@ -3821,12 +3821,12 @@
         <translation>Die Szene lassen, wie sie ist</translation>
     </message>
     <message>
-        <source>Drop the cheapest wish</source>
-        <translation>Billigsten Wunsch streichen</translation>
+        <source>Drop the cheapest constraint</source>
+        <translation>Billigste Bedingung streichen</translation>
     </message>
     <message>
-        <source>Drop the wish that is nearest to being met, and look again</source>
-        <translation>Den Wunsch streichen, der fast erfüllt ist, und neu suchen</translation>
+        <source>Drop the constraint that is nearest to being met, and look again</source>
+        <translation>Die Bedingung streichen, die fast erfüllt ist, und neu suchen</translation>
     </message>
     <message>
         <source>Looks for a place for %1</source>
@@ -3853,8 +3853,8 @@
         <translation>hart</translation>
     </message>
     <message>
-        <source>A number makes the wish soft, no number hard</source>
-        <translation>Eine Zahl macht den Wunsch weich, keine hart</translation>
+        <source>A number makes the constraint soft, no number hard</source>
+        <translation>Eine Zahl macht die Bedingung weich, keine hart</translation>
     </message>
     <message>
         <source>Select objects that may move</source>
@@ -3885,16 +3885,16 @@
         <translation>Aufgaben (*.json)</translation>
     </message>
     <message>
-        <source>Load wishes</source>
-        <translation>Wünsche laden</translation>
+        <source>Load constraints</source>
+        <translation>Bedingungen laden</translation>
     </message>
     <message>
-        <source>This wish is always hard</source>
-        <translation>Dieser Wunsch ist immer hart</translation>
+        <source>This constraint is always hard</source>
+        <translation>Diese Bedingung ist immer hart</translation>
     </message>
     <message>
-        <source>Weight %1: accepted: a number from 0 to %2, or none for a hard wish</source>
-        <translation>Gewicht %1: möglich ist eine Zahl von 0 bis %2, oder keine für einen harten Wunsch</translation>
+        <source>Weight %1: accepted: a number from 0 to %2, or none for a hard constraint</source>
+        <translation>Gewicht %1: möglich ist eine Zahl von 0 bis %2, oder keine für eine harte Bedingung</translation>
     </message>
 </context>
 <context>
@@ -5128,8 +5128,8 @@
         <translation>Ctrl+R</translation>
     </message>
     <message>
-        <source>Arrange: wishes between objects, and scenes that meet them</source>
-        <translation>Anordnen: Wünsche zwischen Objekten, und Szenen, die sie erfüllen</translation>
+        <source>Arrange: constraints between objects, and scenes that meet them</source>
+        <translation>Anordnen: Bedingungen zwischen Objekten, und Szenen, die sie erfüllen</translation>
     </message>
     <message>
         <source>take out of its collection</source>
@@ -6083,6 +6083,34 @@
         <source>A spoon and its saucer: the first steps</source>
         <translation>Ein Löffel und seine Untertasse: die ersten Schritte</translation>
     </message>
+    <message>
+        <source>A table laid for six</source>
+        <translation>Ein Tisch, für sechs gedeckt</translation>
+    </message>
+    <message>
+        <source>Demos that arrange themselves by constraints</source>
+        <translation>Beispiele, die sich nach Bedingungen anordnen</translation>
+    </message>
+    <message>
+        <source>The same on a smaller table</source>
+        <translation>Dasselbe auf einem kleineren Tisch</translation>
+    </message>
+    <message>
+        <source>Books in rows, a plant and a telephone</source>
+        <translation>Bücher in Reihen, eine Pflanze und ein Telefon</translation>
+    </message>
+    <message>
+        <source>A shop&apos;s shelf, filled row by row</source>
+        <translation>Ein Ladenregal, Reihe um Reihe gefüllt</translation>
+    </message>
+    <message>
+        <source>A desk with everything in view and in reach</source>
+        <translation>Ein Schreibtisch, alles in Sicht und Reichweite</translation>
+    </message>
+    <message>
+        <source>A workbench, tools and parts in their zones</source>
+        <translation>Eine Werkbank, Werkzeuge und Teile in ihren Zonen</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::ViewFrame</name>
@@ -6251,12 +6279,12 @@
         <translation>in Reichweite von</translation>
     </message>
     <message>
-        <source>%1 placed, all hard wishes hold; the worst of the others is off by %2 tolerances</source>
-        <translation>%1 hingestellt, alle harten Wünsche sind erfüllt; der schlechteste der anderen weicht um %2 Toleranzen ab</translation>
+        <source>%1 placed, all hard constraints hold; the worst of the others is off by %2 tolerances</source>
+        <translation>%1 hingestellt, alle harten Bedingungen sind erfüllt; der schlechteste der anderen weicht um %2 Toleranzen ab</translation>
     </message>
     <message>
-        <source>%1 placed, all wishes hold</source>
-        <translation>%1 hingestellt, alle Wünsche sind erfüllt</translation>
+        <source>%1 placed, all constraints hold</source>
+        <translation>%1 hingestellt, alle Bedingungen sind erfüllt</translation>
     </message>
     <message>
         <source>, %1 to %2 cm</source>

@@ -8,7 +8,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kFrame = 2.5;      // relative to the object's size: leaves room for pushing
+constexpr double kFrame = 2;        // relative to the object's size: leaves room for pushing
 constexpr double kSmallest = 1e-3;  // least extent of the frame, metres
 constexpr double kAlongZ = 0.9;
 

@@ -57,7 +57,7 @@ void HandGesture::begin(const View& view, const Vec2& grabbed_px) {
   m_pushes = true;
 }
 
-// What hid the foot at first is looked through until the foot has come out from behind it.
+// The ray passes through the object that hid the foot at first, until the foot is clear of it.
 std::optional<Picked> HandGesture::under_foot(const PointerEvent& event) {
   const SceneSnapshot& scene = *m_document.snapshot();
   const Ray ray = event.view.seen_ray(foot_px(event.px));

@@ -23,7 +23,7 @@ class HandGesture {
   bool is_on() const { return m_object.has_value(); }
   /// Pixel of the foot for a mouse there.
   Vec2 foot_px(const Vec2& px) const { return px + m_foot_offset; }
-  /// What is under the foot; nullopt: nothing.
+  /// The surface under the foot; nullopt: there is none.
   std::optional<Picked> under_foot(const PointerEvent& event);
   const std::vector<ObjectId>& moving() const { return m_moving; }
 

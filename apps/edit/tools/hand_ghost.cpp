@@ -6,12 +6,13 @@ namespace trivet::edit {
 namespace {
 
 constexpr double kLeastMetres = 1e-5;  // shorter ways are none
-constexpr double kLeastTurned = 1e-9;    // 1 less the cosine of half the angle
+constexpr double kLeastTurned = 1e-9;  // 1 less the cosine of half the angle
 
 bool same_place(const Pose& a, const Pose& b) {
   const Rotation &p = a.rotation, &q = b.rotation;
   const double cosine = p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z;
-  return (a.translation - b.translation).norm() < kLeastMetres && 1 - std::abs(cosine) < kLeastTurned;
+  return (a.translation - b.translation).norm() < kLeastMetres &&
+         1 - std::abs(cosine) < kLeastTurned;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How what is in the hand is turned: about the vertical, and to the ways in which it can lie.
+// The turn of the object in hand: about the vertical, and to the ways in which it can lie.
 #pragma once
 
 #include <functional>

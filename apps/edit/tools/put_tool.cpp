@@ -154,11 +154,11 @@ std::string PutTool::hint() const {
         "Click where you want it; wheel: turn; L: next way to lie; Alt: from just above that "
         "point; Escape puts it back");
   const ObjectSnapshot* const object = active();
-  if (object && !can_be_moved(*object->object)) {
+  if (object && m_dropped != object->id && !can_be_moved(*object->object)) {
     const QString why =
         (*object)->locked
-            ? QCoreApplication::translate("tools", "%1 is locked: it is not taken in hand")
-            : QCoreApplication::translate("tools", "%1 is fixed: it is not taken in hand");
+            ? QCoreApplication::translate("tools", "%1 is locked: unlock it to put it elsewhere")
+            : QCoreApplication::translate("tools", "%1 is fixed: unfix it to put it elsewhere");
     return why.arg(QString::fromStdString(quoted((*object)->name))).toStdString();
   }
   return QT_TRANSLATE_NOOP(

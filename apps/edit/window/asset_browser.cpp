@@ -2,6 +2,7 @@
 
 #include <QAbstractItemView>
 #include <QDir>
+#include <QDrag>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -25,7 +26,7 @@ namespace {
 
 constexpr int kModelRole = Qt::UserRole;
 constexpr int kIconPx = 88, kCellPx = 108;
-constexpr int kRoomPx = 12;
+constexpr int kRoomPx = 12, kDragPx = 32;
 constexpr int kSettleMs = 80;  // after scrolling, until pictures are asked for
 
 Asset asset_of(const QString& file, const AssetInfo& info, const FolderChoice& chosen) {
@@ -54,6 +55,17 @@ QMimeData* AssetList::mimeData(const QList<QListWidgetItem*>& items) const {
   mime->setUrls(urls);
   mime->setData(kAssetsMime, "models");
   return mime;
+}
+
+// With a small picture: over a view the ghost of the model shows where it will be.
+void AssetList::startDrag(Qt::DropActions actions) {
+  const QList<QListWidgetItem*> items = selectedItems();
+  if (items.isEmpty()) return;
+  auto* const drag = new QDrag(this);
+  drag->setMimeData(mimeData(items));
+  drag->setPixmap(items.front()->icon().pixmap(kDragPx));
+  drag->setHotSpot(QPoint(-kDragPx / 2, -kDragPx / 2));
+  drag->exec(actions);
 }
 
 void AssetList::explain(const QString& text) {

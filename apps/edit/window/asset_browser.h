@@ -28,6 +28,7 @@ class AssetList : public QListWidget {
 
  protected:
   QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
+  void startDrag(Qt::DropActions actions) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:

@@ -8,6 +8,7 @@
 #include <QMessageBox>
 #include <QToolBar>
 
+#include "apps/demo/arranged.h"
 #include "apps/demo/demo.h"
 #include "apps/edit/window/main_window.h"
 #include "apps/edit/window/quick_actions.h"
@@ -189,7 +190,7 @@ void MainWindow::make_hand_actions() {
       "upright", tr("Stand upri&ght"), {}, [this] { m_toolbox.lie(Lying::Upright); },
       tr("Lift the object, stand it upright, and let it settle"));
   add_action(
-      "lean", tr("L&ean against the last selected"), {},
+      "lean", tr("L&ean against the last selected"), tr("Shift+L"),
       [this] {
         if (!m_toolbox.lean())
           say(Message::Kind::Info, tr("Lean: select an object that stands, then what it leans on"));
@@ -218,9 +219,12 @@ void MainWindow::make_file_menu() {
   m_recent_menu = file->addMenu(tr("Open &recent"));
   connect(m_recent_menu, &QMenu::aboutToShow, this, &MainWindow::fill_recent_menu);
   QMenu* const demos = file->addMenu(tr("Open &demo"));
-  for (const std::string& name : demo_names())
-    demos->addAction(QString::fromStdString(name),
-                     [this, name] { open_demo(QString::fromStdString(name)); });
+  for (const std::vector<std::string>& names : {demo_names(), arranged_demo_names()}) {
+    for (const std::string& name : names)
+      demos->addAction(QString::fromStdString(name),
+                       [this, name] { open_demo(QString::fromStdString(name)); });
+    demos->addSeparator();
+  }
   fill(*file, m_actions,
        {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
 }
@@ -228,8 +232,8 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_view_menu() {
   QMenu* const view = add_menu(tr("&View"), {"frame", "frame all", ""});
   fill(*view, m_actions,
-       {"top", "side", "front", "from front", "from side", "from above", "from behind",
-        "follow contact", "section", "", "maximise", "reset layout", ""});
+       {"from front", "from side", "from above", "from behind", "follow contact", "section", "",
+        "maximise", "reset layout", ""});
   fill(*view, m_actions, {"hide", "show all", "not selectable", "all selectable"});
   view->addMenu(m_colours);
   view->addMenu(m_bookmark_menu);
@@ -276,6 +280,10 @@ void MainWindow::make_tool_bar() {
         "select", "put",  "push", "turn",   "pick up",  "move",   "rotate", "paint",
         "",       "snap", "",     "frame",  "maximise", "picture"});
   dress_snap_button(*bar);
+  for (const char* const name :
+       {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint"})
+    if (auto* const button = qobject_cast<QToolButton*>(bar->widgetForAction(action(name))))
+      button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
 
 void MainWindow::dress_actions() {

@@ -13,7 +13,7 @@ constexpr int kWidePx = 420, kHighPx = 380;
 
 QString plain_text(const QAction& action) { return QString(action.text()).remove('&').remove("…"); }
 
-/// What it does, and its keys, without the markup of tool tips.
+/// The name of the action and its keys, without the markup of tool tips.
 QString row_text(const QAction& action) {
   const QString keys = action.shortcut().toString(QKeySequence::NativeText);
   const QString name = plain_text(action);

@@ -60,6 +60,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
+void MainWindow::dragMoveEvent(QDragMoveEvent* event) {
+  if (event->mimeData()->hasFormat(kAssetsMime))
+    hover_assets(event->mimeData()->urls(), event->position().toPoint());
+  QMainWindow::dragMoveEvent(event);
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { end_asset_drag(); }
+
 void MainWindow::dropEvent(QDropEvent* event) {
   if (event->mimeData()->hasFormat(kAssetsMime))
     return drop_assets(event->mimeData()->urls(), event->position().toPoint());

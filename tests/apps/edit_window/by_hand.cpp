@@ -46,6 +46,8 @@ class ByHand {
   void wrong_unit();
   void find_an_action();
   void at_every_size();
+  void desk();
+  void bookshelf();
 
  private:
   SceneView& view() { return m_window.view(WindowKind::Perspective); }
@@ -67,6 +69,13 @@ class ByHand {
     const QPoint by = m_user.pixel(WindowKind::Perspective, to) - foot(name);
     m_user.drag(view(), from, from + by);
     QVERIFY(m_user.wait());
+  }
+  void new_scene() {
+    m_document.new_scene();
+    QVERIFY(m_user.wait());
+  }
+  void write(const QString& name, const std::vector<Aabb>& boxes) {
+    write_boxes((m_folder + "/" + name + ".obj").toStdString(), boxes);
   }
   void begin() { m_before = m_user.effort(), m_steps = m_document.history().num_done; }
   void print(const char* what) const {
@@ -116,7 +125,7 @@ void ByHand::breakfast() {
   m_user.look("by_hand_breakfast");
 }
 
-// What lies on the saucer comes along; a ghost shows where it comes to rest; the wheel turns.
+// The cup on the saucer comes along; a ghost shows where it comes to rest; the wheel turns.
 void ByHand::move_the_tray_and_more() {
   begin();
   const Vec3 cup = box("cup").centre(), saucer = box("saucer").centre();
@@ -248,6 +257,76 @@ void ByHand::at_every_size() {
   m_window.resize(1280, 720);
 }
 
+// A desk takes its nine things along.
+void ByHand::desk() {
+  new_scene();
+  const Aabb top{{-0.6, -0.3, 0.66}, {0.6, 0.3, 0.7}};
+  write("desk", {top, {{-0.6, -0.3, 0}, {-0.56, 0.3, 0.66}}, {{0.56, -0.3, 0}, {0.6, 0.3, 0.66}}});
+  write("thing", {{{-0.04, -0.04, 0}, {0.04, 0.04, 0.1}}});
+  place("desk", "desk.obj", Vec3(0, 0, 0.01));
+  for (int i = 0; i < 9; ++i)
+    place("thing" + std::to_string(i), "thing.obj",
+          Vec3(-0.4 + 0.4 * (i % 3), -0.1 + 0.15 * (i / 3), 0.73));
+  m_document.select({});
+  view().frame(m_document.snapshot()->box());
+  QVERIFY(m_user.wait());
+  begin();
+  const Vec3 desk = box("desk").centre(), thing = box("thing4").centre();
+  drag("desk", Vec3(0.5, -0.3, 0));
+  print("a desk with nine things");
+  const Vec3 way = box("desk").centre() - desk;
+  QVERIFY(way.norm() > 0.4);
+  QVERIFY((box("thing4").centre() - thing - way).norm() < 1e-3);
+  QCOMPARE(new_steps(), size_t{1});
+  check();
+  m_user.look("by_hand_desk");
+}
+
+// A drag and an array set up 24 books; five more lean, each against the one before.
+void ByHand::bookshelf() {
+  new_scene();
+  write("shelf",
+        {{{-0.62, -0.12, 0}, {0.9, 0.12, 0.02}}, {{-0.62, -0.12, 0.02}, {-0.6, 0.12, 0.3}}});
+  write("book", {{{-0.015, -0.08, 0}, {0.015, 0.08, 0.2}}});
+  place("shelf", "shelf.obj", Vec3(0, 0, 0.01), true);
+  for (int i = 0; i < 6; ++i)
+    place("book" + std::to_string(i), "book.obj", Vec3(-0.4 + 0.2 * i, -0.4, 0.01));
+  m_document.select({});
+  view().frame(m_document.snapshot()->box());
+  QVERIFY(m_user.wait());
+  m_user.look("by_hand_books_before");
+  begin();
+  const auto on_board = [&](double x) { return Vec3(x, 0, box("shelf").lower.z() + 0.02); };
+  drag("book0", on_board(-0.57));
+  m_user.with_dialog([&] { m_user.choose("array"); },
+                     [&](QWidget& dialog) {
+                       auto* const count = dialog.findChild<QAbstractSpinBox*>("Objects");
+                       QVERIFY(count);
+                       count->setFocus();
+                       m_user.press_key_in(*count, Qt::Key_A, Qt::ControlModifier);
+                       m_user.type(*count, "24");
+                       auto* const box = dialog.findChild<QDialogButtonBox*>();
+                       m_user.click_in(*box->button(QDialogButtonBox::Ok), QPoint(10, 10));
+                     });
+  QVERIFY(m_user.wait());
+  std::string before = m_document.snapshot()->objects.back()->name;
+  for (int i = 1; i < 6; ++i) {
+    const std::string name = "book" + std::to_string(i);
+    drag(name, on_board(box(before).upper.x() + 0.06));
+    m_user.click(view(), m_user.pixel_on(name, WindowKind::Perspective));
+    m_user.click(view(), m_user.pixel_on(before, WindowKind::Perspective), Qt::ShiftModifier);
+    m_user.press_key(Qt::Key_L, Qt::ShiftModifier);
+    QVERIFY(m_user.wait());
+    QVERIFY2(object(name).pose.rotation.matrix()(2, 2) < 0.999, name.c_str());
+    QVERIFY2(object(name).state == ObjectState::Stable, name.c_str());
+    before = name;
+  }
+  print("29 books, five of them leaning");
+  QCOMPARE(m_document.snapshot()->objects.size(), size_t{1 + 24 + 5});
+  check();
+  m_user.look("by_hand_books");
+}
+
 }  // namespace
 
 void lay_out_by_hand(Document& document, MainWindow& window, User& user, const QString& folder) {
@@ -262,7 +341,7 @@ void lay_out_by_hand(Document& document, MainWindow& window, User& user, const Q
   ByHand hand(document, window, user, folder);
   for (const auto job : {&ByHand::breakfast, &ByHand::move_the_tray_and_more, &ByHand::fruit_bowl,
                          &ByHand::mug_on_its_side, &ByHand::wrong_unit, &ByHand::find_an_action,
-                         &ByHand::at_every_size}) {
+                         &ByHand::at_every_size, &ByHand::desk, &ByHand::bookshelf}) {
     (hand.*job)();
     if (QTest::currentTestFailed()) return static_cast<void>(user.look("by_hand_failed"));
   }
