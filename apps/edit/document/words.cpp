@@ -70,8 +70,16 @@ Sentence sentence_of(const std::exception& error) {
 
 std::string in_words(const std::exception& error) { return in_words(sentence_of(error)); }
 
+// Where a hand lets go is no number: the view shows the place, and how deep it is.
 std::string reason_in_words(const OperationResult& result) {
-  return result.refusal ? in_words(sentence_of(*result.refusal)) : "";
+  if (!result.refusal) return "";
+  Refusal refusal = *result.refusal;
+  if (refusal.at == Refusal::At::Start &&
+      !(refusal.number("depth") == 0 && !refusal.numbers.empty())) {
+    refusal.at = Refusal::At::End;
+    refusal.numbers.clear();
+  }
+  return in_words(sentence_of(refusal));
 }
 
 // As menus call them.

@@ -5254,6 +5254,10 @@
         <source>Tilt the object until it touches the one selected last, and let it go</source>
         <translation>Das Objekt kippen, bis es das zuletzt ausgewählte berührt, und loslassen</translation>
     </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::MessageBar</name>

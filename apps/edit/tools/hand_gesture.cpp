@@ -162,9 +162,17 @@ void HandGesture::release() {
     m_document.cancel_drag();
   else if (m_slides)
     m_document.end_drag();
+  else if (hangs_back_from_all())
+    is_back() ? m_document.cancel_drag() : m_document.end_drag();
   else if (!put_as_shown(m_document, *m_object, *m_start, choices()))
     m_document.cancel_drag();
   end();
+}
+
+// It can be put nowhere that the mouse has pointed to: it stays where it slid.
+bool HandGesture::hangs_back_from_all() const {
+  const std::optional<Ghost>& ghost = m_document.ghost();
+  return m_pushes && m_document.is_dragging() && m_document.is_ghost_current() && !ghost->ok;
 }
 
 void HandGesture::cancel() {

@@ -40,6 +40,7 @@ class HandGesture {
   bool slides() const;
   bool hangs_far_back() const;
   bool is_back() const;
+  bool hangs_back_from_all() const;
   std::optional<Picked> inside_of(const Picked& wall) const;
   void update();
   void show_rest_of_slide();

@@ -2,6 +2,7 @@
 
 #include <QKeyEvent>
 #include <QKeySequence>
+#include <QPixmap>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -10,6 +11,7 @@ namespace trivet::edit {
 namespace {
 
 constexpr int kWidePx = 420, kHighPx = 380;
+constexpr int kRowPx = 26, kIconPx = 18;
 
 QString plain_text(const QAction& action) { return QString(action.text()).remove('&').remove("…"); }
 
@@ -36,6 +38,7 @@ QuickActions::QuickActions(const QList<QAction*>& actions, QWidget* parent)
   setWindowTitle(tr("Quick actions"));
   setObjectName("quick actions");
   resize(kWidePx, kHighPx);
+  m_list->setIconSize(QSize(kIconPx, kIconPx));
   m_words->setPlaceholderText(tr("What do you want to do?"));
   m_words->installEventFilter(this);
   auto* const column = new QVBoxLayout(this);
@@ -50,9 +53,14 @@ QuickActions::QuickActions(const QList<QAction*>& actions, QWidget* parent)
 void QuickActions::filter() {
   const QStringList words = m_words->text().split(' ', Qt::SkipEmptyParts);
   m_list->clear();
+  QPixmap blank(m_list->iconSize());  // texts begin below each other
+  blank.fill(Qt::transparent);
   for (qsizetype i = 0; i < m_actions.size(); ++i) {
     if (!has_all(*m_actions[i], words)) continue;
-    auto* const item = new QListWidgetItem(m_actions[i]->icon(), row_text(*m_actions[i]), m_list);
+    const QIcon icon = m_actions[i]->icon();
+    auto* const item =
+        new QListWidgetItem(icon.isNull() ? QIcon(blank) : icon, row_text(*m_actions[i]), m_list);
+    item->setSizeHint(QSize(0, kRowPx));
     item->setData(Qt::UserRole, static_cast<int>(i));
     item->setToolTip(m_actions[i]->toolTip());
   }

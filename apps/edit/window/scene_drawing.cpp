@@ -99,16 +99,14 @@ bool SceneDrawing::stops_drag(const ObjectSnapshot& object) const {
   return drag && drag->blocked && object->name == drag->blocked_by.name;
 }
 
+bool SceneDrawing::is_lit(ObjectId id) const {
+  return std::find(m_lit.objects.begin(), m_lit.objects.end(), id) != m_lit.objects.end();
+}
+
 LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
   const auto snapshot = m_document.snapshot();
-  const bool is_lit =
-      std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end();
-  const bool warns = m_lit.kind == Message::Kind::Warning;
-  const bool is_done = warns || m_lit.kind == Message::Kind::Info;
-  const bool faces = snapshot->invalid || !m_lit.faces.empty();
-  if (is_lit && !(is_done && faces))
-    return !is_done ? live_colour(m_theme.refused(), 0.5f)
-                    : live_colour(warns ? m_theme.warning() : m_theme.information(), 0.35f);
+  if (m_lit.kind == Message::Kind::Warning && is_lit(object.id) && !snapshot->invalid)
+    return live_colour(m_theme.warning(), 0.35f);
   switch (object->state) {
     case ObjectState::Invalid:
       return {0.9f, 0.1f, 0.15f, strength(0.55f, snapshot->invalid != nullptr)};
@@ -135,7 +133,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
     if (!object->placed || m_document.looks().shown(object.id).hidden) continue;
     LiveObject live = live_object(*object.object, m_playback.pose_of(object));
     live.tint = tint_of(object);
-    live.outlined = m_document.selection().contains(object.id);
+    live.outlined = m_document.selection().contains(object.id) || is_lit(object.id);
     live.moving = m_playback.moves(object.id) || is_dragged(object.id);
     out.objects.push_back(std::move(live));
     add_in_the_way(object, out);

@@ -46,6 +46,7 @@ class SceneDrawing : public QObject {
   void follow_document();
   bool is_dragged(ObjectId id) const;
   bool stops_drag(const ObjectSnapshot& object) const;
+  bool is_lit(ObjectId id) const;  // by a message
   LiveColour tint_of(const ObjectSnapshot& object) const;
   LiveColour look_of(const ObjectSnapshot& object) const;
   void add_in_the_way(const ObjectSnapshot& object, LiveScene& scene) const;

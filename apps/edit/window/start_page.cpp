@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kWidth = 720;
 constexpr int kMostShown = 6;
-constexpr QSize kDemoPicture(96, 64);
+constexpr QSize kDemoPicture(72, 48);
 
 /// In the resources: 288 x 192 pixels.
 QPixmap picture_of(const QString& demo) { return QPixmap(":/demos/" + demo + ".png"); }

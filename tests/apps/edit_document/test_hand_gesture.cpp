@@ -7,7 +7,7 @@
 namespace trivet::edit::test {
 namespace {
 
-constexpr double kNear = 2e-3;
+constexpr double kSlack = 2e-3;
 
 /// A fixed table, 1.2 x 0.8 m, 2 cm thick, seen from the front and above.
 class HandGestures : public testing::Test {
@@ -122,16 +122,16 @@ TEST_F(HandGestures, ClimbOntoWhatIsUnderTheMouse) {
   ASSERT_TRUE(document->ghost());
   EXPECT_TRUE(document->ghost()->ok) << document->ghost()->text;
   let_go();
-  EXPECT_NEAR(box("cup").lower.z(), top + 0.1, kNear);
+  EXPECT_NEAR(box("cup").lower.z(), top + 0.1, kSlack);
   EXPECT_NEAR(at("cup").x(), 0.3, 0.005);
   EXPECT_EQ(new_steps(), 1u);
   // And down again.
   drag("cup", Vec3(0, 0, top));
-  EXPECT_NEAR(box("cup").lower.z(), top, kNear);
+  EXPECT_NEAR(box("cup").lower.z(), top, kSlack);
   // Between the rims of a tray.
   put("tray", "tray", -0.4, -0.1);
   drag("cup", Vec3(-0.4, -0.1, top + 0.01));
-  EXPECT_NEAR(box("cup").lower.z(), top + 0.01, kNear);
+  EXPECT_NEAR(box("cup").lower.z(), top + 0.01, kSlack);
 }
 
 TEST_F(HandGestures, HangBackWhereTheyAreBlocked) {
@@ -144,7 +144,7 @@ TEST_F(HandGestures, HangBackWhereTheyAreBlocked) {
   drag("cup", Vec3(0.18, 0, top + 0.1));
   EXPECT_LT(box("cup").upper.x(), 0.18);
   EXPECT_GT(box("cup").upper.x(), 0.17);
-  EXPECT_NEAR(box("cup").lower.z(), top, kNear);
+  EXPECT_NEAR(box("cup").lower.z(), top, kSlack);
   EXPECT_EQ(new_steps(), 1u);
 }
 
@@ -154,7 +154,7 @@ TEST_F(HandGestures, GoBeyondWhatBlocksThem) {
   const Vec3 row = at("box" + std::to_string(0.0));
   drag("cup", Vec3(0.4, 0, top));
   EXPECT_NEAR(at("cup").x(), 0.4, 0.005);
-  EXPECT_NEAR(box("cup").lower.z(), top, kNear);
+  EXPECT_NEAR(box("cup").lower.z(), top, kSlack);
   EXPECT_EQ(at("box" + std::to_string(0.0)), row);
   EXPECT_EQ(new_steps(), 1u);
 }
@@ -166,7 +166,7 @@ TEST_F(HandGestures, TurnByTheWheelAndLieByAKey) {
   ASSERT_TRUE(document->ghost());
   EXPECT_TRUE(document->ghost()->ok) << document->ghost()->text;
   let_go();
-  EXPECT_NEAR(box("book").upper.x() - box("book").lower.x(), 0.16, kNear);
+  EXPECT_NEAR(box("book").upper.x() - box("book").lower.x(), 0.16, kSlack);
   EXPECT_EQ(new_steps(), 1u);
   pull("book", Vec3(0.2, 0.1, top));
   hand.key('l');
@@ -191,7 +191,7 @@ TEST_F(HandGestures, GoThroughAllWaysToLie) {
   pull("book", Vec3(0.02, 0, top));
   for (int i = 0; i < 6; ++i) hand.key('l');
   let_go();
-  EXPECT_NEAR(box("book").upper.z(), top + 0.2, kNear);
+  EXPECT_NEAR(box("book").upper.z(), top + 0.2, kSlack);
 }
 
 TEST_F(HandGestures, LiftWithShift) {
@@ -208,7 +208,7 @@ TEST_F(HandGestures, LiftWithShift) {
   EXPECT_GT(put->start.translation.z(), top + 0.05);
   hand.modifiers.shift = false;
   let_go();
-  EXPECT_NEAR(box("cup").lower.z(), top, kNear) << "it settles";
+  EXPECT_NEAR(box("cup").lower.z(), top, kSlack) << "it settles";
   EXPECT_NEAR(at("cup").x(), 0.05, 0.005);
 }
 
@@ -281,12 +281,12 @@ TEST_F(HandGestures, LieOnTheirSideAndStandUp) {
   document->select_only(document.id("book"));
   ASSERT_TRUE(toolbox.lie(Lying::OnItsSide));
   document->wait_until_idle();
-  EXPECT_NEAR(box("book").upper.z(), top + 0.04, kNear);
+  EXPECT_NEAR(box("book").upper.z(), top + 0.04, kSlack);
   EXPECT_EQ(new_steps(), 1u);
   EXPECT_EQ(document.object("book").state, ObjectState::Stable);
   ASSERT_TRUE(toolbox.lie(Lying::Upright));
   document->wait_until_idle();
-  EXPECT_NEAR(box("book").upper.z(), top + 0.2, kNear);
+  EXPECT_NEAR(box("book").upper.z(), top + 0.2, kSlack);
   EXPECT_EQ(new_steps(), 2u);
   // Once more: there is nothing to do, and it is told.
   document.forget();
@@ -301,8 +301,8 @@ TEST_F(HandGestures, TurnInPlaceByAKey) {
   put("book", "book", 0.1, 0.05);
   document->select_only(document.id("book"));
   for (int i = 0; i < 6; ++i) EXPECT_TRUE(hand.key(','));
-  EXPECT_NEAR(box("book").upper.x() - box("book").lower.x(), 0.16, kNear);
-  EXPECT_NEAR(box("book").centre().x(), 0.1, kNear);
+  EXPECT_NEAR(box("book").upper.x() - box("book").lower.x(), 0.16, kSlack);
+  EXPECT_NEAR(box("book").centre().x(), 0.1, kSlack);
   EXPECT_EQ(new_steps(), 6u);
   EXPECT_TRUE(hand.key('l'));
   EXPECT_LT(box("book").upper.z(), top + 0.17);
@@ -327,7 +327,7 @@ TEST_F(HandGestures, AreLiftedToBeTurnedByARing) {
   EXPECT_TRUE(document->ghost()->ok) << document->ghost()->text;
   let_go();
   EXPECT_EQ(new_steps(), 1u);
-  EXPECT_NEAR(box("book").upper.z(), top + 0.04, kNear) << "it lies";
+  EXPECT_NEAR(box("book").upper.z(), top + 0.04, kSlack) << "it lies";
 }
 
 TEST_F(HandGestures, PutTurnsByTheWheel) {
@@ -339,7 +339,7 @@ TEST_F(HandGestures, PutTurnsByTheWheel) {
   move(there);
   hand.wheel(there, 6);
   hand.click(there);
-  EXPECT_NEAR(box("book").upper.x() - box("book").lower.x(), 0.16, kNear);
+  EXPECT_NEAR(box("book").upper.x() - box("book").lower.x(), 0.16, kSlack);
   EXPECT_EQ(new_steps(), 1u);
 }
 
@@ -357,7 +357,7 @@ TEST_F(HandGestures, LeanAgainstAWall) {
   EXPECT_EQ(new_steps(), 1u) << document.last_text();
   EXPECT_EQ(document.object("book").state, ObjectState::Stable);
   EXPECT_TRUE(leans(document.object("book")));
-  EXPECT_NEAR(box("book").upper.x(), 0.18, kNear);
+  EXPECT_NEAR(box("book").upper.x(), 0.18, kSlack);
   EXPECT_EQ(wrong_with(*document->snapshot()), "");
 }
 
