@@ -73,12 +73,13 @@ void check_writable(const std::string& path) {
   unlink(trial.c_str());
 }
 
+/// @param what, one  in the plural, and of a single one.
 void append_findings(std::ostringstream& out, const std::vector<SceneCheck::PairFinding>& findings,
-                     const char* what) {
+                     const char* what, const char* one) {
   for (const SceneCheck::PairFinding& f : findings)
-    out << "  \"" << f.a << "\" and \"" << f.b << "\": " << f.count << " " << what << ", "
-        << f.depth << " m deep near (" << f.point.x() << ", " << f.point.y() << ", " << f.point.z()
-        << ")\n";
+    out << "  \"" << f.a << "\" and \"" << f.b << "\": " << f.count << " "
+        << (f.count == 1 ? one : what) << ", " << f.depth << " m deep near (" << f.point.x() << ", "
+        << f.point.y() << ", " << f.point.z() << ")\n";
 }
 
 std::string quoted_list(const std::vector<std::string>& names) {
@@ -123,9 +124,12 @@ std::string check_summary(const SceneCheck& check) {
       << " interpenetrating pairs of faces, ";
   if (check.smallest_gap < kInfinity) out << "smallest gap " << check.smallest_gap << " m, ";
   out << (check.not_at_rest.empty() ? "all at rest" : "not all at rest") << "\n";
-  append_findings(out, check.crossings, "pairs of faces interpenetrate");
-  append_findings(out, check.float32_crossings, "pairs of faces interpenetrate in float32");
-  append_findings(out, check.contained, "parts of the first are inside the second");
+  append_findings(out, check.crossings, "pairs of faces interpenetrate",
+                  "pair of faces interpenetrates");
+  append_findings(out, check.float32_crossings, "pairs of faces interpenetrate in float32",
+                  "pair of faces interpenetrates in float32");
+  append_findings(out, check.contained, "parts of the first are inside the second",
+                  "part of the first is inside the second");
   for (const SceneCheck::PairFinding& f : check.touching)
     out << "  note: \"" << f.a << "\" and \"" << f.b << "\" only touch, by " << f.depth << " m\n";
   for (const std::string& name : check.not_at_rest)

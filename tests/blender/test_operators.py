@@ -49,6 +49,16 @@ class Here(unittest.TestCase):
         self.assertAlmostEqual(cup.rotation_euler.z, math.radians(30), 4)
         nothing_crosses(self)
 
+    def test_lies_on_its_sides_and_upside_down(self):
+        for way, height in enumerate((.2, .1, .1, .1, .1, .2)):
+            table, plate, cup = table_with_plate_and_cup()
+            support.select([cup])
+            self.assertEqual(bpy.ops.trivet.put_here(*RUN, point=(.7, .6, 1.0), way=way), {"FINISHED"})
+            z = support.shown_bodies()["cup"][0][:, 2]
+            self.assertAlmostEqual(float(z.max() - z.min()), height, 3)
+            self.assertAlmostEqual(cup.matrix_world.translation.x, .7, 3)
+            nothing_crosses(self)
+
     def test_starts_higher_where_it_would_cross(self):
         table, plate, cup = table_with_plate_and_cup()
         wide = cube("wide", (5, 5, 5), (1.5, 1.5, .1))

@@ -107,6 +107,8 @@ def steps():
     yield from opens_the_panel(area)
     yield from puts_by_the_pie_menu_and_undoes(ten)
     yield from puts_one_here_with_a_ghost()
+    yield from goes_on_with_copies()
+    yield from goes_on_with_the_next()
     yield from pushes_by_mouse()
     yield from shows_where_things_cross()
     yield from shows_preferences()
@@ -187,6 +189,56 @@ def puts_one_here_with_a_ghost():
     with override():
         bpy.ops.trivet.put_here("EXEC_DEFAULT", True, point=at, turn=turn)
     assert support.matrices() == clicked, "the click does what the redo panel does"
+
+
+def here(objects):
+    """Put Here of these by mouse, as its button does."""
+    support.select(objects)
+    with override():
+        bpy.ops.trivet.put_here("INVOKE_DEFAULT", True)
+
+
+def put_here_at(at, name):
+    """A click, where its ghost rests."""
+    point(screen(at))
+    yield from until("ghost of " + name, lambda: memory.ghost[0] and "rest" in memory.ghost[1])
+    memory.last.done = []
+    press("LEFTMOUSE", screen(at))
+    yield from until("put " + name, lambda: memory.last.done)
+
+
+def goes_on_with_copies():
+    """C makes copies until Esc; each is a step for Undo, and the last one goes."""
+    mug = bpy.data.objects["mug"]
+    before, names = support.matrices(), set(bpy.data.objects.keys())
+    here([mug])
+    press("C")
+    press("L")
+    for x in (0.1, 0.25):
+        yield from until("pointing", lambda: memory.running == "TRIVET_OT_put_here")
+        yield from put_here_at((x, -0.42, 0.73), "a mug")
+    yield from until("the next copy", lambda: memory.running == "TRIVET_OT_put_here")
+    picture("copies")
+    press("ESC")
+    yield from until("left", lambda: not memory.running)
+    new = set(bpy.data.objects.keys()) - names
+    assert new == {"mug.001", "mug handle.001"}, new
+    for _ in range(2):
+        press("Z", ctrl=True)
+        yield from frames(3)
+    yield from until("undone", lambda: support.matrices() == before)
+
+
+def goes_on_with_the_next():
+    """All that is selected, one click each."""
+    mug, monkey = bpy.data.objects["mug"], bpy.data.objects["monkey (subdivided)"]
+    here([mug, monkey])
+    yield from put_here_at((-0.2, -0.42, 0.73), "the mug")
+    yield from until("the monkey", lambda: memory.running == "TRIVET_OT_put_here")
+    assert bpy.context.view_layer.objects.active == monkey
+    yield from put_here_at((0.1, -0.42, 0.73), "the monkey")
+    yield from frames(5)
+    assert not memory.running, memory.running
 
 
 def pushes_by_mouse():

@@ -86,17 +86,36 @@ def _put(body: Body, position: np.ndarray, wxyz: Sequence[float] = (1, 0, 0, 0))
     return {"op": "put", "object": body.name, "position": position.tolist(), "rotation": list(map(float, wxyz))}
 
 
-def put_at(layout: Layout, body: Body, point: Sequence[float], turn: float, gap: float) -> Outcome:
+_HALF = math.sqrt(0.5)
+# w x y z: as it is, on each of four sides, upside down.
+WAYS_TO_LIE = ((1.0, 0.0, 0.0, 0.0), (_HALF, _HALF, 0.0, 0.0), (_HALF, 0.0, _HALF, 0.0), (_HALF, -_HALF, 0.0, 0.0),
+               (_HALF, 0.0, -_HALF, 0.0), (0.0, 1.0, 0.0, 0.0))
+
+
+def laid(turn: float, way: int) -> tuple:
+    """w x y z: one of WAYS_TO_LIE, then turned about the vertical. turn : radians"""
+    w, x, y, z = WAYS_TO_LIE[way]
+    c, s = math.cos(turn / 2), math.sin(turn / 2)
+    return c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w
+
+
+def rotation_of(wxyz: Sequence[float]) -> np.ndarray:
+    """(3, 3) of a unit quaternion."""
+    w, x, y, z = wxyz
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def put_at(layout: Layout, body: Body, point: Sequence[float], wxyz: Sequence[float], gap: float) -> Outcome:
     """Let go with its lowest point just above a point, or as far above that as it is free there.
 
-    point : (3,) world; turn : radians about the vertical; gap : metres
+    point : (3,) world; wxyz : from how it is; gap : metres
     """
-    c, s = math.cos(turn), math.sin(turn)
-    vertices = body.arrays()[0] @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    vertices = body.arrays()[0] @ rotation_of(wxyz).T
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     start = np.array([point[0] - (low[0] + high[0]) / 2, point[1] - (low[1] + high[1]) / 2, point[2] - low[2] + gap])
     size = float(np.linalg.norm(high - low))
-    wxyz = (math.cos(turn / 2), 0.0, 0.0, math.sin(turn / 2))
     lifts = [0.0, *(size * 2.0 ** k for k in range(-6, 3))]
     return first_that_can(layout, (_put(body, start + [0, 0, lift], wxyz) for lift in lifts))
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import functools
+import json
 import math
 
 import bpy
 import numpy as np
 
 from .bodies import translation
+from .copies import copy_tree, home_of, remove_tree
 from .layouts import Layout, Outcome
-from .moves import Separate, put_at
+from .moves import WAYS_TO_LIE, Separate, laid, put_at, rotation_of
 from .pointing import Pointing, surface_below
 from .running import Working
 from .stage import Stage
@@ -55,10 +58,21 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
     bl_idname = "trivet.put_here"
     bl_label = "Put Here"
     bl_options = {"REGISTER", "UNDO"}
-    hint = "Click: put   Wheel: turn by 15 degrees (Shift: 1)   Esc: leave it"
-
+    _by_mouse = None  # window, area, name of what is put
     point: bpy.props.FloatVectorProperty(name="Point", size=3, subtype="TRANSLATION", precision=4)
     turn: bpy.props.FloatProperty(name="Turn", subtype="ANGLE", description="About the vertical")
+    way: bpy.props.IntProperty(name="Way to Lie", min=0, max=len(WAYS_TO_LIE) - 1,
+                               description="From which it falls: 0 as it is, 1 to 4 on a side, 5 upside down")
+    copies: bpy.props.BoolProperty(name="Copies", default=False, options={"HIDDEN", "SKIP_SAVE"},
+                                   description="Goes on with a linked copy of what was put, until Esc")
+    waiting: bpy.props.StringProperty(default="[]", options={"HIDDEN", "SKIP_SAVE"})  # JSON: names of what is put after it
+    goes_on: bpy.props.BoolProperty(options={"HIDDEN", "SKIP_SAVE"})  # after another one
+    is_copy: bpy.props.BoolProperty(options={"HIDDEN", "SKIP_SAVE"})  # made for this; it goes if it is not put
+
+    @property
+    def hint(self) -> str:
+        then = "copies" if self.copies else "the next selected" if json.loads(self.waiting) else "end"
+        return f"Click: put   Wheel: turn by 15 degrees (Shift: 1)   L: next way to lie   C: copies   Esc: leave it   Then: {then}"
 
     @classmethod
     def poll(cls, context) -> bool:
@@ -78,14 +92,17 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
         return Put(stage.make, stage.bodies, stage.movers, lambda layout, body: self._put(stage, layout, body))
 
     def _put(self, stage: Stage, layout: Layout, body) -> Outcome:
-        return put_at(layout, body, tuple(self.point), self.turn, _GAP * stage.clearance)
+        return put_at(layout, body, tuple(self.point), laid(self.turn, self.way), _GAP * stage.clearance)
 
     def begin(self, context, event) -> None:
         owner = self._stage.reading.owners[self._stage.movers[0]]
         self._excluded = {owner, *owner.children_recursive}
         if owner.instance_collection is not None:
             self._excluded.update(owner.instance_collection.all_objects)
-        self.turn = 0.0
+        self.turn, self.way = 0.0, 0
+        if not self.goes_on:
+            self.waiting = json.dumps([one.name for one in context.selected_objects if one != owner])
+        self._by_mouse = context.window, self._view.area, owner.name
         self.follow(context, event)
 
     def follow(self, context, event) -> None:
@@ -94,22 +111,57 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
             self.point = found
 
     def key(self, context, event) -> bool:
+        if event.type == "C" and event.value == "PRESS":
+            self.copies = not self.copies
+            return True
+        if event.type == "L" and event.value == "PRESS":
+            self.way = (self.way + 1) % len(WAYS_TO_LIE)
+            return True
         ways = {"WHEELUPMOUSE": 1, "WHEELDOWNMOUSE": -1}
         if event.type not in ways or event.ctrl:
             return False
         self.turn += math.radians(ways[event.type] * (1 if event.shift else 15))
         return True
 
+    def left(self, context) -> None:
+        if self.is_copy:
+            remove_tree(context.active_object)
+
+    def result(self, report: Report):
+        result = super().result(report)
+        if "FINISHED" in result and self._by_mouse is not None:
+            bpy.app.timers.register(functools.partial(_go_on, *self._by_mouse, self.waiting, self.copies), first_interval=0.0)
+        return result
+
     def preview(self, layout: Layout) -> Outcome:
         return self._put(self._stage, layout, self._stage.reading.body(self._stage.movers[0]))
 
     def held(self) -> dict:
         name = self._stage.movers[0]
-        low, high = self._stage.reading.body(name).bounds()
-        middle = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
+        body = self._stage.reading.body(name)
         turn = np.eye(4)
-        turn[:2, :2] = [[math.cos(self.turn), -math.sin(self.turn)], [math.sin(self.turn), math.cos(self.turn)]]
-        return {name: translation(tuple(self.point)) @ turn @ translation(-middle)}
+        turn[:3, :3] = rotation_of(laid(self.turn, self.way))
+        turned = body.world() @ turn[:3, :3].T
+        low, high = turned.min(axis=0), turned.max(axis=0)
+        foot = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
+        return {name: translation(np.array(self.point) - foot) @ turn}
+
+
+def _go_on(window, area, name: str, waiting: str, copies: bool) -> None:
+    """Puts the next one: a copy, or of those that wait the first that is still there. A step of its own for Undo."""
+    names = [one for one in json.loads(waiting) if one in bpy.data.objects]
+    put = bpy.data.objects.get(name)
+    if put is None or not (copies or names):
+        return
+    region = next(one for one in area.regions if one.type == "WINDOW")
+    with bpy.context.temp_override(window=window, area=area, region=region):
+        context = bpy.context
+        put.select_set(not copies and put.select_get())
+        following = copy_tree(put, home_of(put, context)) if copies else bpy.data.objects[names[0]]
+        following.select_set(True)
+        context.view_layer.objects.active = following
+        bpy.ops.trivet.put_here("INVOKE_DEFAULT", True, waiting=json.dumps(names if copies else names[1:]), goes_on=True,
+                                copies=copies, is_copy=copies)
 
 
 class TRIVET_OT_separate(Working, bpy.types.Operator):

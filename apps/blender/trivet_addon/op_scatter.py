@@ -5,30 +5,12 @@ from __future__ import annotations
 import bpy
 
 from .bodies import Body
+from .copies import copy_tree, home_of, remove_tree
 from .op_put import selected_in_object_mode
 from .running import Working
 from .scattering import Recipe, Scatter
 from .stage import Stage
 from .work import Report
-
-
-def copy_tree(owner: bpy.types.Object, collection: bpy.types.Collection) -> bpy.types.Object:
-    """A linked copy of an object and all below it: other objects, the same meshes."""
-    copies = {}
-    for one in [owner, *owner.children_recursive]:
-        copies[one] = one.copy()
-        collection.objects.link(copies[one])
-        copies[one].select_set(False)
-    for one, copy in copies.items():
-        if one is not owner:
-            copy.parent = copies[one.parent]
-            copy.matrix_parent_inverse = one.matrix_parent_inverse
-    return copies[owner]
-
-
-def remove_tree(owner: bpy.types.Object) -> None:
-    for one in [*owner.children_recursive, owner]:
-        bpy.data.objects.remove(one)
 
 
 class TRIVET_OT_scatter(Working, bpy.types.Operator):
@@ -102,8 +84,7 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
         self._remove_copies(stage, [name for name in self._copies if name not in report.done])
 
     def _add_copies(self, stage: Stage, report: Report) -> None:
-        target = stage.context.active_object
-        collection = target.users_collection[0] if target.users_collection else stage.context.scene.collection
+        collection = home_of(stage.context.active_object, stage.context)
         self._copies = {}
         for body in self._scatter.copies:
             if body.name in report.done:

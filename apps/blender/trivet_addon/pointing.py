@@ -59,6 +59,9 @@ class Pointing(Working):
     def begin(self, context, event) -> None:
         """Before the first `follow`."""
 
+    def left(self, context) -> None:
+        """After the user has left without a click."""
+
     def modal(self, context, event):
         if not self._points:
             return super().modal(context, event)
@@ -70,6 +73,7 @@ class Pointing(Working):
             return self._confirm(context)
         elif event.type in {"RIGHTMOUSE", "ESC"} and event.value == "PRESS":
             self._leave(context)
+            self.left(context)
             return {"CANCELLED"}
         elif self.key(context, event):
             self.follow(context, event)
@@ -134,6 +138,7 @@ class View:
     """The region of a 3D view that shows the scene; the operator may have been started from the sidebar's."""
 
     def __init__(self, area) -> None:
+        self.area = area
         self.region = next(region for region in area.regions if region.type == "WINDOW")
         self.data = area.spaces.active.region_3d
 

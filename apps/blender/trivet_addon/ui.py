@@ -14,6 +14,7 @@ _KEYS: list = []
 ICONS = {"put": "TRIA_DOWN_BAR", "put_here": "PIVOT_CURSOR", "scatter": "STICKY_UVS_DISABLE", "push": "FORWARD",
          "turn": "FILE_REFRESH", "move": "ORIENTATION_GLOBAL", "separate": "MOD_EXPLODE", "check": "CHECKMARK"}
 _CHARACTER = 8.0  # pixels, at a scale of 1
+_BARELY = 2e-4  # of its size: margins below it are told
 
 
 def _lines(context, layout, text: str, icon: str = "NONE") -> None:
@@ -21,6 +22,14 @@ def _lines(context, layout, text: str, icon: str = "NONE") -> None:
     width = context.region.width / (_CHARACTER * context.preferences.system.ui_scale) - 5
     for number, line in enumerate(textwrap.wrap(text, max(12, int(width)))):
         layout.label(text=line, icon=icon if number == 0 else "BLANK1")
+
+
+def _how_it_rests(context, owner, status) -> str:
+    """In words; a margin is a number only where it is small for the object."""
+    text = status.state.replace("_", " ").capitalize()
+    if status.state != "stable" or not status.margin < _BARELY * owner.dimensions.length:
+        return text
+    return f"Barely stable, by {_length(context, status.margin)}"
 
 
 def _length(context, value: float) -> str:
@@ -82,13 +91,13 @@ class TRIVET_PT_object(_Panel, bpy.types.Panel):
         if status is None:
             box.label(text="Not judged here: Check", icon="QUESTION")
             return
-        box.label(text=status.state.capitalize(), icon="CHECKMARK" if status.state in {"stable", "fixed"} else "ERROR")
+        rests = status.state in {"stable", "fixed"}
+        box.label(text=_how_it_rests(context, owner, status), icon="CHECKMARK" if rests else "ERROR")
         if status.supports:
             _lines(context, box, "On " + ", ".join(status.supports))
         if status.loads:
             _lines(context, box, "Carries " + ", ".join(status.loads))
         if math.isfinite(status.margin) and status.state != "fixed":
-            box.label(text=f"Margin {_length(context, status.margin)}")
             box.label(text=f"Least friction {status.least_friction:.2g}")
         row = box.row(align=True)
         row.operator("trivet.select", text="Supports").what = "SUPPORTS"

@@ -18,13 +18,14 @@ void describe(const ArrangeResult& result, const Scene& scene, LayoutGhost& out)
   for (const ArrangeResult::Holds& r : result.relations)
     if (!r.hard) worst = std::max(worst, r.cost);
   const QString text =
-      worst > 0 ? QCoreApplication::translate("wishes",
-                                              "%1 placed, all hard wishes hold; the worst of the "
-                                              "others is off by %2 tolerances")
-                      .arg(result.placed.size())
-                      .arg(QLocale().toString(worst, 'g', 3))
-                : QCoreApplication::translate("wishes", "%1 placed, all wishes hold")
-                      .arg(result.placed.size());
+      worst > 0
+          ? QCoreApplication::translate("wishes",
+                                        "%1 placed, all hard constraints hold; the worst of the "
+                                        "others is off by %2 tolerances")
+                .arg(result.placed.size())
+                .arg(QLocale().toString(worst, 'g', 3))
+          : QCoreApplication::translate("wishes", "%1 placed, all constraints hold")
+                .arg(result.placed.size());
   out.text = text.toStdString();
 }
 

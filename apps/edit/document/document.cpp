@@ -171,6 +171,18 @@ Document::Job Document::perform_all(const std::string& name, std::vector<Operati
                          Engine& engine) { return engine.perform_all(operations, select); });
 }
 
+Document::Job Document::perform_first(std::vector<Operation> choices) {
+  std::string what = in_words(op_name(choices.front()));
+  what.append(" \"").append(object_name(choices.front())).append("\"");
+  // The drag ends in the job, so that windows do not show it taken back meanwhile.
+  const std::uint64_t drag = std::exchange(m_dragging, false) ? m_drag : 0;
+  std::vector<OperationGroup> groups;
+  for (Operation& choice : choices) groups.push_back({std::move(choice)});
+  return start(what, [groups = std::move(groups), drag](Engine& engine) {
+    return engine.perform_first(groups, {}, drag);
+  });
+}
+
 Document::Job Document::perform_groups(const std::string& name, ManyObjects many) {
   return start(name, [name, many = std::move(many)](Engine& engine) {
     return engine.perform_groups(name, many);
@@ -185,8 +197,8 @@ Document::Job Document::rescale(const std::string& name, double scale, double dr
 Document::Job Document::rescale(const std::string& name, double scale, UpAxis up,
                                 double drop_height) {
   return start(with_name(tr("scale \"%1\""), name),
-               [operations = rescaling(*m_snapshot, name, scale, up, drop_height),
-                name](Engine& engine) { return engine.perform_all(operations, {name}); });
+               [choices = rescaling(*m_snapshot, name, scale, up, drop_height),
+                name](Engine& engine) { return engine.perform_first(choices, {name}, 0); });
 }
 
 void Document::select_named(const std::vector<std::string>& names) {

@@ -31,6 +31,7 @@
 #include "apps/edit/document/scene_verdict.h"
 #include "apps/edit/document/selection.h"
 #include "apps/edit/document/snapshot.h"
+#include "apps/edit/document/ways_to_lie.h"
 #include "apps/edit/document/wishes.h"
 #include "apps/edit/document/zlist_view.h"
 #include "core/base/sentence.h"
@@ -101,6 +102,9 @@ class Document : public QObject {
   ///   keep the selection.
   Job perform_all(const std::string& name, std::vector<Operation> operations,
                   std::vector<std::string> select = {});
+  /// The first of these operations that is done, as one step; a drag ends with it. Refused as the
+  /// first is.
+  Job perform_first(std::vector<Operation> choices);
   /// Runs the groups as one step and selects their objects; a group that is refused is left out,
   /// and a message tells how many and why. @param name  shown by windows while busy.
   Job perform_groups(const std::string& name, ManyObjects many);
@@ -150,8 +154,16 @@ class Document : public QObject {
 
   /// Requests the resulting pose of `operation`; the latest request wins. ghost_changed() answers.
   void request_ghost(const Operation& operation);
+  /// The same of the first of these that is done. Where none is, a ghost of the same object that
+  /// is done stays, and hangs back.
+  void request_ghost_in_hand(std::vector<Operation> choices);
+  /// True if the ghost answers the latest request.
+  bool is_ghost_current() const { return m_ghost && m_ghost_answered == m_ghost_request; }
   void clear_ghost();
   const std::optional<Ghost>& ghost() const { return m_ghost; }
+
+  /// ways_found() answers.
+  void request_ways(ObjectId object);
 
   // --- arrangements ----------------------------------------------------------------------------
 
@@ -206,6 +218,7 @@ class Document : public QObject {
   void progressed(const QString& what, int done, int total);
   void message(const trivet::edit::Message& message);
   void ghost_changed();
+  void ways_found(const trivet::edit::WaysToLie& ways);
   void wishes_changed();
   void layout_changed();
   void layout_progressed(const QString& thing, int done, int total);
@@ -272,6 +285,8 @@ class Document : public QObject {
   std::set<std::string> m_detection_notes;  // since the last choice
   std::shared_ptr<const ZListView> m_zlists;
   std::uint64_t m_drag = 0, m_ghost_request = 0;  // numbers of the latest ones
+  std::uint64_t m_ghost_answered = 0;             // the same of answers
+  bool m_ghost_hangs_back = false;                // the latest request's may
   std::vector<double> m_drag_milliseconds;
   bool m_modified = false, m_dragging = false, m_watches = false;
   int m_num_jobs = 0;

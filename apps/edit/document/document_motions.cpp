@@ -51,8 +51,17 @@ void Document::drag_refused(std::uint64_t drag) {
 // --- ghost -------------------------------------------------------------------------------------
 
 void Document::request_ghost(const Operation& operation) {
-  m_engine->request_ghost(++m_ghost_request, operation, m_snapshot);
+  m_ghost_hangs_back = false;
+  m_engine->request_ghost(++m_ghost_request, {operation}, m_snapshot);
 }
+
+void Document::request_ghost_in_hand(std::vector<Operation> choices) {
+  if (choices.empty()) return;
+  m_ghost_hangs_back = true;
+  m_engine->request_ghost(++m_ghost_request, std::move(choices), m_snapshot);
+}
+
+void Document::request_ways(ObjectId object) { m_engine->request_ways(object); }
 
 void Document::clear_ghost() {
   ++m_ghost_request;
@@ -63,7 +72,14 @@ void Document::clear_ghost() {
 
 void Document::show_ghost(std::uint64_t request, Ghost ghost) {
   if (request != m_ghost_request) return;
-  m_ghost = std::move(ghost);
+  m_ghost_answered = request;
+  if (m_ghost_hangs_back && !ghost.ok && m_ghost && m_ghost->ok &&
+      m_ghost->object == ghost.object) {
+    m_ghost->hangs_back = true;
+    m_ghost->text = std::move(ghost.text);
+  } else {
+    m_ghost = std::move(ghost);
+  }
   Q_EMIT ghost_changed();
 }
 

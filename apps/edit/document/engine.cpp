@@ -14,9 +14,6 @@ namespace {
 // Largest connected part that is judged at once: moves wait while the linear program decides.
 constexpr int kMaxJudgedObjects = 100;
 
-/// Thrown from progress callbacks when the user has cancelled.
-struct Cancelled {};
-
 // Sandboxed import: a file that crashes the import library must not crash the editor.
 DocumentOptions with_importer(DocumentOptions options) {
   if (options.limits.importer.empty()) options.limits.importer = find_importer();
@@ -95,7 +92,7 @@ bool Engine::run(const Item& item) {
     return item.work(*this);
   } catch (const Cancelled&) {
     tell(Message{
-        Message::Kind::Refused, with_name(Document::tr("%1 was cancelled"), item.what), {}, {}});
+        Message::Kind::Info, with_name(Document::tr("%1 was cancelled"), item.what), {}, {}});
   } catch (const Error& e) {
     tell(Message{Message::Kind::Error, in_words(e), {}, {}});
   } catch (const std::bad_alloc&) {
@@ -144,6 +141,10 @@ RunOptions Engine::run_options() {
 
 void Engine::show_progress(const std::string& what, size_t done, size_t total) {
   if (m_cancel) throw Cancelled();
+  tell_progress(what, done, total);
+}
+
+void Engine::tell_progress(const std::string& what, size_t done, size_t total) {
   tell([what, done, total](Document& shown) {
     Q_EMIT shown.progressed(QString::fromStdString(what), static_cast<int>(done),
                             static_cast<int>(total));
@@ -211,14 +212,42 @@ bool Engine::perform_all(const std::vector<Operation>& operations,
   Session& session = m_opened->session;
   const std::optional<Pose> from = pose_before(operations);
   const OperationResult result = session.perform_all(operations, settle_options(), context());
-  if (result.ok()) {
-    m_look_steps.follow_new_step();
-    publish(settled_way(session.scene(), operations.back(), result, result.steps, from));
-  }
+  if (result.ok()) show_done(operations, result, from);
   if (result.ok() && !select.empty())
     tell([select](Document& shown) { shown.select_named(select); });
   tell(result, operations.back());
   return result.ok();
+}
+
+void Engine::show_done(const std::vector<Operation>& operations, const OperationResult& result,
+                       const std::optional<Pose>& from) {
+  m_look_steps.follow_new_step();
+  publish(settled_way(m_opened->session.scene(), operations.back(), result, result.steps, from));
+}
+
+// Only the first refusal is told: the other choices stand in for it.
+bool Engine::perform_first(const std::vector<OperationGroup>& choices,
+                           const std::vector<std::string>& select, std::uint64_t drag) {
+  const bool drags = m_live && drag == m_drag;
+  if (drags) m_live.reset();
+  std::optional<OperationResult> first;
+  for (const OperationGroup& choice : choices) {
+    const std::optional<Pose> from = pose_before(choice);
+    OperationResult result = m_opened->session.perform_all(choice, settle_options(), context());
+    if (result.ok()) {
+      show_done(choice, result, from);
+      if (!select.empty()) tell([select](Document& shown) { shown.select_named(select); });
+      tell(result, choice.back());
+      if (drags) tell([](Document& shown) { Q_EMIT shown.drag_ended(true); });
+      return true;
+    }
+    if (!first) first = std::move(result);
+    if (first->status != OperationResult::Status::Refused) break;
+  }
+  if (drags) show_again();
+  if (drags) tell([](Document& shown) { Q_EMIT shown.drag_ended(false); });
+  if (first) tell(*first, choices.front().back());
+  return false;
 }
 
 }  // namespace trivet::edit

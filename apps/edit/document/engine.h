@@ -36,8 +36,9 @@ class Engine {
   /// Sets the goal; the latest wins.
   void steer(const DragGoal& goal);
   void cancel_drag(std::uint64_t drag);
-  void request_ghost(std::uint64_t request, const Operation& operation,
+  void request_ghost(std::uint64_t request, std::vector<Operation> choices,
                      std::shared_ptr<const SceneSnapshot> shown);
+  void request_ways(ObjectId object);
   /// @param scene  number of the one that is shown: another one keeps its own.
   void set_wishes(std::uint64_t scene, std::string json);
   /// A change of looks, which windows show already, as a step. @param scene  as above.
@@ -69,6 +70,9 @@ class Engine {
   bool perform(const Operation& operation);
   bool perform_all(const std::vector<Operation>& operations,
                    const std::vector<std::string>& select = {});
+  /// The first of the choices that is done. @param drag  ends with it; 0: there is none.
+  bool perform_first(const std::vector<OperationGroup>& choices,
+                     const std::vector<std::string>& select, std::uint64_t drag);
   bool perform_groups(const std::string& what, const ManyObjects& many);
   bool import_model(const ImportModel& model);
   bool accept_layout(const LayoutGhost& layout);
@@ -89,6 +93,8 @@ class Engine {
   void run();
   bool run(const Item& item);
   void follow();
+  void show_done(const std::vector<Operation>& operations, const OperationResult& result,
+                 const std::optional<Pose>& from);
   void show_again();
   void renew_detector();
   BackendOptions with_notes(BackendOptions options);
@@ -102,7 +108,11 @@ class Engine {
   void tell(Message message);
   void tell(const OperationResult& result, const Operation& operation);
 
+  /// Thrown when the user has cancelled.
+  struct Cancelled {};
+  /// @throws Cancelled
   void show_progress(const std::string& what, size_t done, size_t total);
+  void tell_progress(const std::string& what, size_t done, size_t total);
   RunOptions run_options();
   void adopt(OpenedSession opened, const std::string& file, const std::string& title,
              std::unique_ptr<FileLock> lock);

@@ -1,10 +1,12 @@
 // File jobs of the document's thread.
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
 
+#include "apps/demo/arranged.h"
 #include "apps/demo/demo.h"
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/layout_paths.h"
@@ -34,14 +36,29 @@ void make_folder(const std::string& folder) {
                 error.message().c_str());
 }
 
-void write_demo(const DemoLayout& demo, const std::string& folder) {
-  for (const DemoModel& made : demo.models) {
+/// The models and the layout. @return the layout's file.
+std::string write_demo(const std::vector<DemoModel>& models, const std::string& layout,
+                       const std::string& folder) {
+  for (const DemoModel& made : models) {
     ExportScene scene;
     scene.objects.push_back({fs::path(made.file).stem().string(),
                              std::make_shared<const Model>(made.model), Affine{}, ""});
     write_scene(scene, (fs::path(folder) / made.file).string());
   }
-  write_file_atomically((fs::path(folder) / "layout.json").string(), layout_json(demo));
+  const std::string file = (fs::path(folder) / "layout.json").string();
+  write_file_atomically(file, layout);
+  return file;
+}
+
+/// A demo that is arranged has its constraints, and objects that are not placed yet.
+std::string write_demo(const std::string& name, const std::string& folder) {
+  const std::vector<std::string> arranged = arranged_demo_names();
+  if (std::find(arranged.begin(), arranged.end(), name) != arranged.end()) {
+    const ArrangedDemo demo = make_arranged_demo(name);
+    return write_demo(demo.models, demo.problem, folder);
+  }
+  const DemoLayout demo = make_demo(name);
+  return write_demo(demo.models, layout_json(demo), folder);
 }
 
 // Name after the model's file, unique in the scene.
@@ -135,15 +152,13 @@ bool Engine::open(const std::string& file) {
 }
 
 bool Engine::open_demo(const std::string& name) {
-  const DemoLayout demo = make_demo(name);
   if (m_options.recovery_folder.empty())
     throw Error(Error::Kind::Environment,
                 "demos need a recovery folder for their files, "
                 "and this editor has none");
   const std::string folder = (fs::path(m_options.recovery_folder) / "demos" / name).string();
   make_folder(folder);
-  write_demo(demo, folder);
-  const std::string layout = (fs::path(folder) / "layout.json").string();
+  const std::string layout = write_demo(name, folder);
   adopt(open_session(layout, run_options(), m_options.limits, {new_journal()}), "", name, nullptr);
   return true;
 }

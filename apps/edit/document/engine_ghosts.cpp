@@ -67,17 +67,28 @@ void Engine::renew_detector() {
 
 // --- ghost -------------------------------------------------------------------------------------
 
-void Engine::request_ghost(std::uint64_t request, const Operation& operation,
+void Engine::request_ghost(std::uint64_t request, std::vector<Operation> choices,
                            std::shared_ptr<const SceneSnapshot> shown) {
   if (!m_watches) shown = nullptr;
-  post({0, "ghost", [request, operation, shown = std::move(shown)](Engine& engine) {
+  post({0, "ghost",
+        [request, choices = std::move(choices), shown = std::move(shown)](Engine& engine) {
           std::unique_ptr<Scene> scene;
           if (!engine.m_ghosts_know)
             scene = std::make_unique<Scene>(engine.m_opened->session.scene());
           engine.m_ghosts_know = true;
           // The z-lists of a drag are those of its own motion, not of the fall after it.
-          engine.m_ghosts.request(request, operation, engine.settle_options(), engine.context(),
+          engine.m_ghosts.request(request, choices, engine.settle_options(), engine.context(),
                                   std::move(scene), engine.m_live ? nullptr : shown);
+          return true;
+        }});
+}
+
+void Engine::request_ways(ObjectId object) {
+  post({0, "ways to lie", [object](Engine& engine) {
+          const Scene& scene = engine.m_opened->session.scene();
+          if (!scene.contains(object)) return false;
+          WaysToLie ways{object, ways_to_lie(scene.at(object))};
+          engine.tell([ways](Document& shown) { Q_EMIT shown.ways_found(ways); });
           return true;
         }});
 }

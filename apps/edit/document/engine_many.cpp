@@ -29,26 +29,37 @@ bool Engine::perform_groups(const std::string& what, const ManyObjects& many) {
   std::vector<std::string> names;
   std::optional<OperationResult> refused;  // the first
   size_t refused_group = 0;
-  for (size_t i = 0; i < many.groups.size(); ++i) {
-    show_progress(what, i, many.groups.size());
+  bool stopped = false;  // by the user: what is done by then stays
+  for (size_t i = 0; i < many.groups.size() && !stopped; ++i) {
+    tell_progress(what, i, many.groups.size());
     OperationResult result = perform_group(all, many.groups[i], settle_options(), context());
     if (result.ok()) {
       done.insert(done.end(), many.groups[i].begin(), many.groups[i].end());
       names.push_back(many.names[i]);
       continue;
     }
+    stopped = result.status == OperationResult::Status::Cancelled;
+    if (stopped) break;
     if (!refused) refused_group = i;
-    if (!refused || result.status != OperationResult::Status::Refused) refused = std::move(result);
-    if (refused->status != OperationResult::Status::Refused) break;
+    if (!refused) refused = std::move(result);
   }
-  const bool stopped = refused && refused->status != OperationResult::Status::Refused;
-  if (done.empty() || stopped) {
+  if (done.empty()) {
+    if (stopped) throw Cancelled();
     if (refused) tell(*refused, many.groups[refused_group].back());
     return false;
   }
+  if (stopped) m_cancel = false;
   show_progress(what, 0, 0);
   if (!perform_all(done, many.select ? names : std::vector<std::string>())) return false;
-  if (refused)
+  if (stopped)
+    tell(Message{Message::Kind::Info,
+                 Document::tr("%1: stopped after %2 of %3, which stay")
+                     .arg(QString::fromStdString(what), QString::number(names.size()),
+                          QString::number(many.groups.size()))
+                     .toStdString(),
+                 {},
+                 {}});
+  else if (refused)
     tell(Message{Message::Kind::Info,
                  Document::tr("%1: %2 of %3; the others were refused, the first: %4")
                      .arg(QString::fromStdString(what), QString::number(names.size()),

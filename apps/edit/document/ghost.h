@@ -12,8 +12,9 @@ namespace trivet::edit {
 
 struct Ghost {
   ObjectId object;
-  Operation operation;  // leads to this pose
-  bool ok = false;      // otherwise refused; `text` gives the reason
+  Operation operation;      // leads to this pose
+  bool ok = false;          // otherwise refused; `text` gives the reason
+  bool hangs_back = false;  // ok, but where it was wanted last was refused; `text` says why
   std::string text;
   struct Member {
     ObjectId id;

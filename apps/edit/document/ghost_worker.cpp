@@ -66,13 +66,13 @@ void GhostWorker::choose(BackendOptions detection) {
   m_wake.notify_all();
 }
 
-void GhostWorker::request(std::uint64_t number, const Operation& operation,
+void GhostWorker::request(std::uint64_t number, std::vector<Operation> choices,
                           const SettleOptions& options, const RunContext& context,
                           std::unique_ptr<Scene> scene,
                           std::shared_ptr<const SceneSnapshot> shown) {
   {
     const std::lock_guard lock(m_mutex);
-    m_next = Request{number, operation, options, context, std::move(shown), Clock::now()};
+    m_next = Request{number, std::move(choices), options, context, std::move(shown), Clock::now()};
     m_next->context.cancel = &m_cancel;
     if (scene) m_next_scene = std::move(scene);
     m_cancel = true;
@@ -167,7 +167,7 @@ void GhostWorker::renew() {
 
 // The motion with which a PUT begins.
 std::optional<ZListQuestion> GhostWorker::fall_of(const Request& request) const {
-  const auto* const put = std::get_if<PutOperation>(&request.operation);
+  const auto* const put = std::get_if<PutOperation>(&request.choices.front());
   if (!put || put->place || !request.shown || !m_scene) return std::nullopt;
   const auto id = m_scene->find(put->object);
   if (!id) return std::nullopt;
@@ -200,9 +200,18 @@ void GhostWorker::show_zlists(const ZListQuestion& question) {
 }
 
 Ghost GhostWorker::answer_to(const Request& request) {
+  Ghost ghost = answer_to(request, request.choices.front());
+  for (size_t i = 1; i < request.choices.size() && !ghost.ok && !m_cancel; ++i)
+    if (Ghost other = answer_to(request, request.choices[i]); other.ok) ghost = std::move(other);
+  ghost.milliseconds =
+      std::chrono::duration<double, std::milli>(Clock::now() - request.when).count();
+  return ghost;
+}
+
+Ghost GhostWorker::answer_to(const Request& request, const Operation& operation) {
   Ghost ghost;
-  ghost.operation = request.operation;
-  const auto id = m_scene ? m_scene->find(object_name(request.operation)) : std::nullopt;
+  ghost.operation = operation;
+  const auto id = m_scene ? m_scene->find(object_name(operation)) : std::nullopt;
   if (!id) {
     ghost.text = "no such object";
     return ghost;
@@ -211,25 +220,21 @@ Ghost GhostWorker::answer_to(const Request& request) {
   Transaction trial(*m_scene);
   RunContext context = request.context;
   context.detector = m_detector.get();
-  const OperationResult result = perform(trial, request.operation, request.options, context);
+  const OperationResult result = perform(trial, operation, request.options, context);
   const Scene& scene = *m_scene;
   ghost.ok = result.ok();
   if (ghost.ok) describe(scene, result, ghost);
   trial.rollback();
-  const auto* const put = std::get_if<PutOperation>(&request.operation);
+  const auto* const put = std::get_if<PutOperation>(&operation);
   if (result.refusal && put && !put->place)
     for (const Placement& at : group_at_start(scene, *id, *put, request.options).placements())
       ghost.members.push_back({at.id, at.pose});
-  if (const auto message =
-          message_of(scene, request.operation, result, request.options.clearance)) {
+  if (const auto message = message_of(scene, operation, result, request.options.clearance)) {
     ghost.text = message->text;
     ghost.points.insert(ghost.points.end(), message->points.begin(), message->points.end());
     for (const ObjectId other : message->objects)
       if (other != ghost.object) ghost.objects.push_back(other);
   }
-  ghost.milliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - request.when)
-          .count();
   return ghost;
 }
 

@@ -32,10 +32,11 @@ class GhostWorker {
   /// Another detector for the next request. A machine is measured first, which takes seconds when
   /// it was never measured before.
   void choose(BackendOptions detection);
+  /// @param choices  one at least; the first that is done answers, else the first.
   /// @param scene  null: that of the last request.
   /// @param shown  what windows show of it: the z-lists of the fall of a PUT are computed, too;
   ///   null: they are not.
-  void request(std::uint64_t number, const Operation& operation, const SettleOptions& options,
+  void request(std::uint64_t number, std::vector<Operation> choices, const SettleOptions& options,
                const RunContext& context, std::unique_ptr<Scene> scene,
                std::shared_ptr<const SceneSnapshot> shown);
   /// Computes the z-lists of a motion when there is time; of several, the last.
@@ -46,7 +47,7 @@ class GhostWorker {
   using Clock = std::chrono::steady_clock;
   struct Request {
     std::uint64_t number = 0;
-    Operation operation;
+    std::vector<Operation> choices;
     SettleOptions options;
     RunContext context;
     std::shared_ptr<const SceneSnapshot> shown;
@@ -58,6 +59,7 @@ class GhostWorker {
   void renew();
   void measure();
   Ghost answer_to(const Request& request);
+  Ghost answer_to(const Request& request, const Operation& operation);
   std::optional<ZListQuestion> fall_of(const Request& request) const;
   void show_zlists(const ZListQuestion& question);
 

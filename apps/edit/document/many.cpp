@@ -57,6 +57,8 @@ std::vector<Pose> array_poses(const Pose& first, const ArrayWish& wish) {
   return out;
 }
 
+constexpr double kHeapPerObject = 0.3;  // of its size: a heap grows by less with each
+
 PutOperation scattered_put(const std::string& name, const Rotation& rotation,
                            const ScatterWish& wish, Dice& dice) {
   PutOperation put = put_from(name, {dice.turned(wish.turn, rotation), Vec3::Zero()});
@@ -70,6 +72,36 @@ PutOperation scattered_put(const std::string& name, const Rotation& rotation,
     place.near = Vec2(x, dice.uniform(lower.y(), upper.y()));
   }
   put.place = place;
+  return put;
+}
+
+/// Part of a support, about its middle, where a pile falls: its rim is no place for it.
+constexpr double kMiddle = 0.35;
+
+/// The rectangle over which a pile falls.
+ScatterWish::Region pile_region(const SceneSnapshot& scene, const ScatterWish& wish, double size) {
+  if (wish.region) return *wish.region;
+  const Object* const on = placed_object(scene, wish.on);
+  const Aabb box = on ? world_box(*on) : scene.box();
+  const Vec3 centre = box.empty() ? Vec3(Vec3::Zero()) : box.centre();
+  const Vec3 half = on ? Vec3(kMiddle * box.half_extent()) : Vec3(Vec3::Constant(size));
+  return {(centre - half).head<2>(), (centre + half).head<2>()};
+}
+
+/// From above all that is there, and what fell before: one falls onto the other.
+PutOperation piled_put(const SceneSnapshot& scene, const std::string& name, Object object,
+                       size_t before, const ScatterWish& wish, Dice& dice) {
+  object.pose = {dice.turned(wish.turn, object.pose.rotation), Vec3::Zero()};
+  const Aabb box = world_box(object);
+  const auto [lower, upper] = pile_region(scene, wish, box.diagonal());
+  const double x = dice.uniform(lower.x(), upper.x()), y = dice.uniform(lower.y(), upper.y());
+  const Object* const on = placed_object(scene, wish.on);
+  const double top = on ? world_box(*on).upper.z() : 0;
+  const double above = top + kHeapPerObject * static_cast<double>(before + 1) * box.diagonal();
+  const Vec3 centre = box.centre();
+  PutOperation put = put_from(
+      name, {object.pose.rotation, Vec3(x - centre.x(), y - centre.y(), above - box.lower.z())});
+  put.tries = kTriesOfDrop;
   return put;
 }
 
@@ -138,7 +170,8 @@ ManyObjects scattered(const SceneSnapshot& scene, const ScatterWish& wish) {
       name = names.like(original.name);
       group.push_back(DuplicateOperation{original.name, name});
     }
-    group.push_back(scattered_put(name, original.pose.rotation, wish, dice));
+    group.push_back(wish.pile ? piled_put(scene, name, original, i, wish, dice)
+                              : scattered_put(name, original.pose.rotation, wish, dice));
     out.groups.push_back(std::move(group));
     out.names.push_back(name);
   }

@@ -49,7 +49,8 @@ struct ScatterWish {
   std::optional<Region> region;  // nullopt: anywhere; else the free places nearest to random points
                                  // of this rectangle, seen from above
   std::uint64_t seed = 1;
-  double keep = 0;  // distance from everything but the support
+  bool pile = false;  // on each other, let fall over the support: into a bowl, a box, onto a heap
+  double keep = 0;    // distance from everything but the support; not of a pile
   RandomTurn turn = RandomTurn::Yaw;
 };
 ManyObjects scattered(const SceneSnapshot& scene, const ScatterWish& wish);

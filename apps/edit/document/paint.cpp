@@ -8,8 +8,9 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kSideBySide = 1.05;  // of the width
-constexpr size_t kMostCopies = 1000;  // of one stroke
+constexpr double kSideBySide = 1.05;   // of the width
+constexpr double kHeapPerCopy = 0.25;  // of the width: a heap grows by less with each
+constexpr size_t kMostCopies = 1000;   // of one stroke
 
 /// In this rotation, the middle of its box over the place.
 Pose over_place(Object object, const Rotation& rotation, const Vec3& place, double height) {
@@ -53,12 +54,23 @@ double width_of(const SceneSnapshot& scene, const std::vector<std::string>& obje
   return kSideBySide * widest;
 }
 
+std::vector<Vec3> sprayed(const Vec3& centre, double radius, size_t count, std::uint64_t seed) {
+  Dice dice(seed);
+  std::vector<Vec3> out;
+  while (out.size() < std::min(count, kMostCopies)) {
+    const double x = dice.uniform(-1, 1), y = dice.uniform(-1, 1);
+    if (x * x + y * y <= 1) out.push_back(centre + radius * Vec3(x, y, 0));
+  }
+  return out;
+}
+
 ManyObjects painted(const SceneSnapshot& scene, const PaintWish& wish) {
   ManyObjects out;
   const std::vector<const Object*> originals = objects_named(scene, wish.objects);
   if (originals.empty()) return out;
   Dice dice(wish.seed);
   NewNames names(scene);
+  const double width = width_of(scene, wish.objects);
   for (size_t i = 0; i < wish.places.size(); ++i) {
     const Object& original = *originals[i % originals.size()];
     const std::string name = names.like(original.name);
@@ -67,7 +79,8 @@ ManyObjects painted(const SceneSnapshot& scene, const PaintWish& wish) {
     put.start = over_place(
         original,
         dice.turned(wish.turned ? RandomTurn::Yaw : RandomTurn::None, original.pose.rotation),
-        wish.places[i], wish.drop_height);
+        wish.places[i],
+        wish.drop_height + (wish.pile ? kHeapPerCopy * static_cast<double>(i) * width : 0));
     put.tries = kTriesOfDrop;
     out.groups.push_back({DuplicateOperation{original.name, name}, put});
     out.names.push_back(name);

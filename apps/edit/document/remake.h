@@ -5,12 +5,13 @@
 
 namespace trivet::edit {
 
-/// The object deleted, and its model appended in another scale or with another axis up; if it was
-/// placed, put in its place from just above. What it carried settles. No operations: there is no
-/// such object.
+/// Ways to have the object in another scale or with another axis up, the better ones first: it is
+/// deleted, and its model appended so; if it was placed, it is put in its place, from just above
+/// or, where that is not free, from above all; then what it carried is put on it again. None: there
+/// is no such object.
 /// @param scale  metres per unit of the model. @param up  its axis.
-OperationGroup rescaling(const SceneSnapshot& scene, const std::string& name, double scale,
-                         UpAxis up, double drop_height);
+std::vector<OperationGroup> rescaling(const SceneSnapshot& scene, const std::string& name,
+                                      double scale, UpAxis up, double drop_height);
 
 /// Start of a PUT in the place of `old`: its rotation, the centre of mass at the same place seen
 /// from above, the underside by `drop_height` above its own.

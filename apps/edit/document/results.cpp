@@ -46,6 +46,16 @@ void add_objects(const Scene& scene, const Refusal& refusal, std::vector<ObjectI
   if (refusal.first) add_objects(scene, *refusal.first, ids);
 }
 
+// Objects that moved by less gave way for the settling alone.
+constexpr double kVisibleMetres = 1e-5, kVisibleDeg = 0.05;
+
+std::vector<GaveWay> visible(std::vector<GaveWay> objects) {
+  std::erase_if(objects, [](const GaveWay& object) {
+    return object.moved < kVisibleMetres && object.turned_deg < kVisibleDeg;
+  });
+  return objects;
+}
+
 std::vector<std::string> names_of(const std::vector<GaveWay>& objects) {
   std::vector<std::string> out;
   out.reserve(objects.size());
@@ -63,15 +73,24 @@ QString quoted_names(const std::vector<std::string>& names) {
   return phrase(QT_TRANSLATE_NOOP("results", "%1 and %2")).arg(out.join(", "), last);
 }
 
-// "\"a\" by 1.2 mm and 0.3 degrees, ..."
+// "\"a\" by 1.2 mm and 0.3°, ...", each figure where it shows.
 QString gave_way_words(const std::vector<GaveWay>& objects) {
   QStringList out;
   const QLocale locale;
-  for (const GaveWay& object : objects)
-    out << phrase(QT_TRANSLATE_NOOP("results", "%1 by %2 mm and %3 degrees"))
-               .arg(QString::fromStdString(quoted(object.name)),
-                    locale.toString(1000 * object.moved, 'g', 2),
-                    locale.toString(object.turned_deg, 'g', 2));
+  for (const GaveWay& object : objects) {
+    QStringList by;
+    if (object.moved >= kVisibleMetres)
+      by << phrase(QT_TRANSLATE_NOOP("results", "%1 mm"))
+                .arg(locale.toString(1000 * object.moved, 'g', 2));
+    if (object.turned_deg >= kVisibleDeg)
+      by << phrase(QT_TRANSLATE_NOOP("results", "%1°"))
+                .arg(locale.toString(object.turned_deg, 'g', 2));
+    const QString both = by.size() < 2
+                             ? by.join("")
+                             : phrase(QT_TRANSLATE_NOOP("results", "%1 and %2")).arg(by[0], by[1]);
+    out << phrase(QT_TRANSLATE_NOOP("results", "%1 by %2"))
+               .arg(QString::fromStdString(quoted(object.name)), both);
+  }
   return out.join(", ");
 }
 
@@ -86,7 +105,7 @@ QString why_it_ended(const OperationResult& result) {
       return phrase(QT_TRANSLATE_NOOP("results", "stopped by a step of %1 higher than allowed"))
           .arg(by);
     case OperationResult::End::Edge:
-      return phrase(QT_TRANSLATE_NOOP("results", "stopped before an edge deeper than allowed"));
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped at a drop that is deeper than allowed"));
     case OperationResult::End::Done:
     case OperationResult::End::AtRest:
     case OperationResult::End::Reached:
@@ -128,10 +147,10 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
       message.faces = faces_that_stopped(scene, operation, result, clearance);
     }
   }
-  const std::vector<std::string> gave_way = names_of(result.gave_way);
+  const std::vector<GaveWay> moved = visible(result.gave_way);
+  const std::vector<std::string> gave_way = names_of(moved);
   if (!gave_way.empty())
-    what << phrase(QT_TRANSLATE_NOOP("results", "gave way: %1"))
-                .arg(gave_way_words(result.gave_way));
+    what << phrase(QT_TRANSLATE_NOOP("results", "gave way: %1")).arg(gave_way_words(moved));
   if (!result.unsupported.empty())
     what << phrase(QT_TRANSLATE_NOOP("results", "%1 left without support"))
                 .arg(quoted_names(result.unsupported));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "apps/edit/document/margins.h"
 #include "core/base/quoted.h"
 #include "ops/files/report/verdict.h"
 
@@ -17,8 +18,6 @@ constexpr double kArrowOfObject = 0.5;  // length, of its size
 constexpr size_t kMostNames = 3;
 
 std::string said(const QString& text) { return text.toStdString(); }
-
-QString millimetres(double metres) { return QLocale().toString(1000 * metres, 'g', 3) + " mm"; }
 
 std::string names_of_what_topples(const SceneSnapshot& scene, const Stability& stability) {
   std::string out;
@@ -76,26 +75,22 @@ std::string whole_text(const SceneSnapshot& scene, const SceneVerdict& verdict) 
   const Stability& s = verdict.stability;
   switch (s.status) {
     case Stability::Status::Unstable:
-      return said(QCoreApplication::translate("verdict", "topples: ")) +
+      return said(QCoreApplication::translate("verdict", "not supported: ")) +
              names_of_what_topples(scene, s);
     case Stability::Status::Unknown:
       return said(QCoreApplication::translate("verdict", "not known to stand: ")) + s.why_unknown;
     case Stability::Status::Marginal:
-      return said(QCoreApplication::translate("verdict", "stands, but only just, margin %1")
-                      .arg(millimetres(s.margin)));
     case Stability::Status::Stable:
       break;
   }
-  return std::isfinite(s.margin) ? said(QCoreApplication::translate("verdict", "stands, margin %1")
-                                            .arg(millimetres(s.margin)))
-                                 : said(QCoreApplication::translate("verdict", "stands"));
+  return said(is_barely(scene, verdict) ? QCoreApplication::translate("verdict", "barely stable")
+                                        : QCoreApplication::translate("verdict", "stable"));
 }
 
 std::string object_text(const Object& object, const ObjectStability& verdict) {
   if (verdict.topples) return way_in_words(way_text(object, verdict.motion));
-  if (verdict.marginal)
-    return said(QCoreApplication::translate("verdict", "stands, but only just"));
-  return said(QCoreApplication::translate("verdict", "stands"));
+  return said(is_barely(object, verdict) ? QCoreApplication::translate("verdict", "barely stable")
+                                         : QCoreApplication::translate("verdict", "stable"));
 }
 
 }  // namespace trivet::edit

@@ -11,16 +11,16 @@ namespace {
 
 // For lupdate; they are looked up by name.
 [[maybe_unused]] constexpr const char* kOperations[] = {
-    QT_TRANSLATE_NOOP("operations", "put"),       QT_TRANSLATE_NOOP("operations", "push"),
-    QT_TRANSLATE_NOOP("operations", "turn"),      QT_TRANSLATE_NOOP("operations", "pick_up"),
-    QT_TRANSLATE_NOOP("operations", "translate"), QT_TRANSLATE_NOOP("operations", "rotate"),
-    QT_TRANSLATE_NOOP("operations", "append"),    QT_TRANSLATE_NOOP("operations", "duplicate"),
-    QT_TRANSLATE_NOOP("operations", "delete"),    QT_TRANSLATE_NOOP("operations", "lock"),
-    QT_TRANSLATE_NOOP("operations", "unlock"),    QT_TRANSLATE_NOOP("operations", "fix"),
-    QT_TRANSLATE_NOOP("operations", "unfix"),     QT_TRANSLATE_NOOP("operations", "group"),
-    QT_TRANSLATE_NOOP("operations", "ungroup"),   QT_TRANSLATE_NOOP("operations", "rename"),
-    QT_TRANSLATE_NOOP("operations", "stand"),     QT_TRANSLATE_NOOP("operations", "unplace"),
-    QT_TRANSLATE_NOOP("operations", "material"),  QT_TRANSLATE_NOOP("operations", "arrange")};
+    QT_TRANSLATE_NOOP("operations", "put"),      QT_TRANSLATE_NOOP("operations", "push"),
+    QT_TRANSLATE_NOOP("operations", "turn"),     QT_TRANSLATE_NOOP("operations", "pick up"),
+    QT_TRANSLATE_NOOP("operations", "move"),     QT_TRANSLATE_NOOP("operations", "rotate"),
+    QT_TRANSLATE_NOOP("operations", "append"),   QT_TRANSLATE_NOOP("operations", "duplicate"),
+    QT_TRANSLATE_NOOP("operations", "delete"),   QT_TRANSLATE_NOOP("operations", "lock"),
+    QT_TRANSLATE_NOOP("operations", "unlock"),   QT_TRANSLATE_NOOP("operations", "fix"),
+    QT_TRANSLATE_NOOP("operations", "unfix"),    QT_TRANSLATE_NOOP("operations", "group"),
+    QT_TRANSLATE_NOOP("operations", "ungroup"),  QT_TRANSLATE_NOOP("operations", "rename"),
+    QT_TRANSLATE_NOOP("operations", "stand"),    QT_TRANSLATE_NOOP("operations", "unplace"),
+    QT_TRANSLATE_NOOP("operations", "material"), QT_TRANSLATE_NOOP("operations", "arrange")};
 
 // Messages of the system about files.
 [[maybe_unused]] constexpr const char* kSystem[] = {
@@ -70,11 +70,25 @@ Sentence sentence_of(const std::exception& error) {
 
 std::string in_words(const std::exception& error) { return in_words(sentence_of(error)); }
 
+// Where a hand lets go is no number: the view shows the place, and how deep it is.
 std::string reason_in_words(const OperationResult& result) {
-  return result.refusal ? in_words(sentence_of(*result.refusal)) : "";
+  if (!result.refusal) return "";
+  Refusal refusal = *result.refusal;
+  if (refusal.at == Refusal::At::Start &&
+      !(refusal.number("depth") == 0 && !refusal.numbers.empty())) {
+    refusal.at = Refusal::At::End;
+    refusal.numbers.clear();
+  }
+  return in_words(sentence_of(refusal));
 }
 
-std::string in_words(const char* op_name) { return translated("operations", op_name); }
+// As menus call them.
+std::string in_words(const char* operation) {
+  const std::string name = operation;
+  if (name == op_name(PickUpOperation())) return translated("operations", "pick up");
+  if (name == op_name(TranslateOperation())) return translated("operations", "move");
+  return translated("operations", name);
+}
 
 std::string with_name(const QString& text, const std::string& name) {
   return text.arg(QString::fromStdString(name)).toStdString();

@@ -4,10 +4,6 @@
 <context>
     <name>QObject</name>
     <message>
-        <source>BVHs</source>
-        <translation>Boxbäume</translation>
-    </message>
-    <message>
         <source>z-lists in software</source>
         <translation>z-Listen in Software</translation>
     </message>
@@ -134,6 +130,10 @@
         <source>The saved choice of collision detection, %1 by %2, is not accepted: it is automatic</source>
         <translation>Die gespeicherte Wahl der Kollisionserkennung, %1 durch %2, gibt es nicht: sie ist automatisch</translation>
     </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
 </context>
 <context>
     <name>assets</name>
@@ -153,6 +153,10 @@
         <source>up: %1, likely</source>
         <translation>oben: %1, wohl</translation>
     </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
 </context>
 <context>
     <name>operations</name>
@@ -167,14 +171,6 @@
     <message>
         <source>turn</source>
         <translation>drehen</translation>
-    </message>
-    <message>
-        <source>pick_up</source>
-        <translation>aufheben</translation>
-    </message>
-    <message>
-        <source>translate</source>
-        <translation>bewegen</translation>
     </message>
     <message>
         <source>rotate</source>
@@ -250,6 +246,14 @@
             <numerusform>%1: %n Objekt</numerusform>
             <numerusform>%1: %n Objekte</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>pick up</source>
+        <translation>aufnehmen</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>verschieben</translation>
     </message>
 </context>
 <context>
@@ -3286,10 +3290,6 @@
         <translation>%1 und %2</translation>
     </message>
     <message>
-        <source>%1 by %2 mm and %3 degrees</source>
-        <translation>%1 um %2 mm und %3 Grad</translation>
-    </message>
-    <message>
         <source>the floor</source>
         <translation>der Boden</translation>
     </message>
@@ -3300,10 +3300,6 @@
     <message>
         <source>stopped by a step of %1 higher than allowed</source>
         <translation>aufgehalten von einer zu hohen Stufe: %1</translation>
-    </message>
-    <message>
-        <source>stopped before an edge deeper than allowed</source>
-        <translation>angehalten vor einer zu tiefen Kante</translation>
     </message>
     <message>
         <source>gave way: %1</source>
@@ -3320,6 +3316,22 @@
     <message>
         <source>rests on what is held, unsupported or invalid: %1</source>
         <translation>ruht auf Gehaltenem, Ungestütztem oder Ungültigem: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 um %2</translation>
+    </message>
+    <message>
+        <source>stopped at a drop that is deeper than allowed</source>
+        <translation>hält vor einer Kante, die tiefer abfällt als erlaubt</translation>
     </message>
 </context>
 <context>
@@ -3349,16 +3361,8 @@
         <translation>Ein Objekt anklicken, um es aufzunehmen, oder von seiner Unterlage ziehen</translation>
     </message>
     <message>
-        <source>Click its place; hold Alt to drop it from just above that point; Escape drops it from the hand</source>
-        <translation>Anklicken, wohin es soll; mit Alt von knapp über dem Punkt; Escape legt es aus der Hand</translation>
-    </message>
-    <message>
         <source>Nothing in hand: click an object to take it; N takes the next one that is not placed yet</source>
         <translation>Nichts in der Hand: ein Objekt anklicken; N nimmt das nächste noch nicht abgelegte</translation>
-    </message>
-    <message>
-        <source>Click an object to select it, Shift-click to add it; drag for a selection box</source>
-        <translation>Ein Objekt anklicken, um es auszuwählen, mit Umschalt hinzufügen; ziehen für einen Rahmen</translation>
     </message>
     <message>
         <source>Click a contact point, edge or area, then drag to turn about it; hold Control for steps, or type degrees</source>
@@ -3379,14 +3383,6 @@
     <message>
         <source>up</source>
         <translation>oben</translation>
-    </message>
-    <message>
-        <source>%1 is locked: it is not taken in hand</source>
-        <translation>%1 ist gesperrt und wird nicht in die Hand genommen</translation>
-    </message>
-    <message>
-        <source>%1 is fixed: it is not taken in hand</source>
-        <translation>%1 ist fest und wird nicht in die Hand genommen</translation>
     </message>
     <message>
         <source>the floor</source>
@@ -3422,16 +3418,40 @@
             <numerusform>%n Objekte reihum</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Hold the button over a bowl, a box or a heap: copies fall onto each other there until you let go</source>
+        <translation>Taste über einer Schale, einer Kiste oder einem Haufen gedrückt halten: Kopien fallen dort aufeinander, bis Sie loslassen</translation>
+    </message>
+    <message>
+        <source>Click where you want it; wheel: turn; L: next way to lie; Alt: from just above that point; Escape puts it back</source>
+        <translation>Klicken Sie, wo es hin soll; Rad: drehen; L: nächste Lage; Alt: von knapp über dem Punkt; Escape legt es zurück</translation>
+    </message>
+    <message>
+        <source>Wheel: turn; L: next way to lie; Shift: lift; Control: snap; Escape: put it back</source>
+        <translation>Rad: drehen; L: nächste Lage; Umschalt: heben; Strg: einrasten; Escape: zurücklegen</translation>
+    </message>
+    <message>
+        <source>Drag an object to move it; click to select, Shift-click to add; drag from the ground for a selection box</source>
+        <translation>Objekt ziehen: bewegen; Klick wählt aus, mit Umschalt dazu; vom Boden aus gezogen entsteht ein Auswahlrahmen</translation>
+    </message>
+    <message>
+        <source>%1 lies so, or cannot</source>
+        <translation>%1 liegt schon so, oder kann es nicht</translation>
+    </message>
+    <message>
+        <source>%1 is locked: unlock it to put it elsewhere</source>
+        <translation>%1 ist gesperrt: zum Umstellen entsperren</translation>
+    </message>
+    <message>
+        <source>%1 is fixed: unfix it to put it elsewhere</source>
+        <translation>%1 ist fest: zum Umstellen lösen</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit</name>
     <message>
         <source>Left</source>
         <translation>Links</translation>
-    </message>
-    <message>
-        <source>Use the tool: select, put, push, turn, ...</source>
-        <translation>Werkzeug benutzen: auswählen, ablegen, schieben, wenden …</translation>
     </message>
     <message>
         <source>Middle, or Alt + Left</source>
@@ -3478,10 +3498,6 @@
         <translation>Escape</translation>
     </message>
     <message>
-        <source>Cancel the action in progress; close messages</source>
-        <translation>Laufendes abbrechen; Meldungen schließen</translation>
-    </message>
-    <message>
         <source>Mouse and keys</source>
         <translation>Maus und Tasten</translation>
     </message>
@@ -3496,10 +3512,6 @@
     <message>
         <source>A table in two minutes</source>
         <translation>Ein Tisch in zwei Minuten</translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;A table in two minutes&lt;/h2&gt;&lt;ol&gt;&lt;li&gt;&lt;b&gt;File, Import models…&lt;/b&gt; (or drop files onto the window): choose the table, its unit, and &lt;i&gt;fixed&lt;/i&gt;. Click the place for it on the floor.&lt;/li&gt;&lt;li&gt;Import plates, cups and spoons in the same way. After the import, each  is shown as a ghost where it would come to rest. Click on the table: it falls, settles, and lies at rest. Into a shelf: click on its board.&lt;/li&gt;&lt;li&gt;To put another object, press &lt;b&gt;N&lt;/b&gt; for the next one, or choose it in the tree, then press &lt;b&gt;W&lt;/b&gt; (Put). A red ghost says why it cannot be there.&lt;/li&gt;&lt;li&gt;&lt;b&gt;E&lt;/b&gt; (Push): drag a cup along the table. It stays on the surface, goes up onto saucers and over low steps, and stops at walls.&lt;/li&gt;&lt;li&gt;&lt;b&gt;R&lt;/b&gt; (Turn): click a contact point, edge or area in the constraint window and drag about it; or drag to turn about the contact&apos;s normal.&lt;/li&gt;&lt;li&gt;&lt;b&gt;T&lt;/b&gt; (Pick up), &lt;b&gt;G&lt;/b&gt; (Move) and &lt;b&gt;H&lt;/b&gt; (Rotate) move it through the air.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Control+D&lt;/b&gt; makes a copy. &lt;b&gt;Control+Z&lt;/b&gt; undoes any number of steps; the History tab jumps to any of them.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Control+S&lt;/b&gt; saves the scene as .glb, which other programs can read. &lt;b&gt;File, Picture…&lt;/b&gt; renders a picture of the current view.&lt;/li&gt;&lt;/ol&gt;&lt;p&gt;When an operation is refused, a bar gives the reason, and the obstacles are highlighted red. The scene is unchanged.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;Ein Tisch in zwei Minuten&lt;/h2&gt;&lt;ol&gt;&lt;li&gt;&lt;b&gt;Datei, Modelle importieren…&lt;/b&gt; (oder Dateien in dieses Fenster ziehen): den Tisch, seine Einheit und &lt;i&gt;fest&lt;/i&gt; wählen. Auf dem Boden anklicken, wohin er soll.&lt;/li&gt;&lt;li&gt;Teller, Tassen und Löffel ebenso importieren. Danach zeigt ein Geist jedes dort, wo es zur Ruhe käme. Auf den Tisch klicken: es fällt und liegt dann ruhig. In ein Regal: auf dessen Brett klicken.&lt;/li&gt;&lt;li&gt;Das nächste Objekt: &lt;b&gt;N&lt;/b&gt; drücken, oder es im Baum wählen und &lt;b&gt;W&lt;/b&gt; (Ablegen) drücken. Ein roter Geist sagt, warum es dort nicht sein kann.&lt;/li&gt;&lt;li&gt;&lt;b&gt;E&lt;/b&gt; (Schieben): eine Tasse über den Tisch ziehen. Sie bleibt auf der Fläche, steigt auf Untertassen und niedrige Stufen und hält an Wänden.&lt;/li&gt;&lt;li&gt;&lt;b&gt;R&lt;/b&gt; (Wenden): im Zwangsfenster Punkt, Kante oder Fläche eines Kontakts anklicken und darum ziehen; oder einfach ziehen, um die Normale des Kontakts.&lt;/li&gt;&lt;li&gt;&lt;b&gt;T&lt;/b&gt; (Aufnehmen), &lt;b&gt;G&lt;/b&gt; (Verschieben) und &lt;b&gt;H&lt;/b&gt; (Drehen) bewegen durch die Luft.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Strg+D&lt;/b&gt; macht eine Kopie. &lt;b&gt;Strg+Z&lt;/b&gt; nimmt beliebig viele Schritte zurück; der Reiter „Verlauf“ springt zu jedem.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Strg+S&lt;/b&gt; speichert die Szene als .glb, das andere Programme lesen. &lt;b&gt;Datei, Bild…&lt;/b&gt; rendert ein Bild der Ansicht.&lt;/li&gt;&lt;/ol&gt;&lt;p&gt;Wird eine Operation abgelehnt, nennt eine Leiste den Grund, und was im Weg ist, leuchtet rot. Die Szene bleibt, wie sie war.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>%1 from</source>
@@ -3622,10 +3634,6 @@
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>Each comes to rest on that alone, at a free place that the seed chooses; what finds none is left out.</source>
-        <translation>Jedes kommt allein darauf zur Ruhe, an einer freien Stelle, die der Startwert wählt; was keine findet, fehlt.</translation>
-    </message>
-    <message>
         <source>Align</source>
         <translation>Ausrichten</translation>
     </message>
@@ -3705,6 +3713,58 @@
         <source>Snap, or not if the magnet is on</source>
         <translation>Einrasten, oder nicht, wenn der Magnet an ist</translation>
     </message>
+    <message>
+        <source>Drag an object to move it; click to select; drag from the ground for a box; with another tool, use that</source>
+        <translation>Objekt ziehen: bewegen; Klick: auswählen; vom Boden ziehen: Rahmen; mit anderem Werkzeug: dieses</translation>
+    </message>
+    <message>
+        <source>Shift + Left</source>
+        <translation>Umschalt + Links</translation>
+    </message>
+    <message>
+        <source>Click: add to the selection. Drag: lift the object</source>
+        <translation>Klick: zur Auswahl dazu. Ziehen: das Objekt heben</translation>
+    </message>
+    <message>
+        <source>Shift + Control + Left</source>
+        <translation>Umschalt + Strg + Links</translation>
+    </message>
+    <message>
+        <source>Box, also from an object</source>
+        <translation>Rahmen, auch von einem Objekt aus</translation>
+    </message>
+    <message>
+        <source>Wheel, or , and . with an object in hand</source>
+        <translation>Rad, oder , und . mit einem Objekt in der Hand</translation>
+    </message>
+    <message>
+        <source>Turn it about the vertical</source>
+        <translation>Es um die Senkrechte drehen</translation>
+    </message>
+    <message>
+        <source>L with an object in hand</source>
+        <translation>L mit einem Objekt in der Hand</translation>
+    </message>
+    <message>
+        <source>Next way in which it can lie, the nearest first</source>
+        <translation>Nächste Lage, in der es liegen kann, die nächstliegende zuerst</translation>
+    </message>
+    <message>
+        <source>Put back what is in hand; cancel the action; close messages</source>
+        <translation>Zurücklegen, was in der Hand ist; Aktion abbrechen; Meldungen schließen</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;A table in two minutes&lt;/h2&gt;&lt;ol&gt;&lt;li&gt;&lt;b&gt;File, Import models…&lt;/b&gt; (or drop files onto the window): choose the table, its unit, and &lt;i&gt;fixed&lt;/i&gt;. Click the place for it on the floor.&lt;/li&gt;&lt;li&gt;Import plates, cups and spoons in the same way. After the import, each  is shown as a ghost where it would come to rest. Click on the table: it falls, settles, and lies at rest. Into a shelf: click on its board.&lt;/li&gt;&lt;li&gt;To put another object, press &lt;b&gt;N&lt;/b&gt; for the next one, or choose it in the tree, then press &lt;b&gt;W&lt;/b&gt; (Put). A red ghost says why it cannot be there.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Drag&lt;/b&gt; a cup along the table, without a tool: it slides, hangs back where it is blocked, and climbs onto the saucer, the tray or the shelf under the mouse. A ghost shows where it will come to rest; let go, and it settles. Meanwhile the wheel turns it, &lt;b&gt;L&lt;/b&gt; lays it otherwise, Shift lifts it, Control snaps, Escape puts it back.&lt;/li&gt;&lt;li&gt;&lt;b&gt;E&lt;/b&gt; (Push): the same along the surface alone, with steps and walls as set.&lt;/li&gt;&lt;li&gt;&lt;b&gt;R&lt;/b&gt; (Turn): click a contact point, edge or area in the constraint window and drag about it; or drag to turn about the contact&apos;s normal.&lt;/li&gt;&lt;li&gt;&lt;b&gt;T&lt;/b&gt; (Pick up), &lt;b&gt;G&lt;/b&gt; (Move) and &lt;b&gt;H&lt;/b&gt; (Rotate) move it through the air.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Control+D&lt;/b&gt; makes a copy. &lt;b&gt;Control+Z&lt;/b&gt; undoes any number of steps; the History tab jumps to any of them.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Control+S&lt;/b&gt; saves the scene as .glb, which other programs can read. &lt;b&gt;File, Picture…&lt;/b&gt; renders a picture of the current view.&lt;/li&gt;&lt;/ol&gt;&lt;p&gt;When an operation is refused, a bar gives the reason, and the obstacles are marked. The scene is unchanged.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;Ein Tisch in zwei Minuten&lt;/h2&gt;&lt;ol&gt;&lt;li&gt;&lt;b&gt;Datei, Modelle importieren…&lt;/b&gt; (oder Dateien in dieses Fenster ziehen): den Tisch, seine Einheit und &lt;i&gt;fest&lt;/i&gt; wählen. Auf dem Boden anklicken, wohin er soll.&lt;/li&gt;&lt;li&gt;Teller, Tassen und Löffel ebenso importieren. Danach zeigt ein Geist jedes dort, wo es zur Ruhe käme. Auf den Tisch klicken: es fällt und liegt dann ruhig. In ein Regal: auf dessen Brett klicken.&lt;/li&gt;&lt;li&gt;Das nächste Objekt: &lt;b&gt;N&lt;/b&gt; drücken, oder es im Baum wählen und &lt;b&gt;W&lt;/b&gt; (Ablegen) drücken. Ein roter Geist sagt, warum es dort nicht sein kann.&lt;/li&gt;&lt;li&gt;Eine Tasse ohne Werkzeug über den Tisch &lt;b&gt;ziehen&lt;/b&gt;: sie gleitet, bleibt zurück, wo ihr etwas im Weg ist, und steigt auf Untertasse, Tablett oder Regal unter der Maus. Ein Geist zeigt, wo sie zur Ruhe kommt; loslassen, und sie liegt. Dabei dreht das Rad, &lt;b&gt;L&lt;/b&gt; legt sie anders, Umschalt hebt, Strg rastet ein, Escape legt zurück.&lt;/li&gt;&lt;li&gt;&lt;b&gt;E&lt;/b&gt; (Schieben): dasselbe nur entlang der Fläche, mit Stufen und Wänden wie eingestellt.&lt;/li&gt;&lt;li&gt;&lt;b&gt;R&lt;/b&gt; (Wenden): im Zwangsfenster Punkt, Kante oder Fläche eines Kontakts anklicken und darum ziehen; oder einfach ziehen, um die Normale des Kontakts.&lt;/li&gt;&lt;li&gt;&lt;b&gt;T&lt;/b&gt; (Aufnehmen), &lt;b&gt;G&lt;/b&gt; (Verschieben) und &lt;b&gt;H&lt;/b&gt; (Drehen) bewegen durch die Luft.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Strg+D&lt;/b&gt; macht eine Kopie. &lt;b&gt;Strg+Z&lt;/b&gt; nimmt beliebig viele Schritte zurück; der Reiter „Verlauf“ springt zu jedem.&lt;/li&gt;&lt;li&gt;&lt;b&gt;Strg+S&lt;/b&gt; speichert die Szene als .glb, das andere Programme lesen. &lt;b&gt;Datei, Bild…&lt;/b&gt; rendert ein Bild der Ansicht.&lt;/li&gt;&lt;/ol&gt;&lt;p&gt;Wird eine Operation abgelehnt, nennt eine Leiste den Grund, und was im Weg ist, wird markiert. Die Szene bleibt, wie sie war.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>As a pile, on each other</source>
+        <translation>Als Haufen, aufeinander</translation>
+    </message>
+    <message>
+        <source>Each object is placed at a random free spot on the selected support, or let fall over its middle as a pile; objects that do not fit are skipped. Cancel keeps what is placed.</source>
+        <translation>Jedes Objekt kommt an eine zufällige freie Stelle der gewählten Unterlage, oder fällt als Haufen über ihre Mitte; was nicht passt, wird ausgelassen. Abbrechen behält, was schon liegt.</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::ArrangePanel</name>
@@ -3725,16 +3785,16 @@
         <translation>Weich, Gewicht</translation>
     </message>
     <message>
-        <source>Add wish</source>
-        <translation>Wunsch hinzufügen</translation>
+        <source>Add constraint</source>
+        <translation>Bedingung hinzufügen</translation>
     </message>
     <message>
-        <source>Add the wish to the scene&apos;s</source>
-        <translation>Den Wunsch denen der Szene hinzufügen</translation>
+        <source>Add the constraint to the scene&apos;s</source>
+        <translation>Die Bedingung denen der Szene hinzufügen</translation>
     </message>
     <message>
-        <source>Wish</source>
-        <translation>Wunsch</translation>
+        <source>Constraint</source>
+        <translation>Bedingung</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -3745,16 +3805,16 @@
         <translation>Alle</translation>
     </message>
     <message>
-        <source>All wishes, not of the selected objects alone</source>
-        <translation>Alle Wünsche, nicht nur der ausgewählten Objekte</translation>
+        <source>All constraints, not of the selected objects alone</source>
+        <translation>Alle Bedingungen, nicht nur die der ausgewählten Objekte</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Remove the chosen wishes</source>
-        <translation>Die gewählten Wünsche entfernen</translation>
+        <source>Remove the chosen constraints</source>
+        <translation>Die gewählten Bedingungen entfernen</translation>
     </message>
     <message>
         <source>Load…</source>
@@ -3769,8 +3829,8 @@
         <translation>Speichern…</translation>
     </message>
     <message>
-        <source>Save scene and wishes as a problem of trivet arrange</source>
-        <translation>Szene und Wünsche als Aufgabe von trivet arrange speichern</translation>
+        <source>Save scene and constraints as a problem of trivet arrange</source>
+        <translation>Szene und Bedingungen als Aufgabe von trivet arrange speichern</translation>
     </message>
     <message>
         <source>Selected only</source>
@@ -3821,12 +3881,12 @@
         <translation>Die Szene lassen, wie sie ist</translation>
     </message>
     <message>
-        <source>Drop the cheapest wish</source>
-        <translation>Billigsten Wunsch streichen</translation>
+        <source>Drop the cheapest constraint</source>
+        <translation>Billigste Bedingung streichen</translation>
     </message>
     <message>
-        <source>Drop the wish that is nearest to being met, and look again</source>
-        <translation>Den Wunsch streichen, der fast erfüllt ist, und neu suchen</translation>
+        <source>Drop the constraint that is nearest to being met, and look again</source>
+        <translation>Die Bedingung streichen, die fast erfüllt ist, und neu suchen</translation>
     </message>
     <message>
         <source>Looks for a place for %1</source>
@@ -3853,8 +3913,8 @@
         <translation>hart</translation>
     </message>
     <message>
-        <source>A number makes the wish soft, no number hard</source>
-        <translation>Eine Zahl macht den Wunsch weich, keine hart</translation>
+        <source>A number makes the constraint soft, no number hard</source>
+        <translation>Eine Zahl macht die Bedingung weich, keine hart</translation>
     </message>
     <message>
         <source>Select objects that may move</source>
@@ -3885,16 +3945,16 @@
         <translation>Aufgaben (*.json)</translation>
     </message>
     <message>
-        <source>Load wishes</source>
-        <translation>Wünsche laden</translation>
+        <source>Load constraints</source>
+        <translation>Bedingungen laden</translation>
     </message>
     <message>
-        <source>This wish is always hard</source>
-        <translation>Dieser Wunsch ist immer hart</translation>
+        <source>This constraint is always hard</source>
+        <translation>Diese Bedingung ist immer hart</translation>
     </message>
     <message>
-        <source>Weight %1: accepted: a number from 0 to %2, or none for a hard wish</source>
-        <translation>Gewicht %1: möglich ist eine Zahl von 0 bis %2, oder keine für einen harten Wunsch</translation>
+        <source>Weight %1: accepted: a number from 0 to %2, or none for a hard constraint</source>
+        <translation>Gewicht %1: möglich ist eine Zahl von 0 bis %2, oder keine für eine harte Bedingung</translation>
     </message>
 </context>
 <context>
@@ -3938,6 +3998,14 @@
     <message>
         <source>Folder of models</source>
         <translation>Ordner mit Modellen</translation>
+    </message>
+    <message>
+        <source>There are no models in this folder and those below it, or they are still being listed.</source>
+        <translation>In diesem Ordner und denen darunter sind keine Modelle, oder sie werden noch gesucht.</translation>
+    </message>
+    <message>
+        <source>Add a folder of models (.glb, .gltf, .obj, .stl, .ply, ...). Then drag them from here into a view, or double click one to take it in hand.</source>
+        <translation>Fügen Sie einen Ordner mit Modellen hinzu (.glb, .gltf, .obj, .stl, .ply, ...). Ziehen Sie sie von hier in eine Ansicht, oder nehmen Sie eines mit Doppelklick in die Hand.</translation>
     </message>
 </context>
 <context>
@@ -4083,6 +4151,10 @@
     <message>
         <source>%1: %2 of %3; the others were refused, the first: %4</source>
         <translation>%1: %2 von %3; die anderen wurden abgelehnt, das erste: %4</translation>
+    </message>
+    <message>
+        <source>%1: stopped after %2 of %3, which stay</source>
+        <translation>%1: nach %2 von %3 angehalten; diese bleiben</translation>
     </message>
 </context>
 <context>
@@ -4748,10 +4820,6 @@
         <translation>&amp;Auswählen</translation>
     </message>
     <message>
-        <source>Select: click, or a box</source>
-        <translation>Auswählen: Klick oder Rahmen</translation>
-    </message>
-    <message>
         <source>&amp;Put</source>
         <translation>Ab&amp;legen</translation>
     </message>
@@ -5120,8 +5188,8 @@
         <translation>Ctrl+R</translation>
     </message>
     <message>
-        <source>Arrange: wishes between objects, and scenes that meet them</source>
-        <translation>Anordnen: Wünsche zwischen Objekten, und Szenen, die sie erfüllen</translation>
+        <source>Arrange: constraints between objects, and scenes that meet them</source>
+        <translation>Anordnen: Bedingungen zwischen Objekten, und Szenen, die sie erfüllen</translation>
     </message>
     <message>
         <source>take out of its collection</source>
@@ -5161,6 +5229,94 @@
     <message>
         <source>colour</source>
         <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Detection: %1</source>
+        <translation>Erkennung: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Quick actions…</source>
+        <translation>Schnell&amp;aktionen…</translation>
+    </message>
+    <message>
+        <source>Quick actions: find an action by words</source>
+        <translation>Schnellaktionen: eine Aktion nach Wörtern finden</translation>
+    </message>
+    <message>
+        <source>Select and move: drag an object, click it, or draw a box</source>
+        <translation>Auswählen und Bewegen: ein Objekt ziehen, anklicken, oder einen Rahmen ziehen</translation>
+    </message>
+    <message>
+        <source>Next wa&amp;y to lie</source>
+        <translation>&amp;Nächste Lage</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Lift the object, lay it as it can lie next, and let it settle</source>
+        <translation>Das Objekt heben, in seine nächste Lage bringen und zur Ruhe kommen lassen</translation>
+    </message>
+    <message>
+        <source>Lay on its s&amp;ide</source>
+        <translation>Auf die Se&amp;ite legen</translation>
+    </message>
+    <message>
+        <source>Lift the object, lay it on its side, and let it settle</source>
+        <translation>Das Objekt heben, auf die Seite legen und zur Ruhe kommen lassen</translation>
+    </message>
+    <message>
+        <source>Stand upri&amp;ght</source>
+        <translation>Aufr&amp;echt stellen</translation>
+    </message>
+    <message>
+        <source>Lift the object, stand it upright, and let it settle</source>
+        <translation>Das Objekt heben, aufrecht stellen und zur Ruhe kommen lassen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>Turn about the vertical by a step, seen from above to the left</source>
+        <translation>Um die Senkrechte einen Schritt drehen, von oben gesehen nach links</translation>
+    </message>
+    <message>
+        <source>Turn ri&amp;ght</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Turn about the vertical by a step, seen from above to the right</source>
+        <translation>Um die Senkrechte einen Schritt drehen, von oben gesehen nach rechts</translation>
+    </message>
+    <message>
+        <source>Shift+Space</source>
+        <translation>Shift+Space</translation>
+    </message>
+    <message>
+        <source>L&amp;ean against the last selected</source>
+        <translation>An das z&amp;uletzt ausgewählte lehnen</translation>
+    </message>
+    <message>
+        <source>Lean: select an object that stands, then what it leans on</source>
+        <translation>Lehnen: erst ein stehendes Objekt auswählen, dann das, woran es lehnt</translation>
+    </message>
+    <message>
+        <source>Tilt the object until it touches the one selected last, and let it go</source>
+        <translation>Das Objekt kippen, bis es das zuletzt ausgewählte berührt, und loslassen</translation>
+    </message>
+    <message>
+        <source>Shift+L</source>
+        <translation>Shift+L</translation>
     </message>
 </context>
 <context>
@@ -5215,10 +5371,6 @@
     <message>
         <source>Apply to the active object with these numbers; other selected objects move along</source>
         <translation>Mit diesen Zahlen auf das aktive Objekt anwenden; andere ausgewählte bewegen sich mit</translation>
-    </message>
-    <message>
-        <source>Click selects, Shift-click adds; drag from an empty place to select with a box.</source>
-        <translation>Klick wählt aus, Umschalt-Klick fügt hinzu; ziehen von einer leeren Stelle wählt mit einem Rahmen.</translation>
     </message>
     <message>
         <source>From a position, the object falls; on another object, the free place nearest to x, y is searched</source>
@@ -5460,6 +5612,38 @@
         <source>Paint</source>
         <translation>Malen</translation>
     </message>
+    <message>
+        <source>Drag an object to move it: it slides, climbs onto what is under the mouse, and settles. Wheel: turn; L: next way to lie; Shift: lift; Control: snap. Click selects, Shift-click adds; drag from the ground to select with a box.</source>
+        <translation>Ein Objekt ziehen: es gleitet, steigt auf das, was unter der Maus ist, und kommt zur Ruhe. Rad: drehen; L: nächste Lage; Umschalt: heben; Strg: einrasten. Klick wählt aus, mit Umschalt dazu; vom Boden aus gezogen wählt ein Rahmen.</translation>
+    </message>
+    <message>
+        <source>Lift, turn and settle</source>
+        <translation>Heben, drehen und zur Ruhe kommen lassen</translation>
+    </message>
+    <message>
+        <source>For the mouse: otherwise the object turns where it is, and stops at collisions</source>
+        <translation>Für die Maus: sonst dreht sich das Objekt, wo es ist, und hält an Hindernissen</translation>
+    </message>
+    <message>
+        <source>Pour a pile</source>
+        <translation>Haufen schütten</translation>
+    </message>
+    <message>
+        <source>While the button is down, copies fall onto each other under the mouse</source>
+        <translation>Solange die Taste gedrückt ist, fallen unter der Maus Kopien aufeinander</translation>
+    </message>
+    <message>
+        <source> a second</source>
+        <translation> je Sekunde</translation>
+    </message>
+    <message>
+        <source>Copies of a pile, while the button is down</source>
+        <translation>Kopien eines Haufens, solange die Taste gedrückt ist</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Menge</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::Outliner</name>
@@ -5696,10 +5880,6 @@
         <translation>Meter je Einheit des Modells; mit einer anderen Zahl wird es an seiner Stelle neu abgelegt</translation>
     </message>
     <message>
-        <source>numbers</source>
-        <translation>Zahlen</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>Material</translation>
     </message>
@@ -5768,14 +5948,6 @@
         <translation>Als Ganzes</translation>
     </message>
     <message>
-        <source>%1, margin %2</source>
-        <translation>%1, Reserve %2</translation>
-    </message>
-    <message>
-        <source>With all that it touches, at the friction of the materials. Margin: how far all weights may shift sideways before it gives way</source>
-        <translation>Mit allem, was es berührt, bei der Reibung der Materialien. Reserve: wie weit alle Gewichte seitlich wandern dürfen, bevor es nachgibt</translation>
-    </message>
-    <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
     </message>
@@ -5827,6 +5999,37 @@
         <source>material</source>
         <translation>Material</translation>
     </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>As it lies; with another number the object is scaled, and settles with its loads</source>
+        <translation>So, wie es liegt; mit einer anderen Zahl wird das Objekt skaliert und kommt mit seinen Lasten zur Ruhe</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>With all that it touches, at the friction of the materials. Margin: how far all weights may shift sideways before it gives way: %1</source>
+        <translation>Mit allem, was es berührt, bei der Reibung der Materialien. Spielraum: wie weit sich alle Gewichte seitlich verschieben dürfen, bevor es nachgibt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::QuickActions</name>
+    <message>
+        <source>Quick actions</source>
+        <translation>Schnellaktionen</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::SceneView</name>
@@ -5861,10 +6064,6 @@
 </context>
 <context>
     <name>trivet::edit::StartPage</name>
-    <message>
-        <source>A cup, a saucer and a spoon: the first steps</source>
-        <translation>Tasse, Untertasse und Löffel: die ersten Schritte</translation>
-    </message>
     <message>
         <source>A breakfast table of 24 objects</source>
         <translation>Ein Frühstückstisch aus 24 Objekten</translation>
@@ -5944,6 +6143,38 @@
             <numerusform>%1 wurde nicht richtig geschlossen; %n Schritte, der letzte am %2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>A spoon and its saucer: the first steps</source>
+        <translation>Ein Löffel und seine Untertasse: die ersten Schritte</translation>
+    </message>
+    <message>
+        <source>A table laid for six</source>
+        <translation>Ein Tisch, für sechs gedeckt</translation>
+    </message>
+    <message>
+        <source>Demos that arrange themselves by constraints</source>
+        <translation>Beispiele, die sich nach Bedingungen anordnen</translation>
+    </message>
+    <message>
+        <source>The same on a smaller table</source>
+        <translation>Dasselbe auf einem kleineren Tisch</translation>
+    </message>
+    <message>
+        <source>Books in rows, a plant and a telephone</source>
+        <translation>Bücher in Reihen, eine Pflanze und ein Telefon</translation>
+    </message>
+    <message>
+        <source>A shop&apos;s shelf, filled row by row</source>
+        <translation>Ein Ladenregal, Reihe um Reihe gefüllt</translation>
+    </message>
+    <message>
+        <source>A desk with everything in view and in reach</source>
+        <translation>Ein Schreibtisch, alles in Sicht und Reichweite</translation>
+    </message>
+    <message>
+        <source>A workbench, tools and parts in their zones</source>
+        <translation>Eine Werkbank, Werkzeuge und Teile in ihren Zonen</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::ViewFrame</name>
@@ -5997,28 +6228,8 @@
         <translation> und %1 weitere</translation>
     </message>
     <message>
-        <source>topples: </source>
-        <translation>kippt: </translation>
-    </message>
-    <message>
         <source>not known to stand: </source>
         <translation>ob sie steht, ist unbekannt: </translation>
-    </message>
-    <message>
-        <source>stands, but only just, margin %1</source>
-        <translation>steht, aber nur knapp, Reserve %1</translation>
-    </message>
-    <message>
-        <source>stands, margin %1</source>
-        <translation>steht, Reserve %1</translation>
-    </message>
-    <message>
-        <source>stands</source>
-        <translation>steht</translation>
-    </message>
-    <message>
-        <source>stands, but only just</source>
-        <translation>steht, aber nur knapp</translation>
     </message>
     <message>
         <source>tips towards</source>
@@ -6039,6 +6250,18 @@
     <message>
         <source>sinks</source>
         <translation>sinkt</translation>
+    </message>
+    <message>
+        <source>not supported: </source>
+        <translation>ohne Halt: </translation>
+    </message>
+    <message>
+        <source>barely stable</source>
+        <translation>kaum stabil</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>stabil</translation>
     </message>
 </context>
 <context>
@@ -6120,12 +6343,12 @@
         <translation>in Reichweite von</translation>
     </message>
     <message>
-        <source>%1 placed, all hard wishes hold; the worst of the others is off by %2 tolerances</source>
-        <translation>%1 hingestellt, alle harten Wünsche sind erfüllt; der schlechteste der anderen weicht um %2 Toleranzen ab</translation>
+        <source>%1 placed, all hard constraints hold; the worst of the others is off by %2 tolerances</source>
+        <translation>%1 hingestellt, alle harten Bedingungen sind erfüllt; der schlechteste der anderen weicht um %2 Toleranzen ab</translation>
     </message>
     <message>
-        <source>%1 placed, all wishes hold</source>
-        <translation>%1 hingestellt, alle Wünsche sind erfüllt</translation>
+        <source>%1 placed, all constraints hold</source>
+        <translation>%1 hingestellt, alle Bedingungen sind erfüllt</translation>
     </message>
     <message>
         <source>, %1 to %2 cm</source>

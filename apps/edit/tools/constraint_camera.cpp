@@ -1,6 +1,7 @@
 #include "apps/edit/tools/constraint_camera.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "ops/operations/turn_axis.h"
@@ -8,7 +9,7 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kFrame = 2.5;      // relative to the object's size: leaves room for pushing
+constexpr double kFrame = 2;        // of what the object takes: half of the window
 constexpr double kSmallest = 1e-3;  // least extent of the frame, metres
 constexpr double kAlongZ = 0.9;
 
@@ -39,17 +40,20 @@ View constraint_view(const SceneSnapshot& scene, const Selection& selection,
   if (box.empty()) box = {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
   const ObjectContact* const entry = placed ? active_object_contact(selection, scene) : nullptr;
   const Vec3 back = direction(entry, selection, axis);
-  const double size = std::max(kSmallest, box.diagonal()) * (placed ? kFrame : 1.1);
+  const double frame = placed ? kFrame : 1.1;
   Aabb everything = scene.box();
   everything.extend(box);
   View view;
   view.orthographic = true;
   view.target = box.centre();
-  view.eye = view.target + (everything.diagonal() + size) * back;
+  view.eye = view.target + (everything.diagonal() + frame * box.diagonal()) * back;
   view.up = std::abs(back.z()) > kAlongZ ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ());
-  view.width_px = width_px;
-  view.height_px = height_px;
-  view.height = width_px >= height_px ? size : size * height_px / width_px;
+  view.width_px = std::max(width_px, 1);
+  view.height_px = std::max(height_px, 1);
+  const View::Axes axes = view.axes();
+  const auto extent = [&](const Vec3& axis) { return 2 * axis.cwiseAbs().dot(box.half_extent()); };
+  const double across = extent(axes.right) * view.height_px / view.width_px;
+  view.height = frame * std::max({kSmallest, extent(axes.up), across});
   return view;
 }
 

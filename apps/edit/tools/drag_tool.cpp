@@ -12,9 +12,10 @@ constexpr double kSnapMarkPx = 7;
 
 bool DragTool::pointer(const PointerEvent& event) {
   using Kind = PointerEvent::Kind;
+  if (event.kind == Kind::Wheel) return wheel(event);
   if (event.kind == Kind::Press) {
     if (m_pressed) return true;
-    if (event.button != MouseButton::Left || m_document.is_busy() || !grab(event)) return false;
+    if (event.button != MouseButton::Left || waits() || !grab(event)) return false;
     m_pressed = event;
     m_is_drag = false;
     grab_for_snapping(event);
@@ -25,14 +26,11 @@ bool DragTool::pointer(const PointerEvent& event) {
     return false;
   }
   if (event.kind == Kind::Move) {
-    if (!m_is_drag && (event.px - m_pressed->px).norm() > kClickPx) {
-      if (const auto operation = begin()) {
-        m_document.begin_drag(*operation);
-        m_is_drag = true;
-        m_typed = numbers();
-      }
+    if (!m_is_drag && (event.px - m_pressed->px).norm() > kClickPx && start(event)) {
+      m_is_drag = true;
+      m_typed = numbers();
     }
-    if (m_is_drag && m_document.is_dragging() && m_typed.empty()) {
+    if (m_is_drag && follows() && m_typed.empty()) {
       forget_snap();
       steer(event);
     }
@@ -43,16 +41,22 @@ bool DragTool::pointer(const PointerEvent& event) {
     finish_drag();
     return true;
   }
-  if (!m_document.is_busy()) click(event);
+  if (!waits()) click(event);
   m_pressed.reset();
   return true;
+}
+
+bool DragTool::start(const PointerEvent&) {
+  const auto operation = begin();
+  if (operation) m_document.begin_drag(*operation);
+  return operation.has_value();
 }
 
 void DragTool::finish_drag() {
   forget_snap();
   m_is_drag = false;
+  end();
   m_pressed.reset();
-  m_document.end_drag();
 }
 
 // --- snapping -----------------------------------------------------------------------------------
@@ -86,6 +90,20 @@ std::optional<Vec3> DragTool::snapped_way(const PointerEvent& event) {
   if (!found) return std::nullopt;
   show_snap(*found);
   return Vec3(found->point - m_base);
+}
+
+void DragTool::snap_place(const PointerEvent& event, const std::vector<ObjectId>& moving,
+                          Picked& place) {
+  SnapOptions options = m_options.snap;
+  options.faces = false;
+  const auto found = snap(scene(), event.view, event.px, options, moving);
+  if (found) {
+    place.point = found->point;
+    return show_snap(*found);
+  }
+  if (!options.grid) return;
+  note_grid();
+  for (int k = 0; k < 2; ++k) place.point[k] = on_grid(place.point[k], options.grid_step);
 }
 
 double DragTool::on_grid_from(double grabbed, double way) const {
@@ -152,7 +170,7 @@ bool DragTool::key(const KeyEvent& event) {
 
 void DragTool::cancel() {
   forget_snap();
-  if (m_is_drag) m_document.cancel_drag();
+  if (m_is_drag) give_back();
   m_is_drag = false;
   m_pressed.reset();
 }

@@ -27,7 +27,14 @@ class DragTool : public Tool {
   /// Handles a press of the left button. @return whether it starts a drag or click.
   virtual bool grab(const PointerEvent& event) = 0;
   /// The operation to start; nullopt: none.
-  virtual std::optional<Operation> begin() = 0;
+  virtual std::optional<Operation> begin() { return std::nullopt; }
+  /// Starts the drag: of begin(), unless a tool has its own. @return whether there is one.
+  virtual bool start(const PointerEvent& event);
+  virtual bool follows() const { return m_document.is_dragging(); }
+  virtual void end() { m_document.end_drag(); }
+  virtual void give_back() { m_document.cancel_drag(); }
+  /// True if presses wait for the running job.
+  virtual bool waits() const { return m_document.is_busy(); }
   /// Updates the goal from the mouse.
   virtual void steer(const PointerEvent& event) = 0;
   /// Numbers that can be typed during this drag.
@@ -36,6 +43,8 @@ class DragTool : public Tool {
   virtual void steer_by(const std::vector<double>&) {}
   virtual void click(const PointerEvent&) {}
   virtual void hover(const PointerEvent&) {}
+  /// @return whether the wheel is the tool's now.
+  virtual bool wheel(const PointerEvent&) { return false; }
 
   const SceneSnapshot& scene() const { return *m_document.snapshot(); }
   /// Handles a press that has grabbed the active object: drags snap what is grabbed of it, one of
@@ -50,6 +59,9 @@ class DragTool : public Tool {
   std::optional<Vec3> snapped_way(const PointerEvent& event);
   /// A coordinate of what is grabbed, moved by `way`, on the grid. @return the way there.
   double on_grid_from(double grabbed, double way) const;
+  /// Moves a place to the corner or edge, or to the point of the grid, that the mouse means.
+  /// @param moving  objects that are no targets.
+  void snap_place(const PointerEvent& event, const std::vector<ObjectId>& moving, Picked& place);
   void show_snap(const Snap& snap);
   void forget_snap();
   void note_grid() { m_note = grid_in_words(m_options.snap.grid_step); }

@@ -14,10 +14,11 @@ struct Modifiers {
 };
 
 struct PointerEvent {
-  enum class Kind { Press, Move, Release, DoubleClick, Leave };
+  enum class Kind { Press, Move, Release, DoubleClick, Leave, Wheel };
   Kind kind = Kind::Move;
   Vec2 px = Vec2::Zero();                  // see View
   MouseButton button = MouseButton::None;  // of Press, Release and DoubleClick
+  double wheel_steps = 0;                  // of Wheel; positive: away from the user
   bool left_is_down = false;
   Modifiers modifiers;
   WindowKind window = WindowKind::Perspective;

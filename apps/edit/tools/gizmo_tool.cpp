@@ -3,6 +3,8 @@
 #include <QtGlobal>
 #include <cmath>
 
+#include "apps/edit/document/pose_numbers.h"
+#include "apps/edit/tools/hand_ghost.h"
 #include "apps/edit/tools/placing.h"
 
 namespace trivet::edit {
@@ -43,6 +45,48 @@ std::optional<Operation> GizmoTool::begin() {
   return rotate;
 }
 
+// Lifted, turned and let settle: its support is not in the way.
+bool GizmoTool::start(const PointerEvent& event) {
+  const ObjectSnapshot* const object = active();
+  const bool alone = m_document.selection().objects.size() == 1;
+  if (!m_turns || !m_options.lift || m_options.free || !alone || !object ||
+      (*object)->state == ObjectState::Held)
+    return DragTool::start(event);
+  m_lifted = object->object;
+  m_lifted_id = object->id;
+  m_degrees = 0;
+  m_turning = Turning(*m_pressed, m_lifted->centre_of_mass(), m_axis);
+  return true;
+}
+
+std::vector<Operation> GizmoTool::choices() const {
+  Object turned = *m_lifted;
+  Vec3 axis = m_axis;
+  for (int k = 0; k < 3; ++k) axis[k] = rounded(axis[k], 1e-6);
+  const Rotation turn = turned_about(axis.normalized(), std::fmod(m_degrees, 360));
+  turned.pose.rotation = (turn * turned.pose.rotation).normalized();
+  return put_choices(scene(), turned, with_loads(scene(), m_lifted_id), place_of(*m_lifted),
+                     operation_of<PutOperation>(*m_lifted), m_options.drop_height);
+}
+
+void GizmoTool::turn_to(double degrees) {
+  if (!m_lifted) return m_document.drag_by(degrees);
+  m_degrees = degrees;
+  m_document.request_ghost_in_hand(choices());
+}
+
+void GizmoTool::end() {
+  if (!m_lifted) return DragTool::end();
+  put_as_shown(m_document, m_lifted_id, *m_lifted, choices());
+  m_lifted.reset();
+  m_document.clear_ghost();
+}
+
+void GizmoTool::give_back() {
+  if (!m_lifted) return DragTool::give_back();
+  m_lifted.reset();
+}
+
 Vec3 GizmoTool::way(const PointerEvent& event) const {
   const bool line = m_hot && m_hot->kind == GizmoHandle::Kind::Arrow;
   const auto at = [&](const PointerEvent& e) {
@@ -54,7 +98,7 @@ Vec3 GizmoTool::way(const PointerEvent& event) const {
 
 void GizmoTool::steer(const PointerEvent& event) {
   if (m_turns) {
-    m_document.drag_by(m_turning.follow(event, angle_step(event)));
+    turn_to(m_turning.follow(event, angle_step(event)));
   } else {
     Vec3 goal = way(event);
     const double step = event.view.metres_per_px(event.view.depth(m_grabbed_at)) / kGoalsPerPx;
@@ -87,7 +131,7 @@ TypedNumbers GizmoTool::numbers() const {
 
 void GizmoTool::steer_by(const std::vector<double>& values) {
   if (m_turns)
-    m_document.drag_by(values[0]);
+    turn_to(values[0]);
   else
     m_document.drag_to(Vec3(values[0], values[1], values[2]));
   show_ghost();
@@ -97,7 +141,7 @@ void GizmoTool::steer_by(const std::vector<double>& values) {
 void GizmoTool::show_ghost() {
   const ObjectSnapshot* const object = active();
   const bool alone = m_document.selection().objects.size() == 1;
-  if (!object || !alone || m_options.free) return;
+  if (!object || !alone || m_options.free || m_lifted) return;
   auto put = operation_of<PutOperation>(*object->object);
   put.start = (*object)->pose;
   m_document.request_ghost(put);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/edit/tools/drag_tool.h"
+#include "apps/edit/tools/hand_turn.h"
 
 namespace trivet::edit {
 
@@ -16,6 +17,7 @@ class PutTool : public DragTool {
   std::string in_hand() const override;
   Cursor cursor() const override { return held() ? Cursor::Cross : Cursor::Arrow; }
   bool key(const KeyEvent& event) override;
+  bool wants_key(const KeyEvent& event) const override;
   void cancel() override;
 
   /// Puts the active object where the mouse points, in hand or not.
@@ -25,20 +27,21 @@ class PutTool : public DragTool {
 
  protected:
   bool grab(const PointerEvent& event) override;
-  std::optional<Operation> begin() override { return std::nullopt; }
   void steer(const PointerEvent&) override {}
   void click(const PointerEvent& event) override;
   void hover(const PointerEvent& event) override;
+  bool wheel(const PointerEvent& event) override;
 
  private:
   const ObjectSnapshot* held() const;
   void drop();
   std::optional<Operation> operation_at(const PointerEvent& event);
-  void snap_place(const PointerEvent& event, const std::vector<ObjectId>& moving, Picked& place);
 
   std::optional<ObjectId> m_dropped;  // the active object, if it is not in hand
   Document::Job m_job = 0;            // that puts the object in hand
   bool m_takes = false;               // the pressed button takes an object
+  std::optional<PointerEvent> m_hovered;
+  HandTurn m_turn;
   QMetaObject::Connection m_selected, m_finished;
 };
 

@@ -11,7 +11,8 @@
 namespace trivet::edit {
 namespace {
 
-constexpr double kStrokePx = 4;  // between points of a stroke
+constexpr double kStrokePx = 4;       // between points of a stroke
+constexpr double kSprayRadius = 0.8;  // of the spacing: of the disc under the mouse
 constexpr int kPlaceParts = 16;
 constexpr double kPlaceRadius = 0.35;  // radius of a place, of the spacing
 
@@ -36,6 +37,7 @@ bool PaintTool::pointer(const PointerEvent& event) {
     m_pressed = event;
     m_last = event.px;
     m_stroke.clear();
+    m_began = std::chrono::steady_clock::now();
     if (const auto hit = pick(*m_document.snapshot(), event.view.seen_ray(event.px),
                               m_document.looks().hidden()))
       m_stroke.push_back(hit->point);
@@ -66,6 +68,7 @@ void PaintTool::finish() {
   wish.objects = objects();
   wish.places = places();
   wish.turned = m_options.paint_turned;
+  wish.pile = m_options.paint_pile;
   wish.seed = m_options.paint_seed + m_strokes++;
   wish.drop_height = m_options.drop_height;
   m_pressed.reset();
@@ -73,7 +76,7 @@ void PaintTool::finish() {
   if (wish.places.empty()) return;
   ManyObjects copies = painted(*m_document.snapshot(), wish);
   copies.select = false;  // the next stroke paints the same objects
-  m_document.perform_groups("paint", std::move(copies));
+  m_document.perform_groups(wish.pile ? "pour" : "paint", std::move(copies));
 }
 
 bool PaintTool::key(const KeyEvent& event) {
@@ -94,7 +97,20 @@ double PaintTool::spacing() const {
   return width_of(*m_document.snapshot(), objects());
 }
 
-std::vector<Vec3> PaintTool::places() const { return spaced(m_stroke, spacing()); }
+std::vector<Vec3> PaintTool::places() const {
+  return m_options.paint_pile ? poured() : spaced(m_stroke, spacing());
+}
+
+// As many as the time since the press makes, around the points of the stroke in turn.
+std::vector<Vec3> PaintTool::poured() const {
+  if (m_stroke.empty()) return {};
+  const std::chrono::duration<double> held = std::chrono::steady_clock::now() - m_began;
+  const size_t count = 1 + static_cast<size_t>(held.count() * m_options.paint_flow);
+  std::vector<Vec3> out =
+      sprayed(Vec3::Zero(), kSprayRadius * spacing(), count, m_options.paint_seed + m_strokes);
+  for (size_t i = 0; i < out.size(); ++i) out[i] += m_stroke[i * m_stroke.size() / out.size()];
+  return out;
+}
 
 Overlay PaintTool::overlay(const View&) const {
   Overlay out;
@@ -123,6 +139,10 @@ std::string PaintTool::hint() const {
   if (objects().empty())
     return QT_TRANSLATE_NOOP("tools",
                              "Select the objects to paint copies of, then drag over a surface");
+  if (m_options.paint_pile)
+    return QT_TRANSLATE_NOOP("tools",
+                             "Hold the button over a bowl, a box or a heap: copies fall onto each "
+                             "other there until you let go");
   return QT_TRANSLATE_NOOP(
       "tools",
       "Drag over a surface: copies are set down along the stroke; what does not fit is left out");

@@ -1,6 +1,8 @@
 // PAINT: a stroke over surfaces sets down copies of the selected objects along it, as one step.
 #pragma once
 
+#include <chrono>
+
 #include "apps/edit/tools/tool.h"
 
 namespace trivet::edit {
@@ -24,6 +26,7 @@ class PaintTool : public Tool {
   std::vector<std::string> objects() const;
   double spacing() const;
   std::vector<Vec3> places() const;
+  std::vector<Vec3> poured() const;
   void paint_to(const PointerEvent& event);
   void finish();
 
@@ -33,6 +36,7 @@ class PaintTool : public Tool {
   Vec2 m_last = Vec2::Zero();  // pixels, end of the stroke
   std::vector<Vec3> m_stroke;  // world, on surfaces
   std::uint64_t m_strokes = 0;
+  std::chrono::steady_clock::time_point m_began;
 };
 
 }  // namespace trivet::edit

@@ -155,10 +155,9 @@ std::vector<ObjectId> pick_in_box(const SceneSnapshot& scene, const View& view, 
     if (!o->placed || std::find(except.begin(), except.end(), o.id) != except.end()) continue;
     const Affine world = o->world_from_object();
     const std::vector<Vec3>& vertices = o->shape->mesh.vertices;
-    if (inside(o->centre_of_mass()) ||
-        std::any_of(vertices.begin(), vertices.end(),
-                    [&](const Vec3& v) { return inside(world.apply(v)); }))
-      out.push_back(o.id);
+    const auto num_inside = std::count_if(vertices.begin(), vertices.end(),
+                                          [&](const Vec3& v) { return inside(world.apply(v)); });
+    if (2 * static_cast<size_t>(num_inside) >= vertices.size()) out.push_back(o.id);
   }
   return out;
 }

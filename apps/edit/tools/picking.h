@@ -36,7 +36,7 @@ std::optional<Picked> pick_to_drag(const SceneSnapshot& scene, const View& view,
                                    const std::vector<ObjectId>& selected,
                                    const std::vector<ObjectId>& except);
 
-/// Placed objects with a vertex, or their centre, in the rectangle of pixels and not cut away.
+/// Placed objects with half of their vertices or more in the rectangle of pixels and not cut away.
 /// @param except  objects to ignore.
 std::vector<ObjectId> pick_in_box(const SceneSnapshot& scene, const View& view, const Vec2& corner,
                                   const Vec2& opposite, const std::vector<ObjectId>& except = {});

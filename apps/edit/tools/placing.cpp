@@ -7,6 +7,7 @@ namespace trivet::edit {
 namespace {
 
 constexpr double kWall = 0.1;    // a face is a wall where its normal's z is no larger
+constexpr double kClose = 0.01;  // of the object's size: above the point where it is put down
 constexpr double kRoom = 0.001;  // of the object's size: distance from walls and ceilings
 
 bool overlap_from_above(const Aabb& a, const Aabb& b) {
@@ -110,6 +111,28 @@ Pose put_start(const SceneSnapshot& scene, const Object& object,
   PutStart start(scene, object, moving, at, height);
   return near ? start.near() : start.usual();
 }
+
+std::vector<Operation> put_choices(const SceneSnapshot& scene, const Object& object,
+                                   const std::vector<ObjectId>& moving, const Picked& at,
+                                   PutOperation put, double drop_height, double lift) {
+  const double close = kClose * world_box(object).diagonal();
+  put.start = put_start(scene, object, moving, at, close + lift, true);
+  std::vector<Operation> choices{put};
+  if (is_wall(at)) return choices;
+  put.start = put_start(scene, object, moving, at, drop_height + lift, false);
+  put.tries = kTriesOfDrop;
+  choices.push_back(put);
+  return choices;
+}
+
+Picked place_of(const Object& object) {
+  Picked out;
+  out.point = object.centre_of_mass();
+  out.point.z() = world_box(object).lower.z();
+  return out;
+}
+
+bool is_wall(const Picked& at) { return at.normal.z() <= kWall; }
 
 double rounded(double value, double step) {
   if (!(step > 0)) return value;

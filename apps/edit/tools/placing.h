@@ -14,6 +14,20 @@ namespace trivet::edit {
 Pose put_start(const SceneSnapshot& scene, const Object& object,
                const std::vector<ObjectId>& moving, const Picked& at, double height, bool near);
 
+/// PUTs that bring the object to rest where the mouse points, the better ones first: from close to
+/// that point, between what stands there; then as put_start(), with tries.
+/// @param object  in the rotation in which it is put. @param put  with its name and options.
+/// @param lift  metres above that point.
+std::vector<Operation> put_choices(const SceneSnapshot& scene, const Object& object,
+                                   const std::vector<ObjectId>& moving, const Picked& at,
+                                   PutOperation put, double drop_height, double lift = 0);
+
+/// The place of an object that is turned where it is: below its centre of mass, at its underside.
+Picked place_of(const Object& object);
+
+/// True if a face is too steep to put something on.
+bool is_wall(const Picked& at);
+
 /// Goals of drags are rounded to less than 1/this of a pixel.
 inline constexpr double kGoalsPerPx = 4;
 

@@ -14,9 +14,14 @@ bool can_be_moved(const Object& object) {
 
 }  // namespace
 
-PutTool::PutTool(Document& document, const ToolOptions& options) : DragTool(document, options) {
+PutTool::PutTool(Document& document, const ToolOptions& options)
+    : DragTool(document, options), m_turn(document, [this] {
+        if (m_hovered) hover(*m_hovered);
+      }) {
+  m_turn.take(document.selection().active());
   m_selected = QObject::connect(&document, &Document::selection_changed, [this] {
     if (m_document.selection().active() != m_dropped) m_dropped.reset();
+    m_turn.take(m_document.selection().active());
   });
   m_finished = QObject::connect(&document, &Document::finished, [this](quint64 job, bool ok) {
     if (job != m_job || !ok) return;
@@ -37,6 +42,7 @@ const ObjectSnapshot* PutTool::held() const {
 
 void PutTool::drop() {
   m_dropped = m_document.selection().active();
+  m_turn.take(m_dropped);
   m_document.clear_ghost();
 }
 
@@ -73,6 +79,8 @@ std::optional<Operation> PutTool::operation_at(const PointerEvent& event) {
   forget_snap();
   const ObjectSnapshot* const object = active();
   if (!object) return std::nullopt;
+  Object turned = *object->object;
+  turned.pose.rotation = m_turn.of(turned.pose.rotation);
   std::vector<ObjectId> moving = with_loads(scene(), object->id);
   const std::vector<ObjectId> hidden = m_document.looks().hidden();
   moving.insert(moving.end(), hidden.begin(), hidden.end());
@@ -82,25 +90,10 @@ std::optional<Operation> PutTool::operation_at(const PointerEvent& event) {
   for (int k = 0; k < 2; ++k) picked->point[k] = rounded(picked->point[k], step);
   if (snaps(event)) snap_place(event, moving, *picked);
   auto put = operation_of<PutOperation>(*object->object);
-  put.start = put_start(scene(), *object->object, moving, *picked, m_options.drop_height,
-                        event.modifiers.alt);
+  put.start =
+      put_start(scene(), turned, moving, *picked, m_options.drop_height, event.modifiers.alt);
   put.tries = kTriesOfDrop;
   return put;
-}
-
-// The object's centre comes over a corner or an edge, or over a point of the grid.
-void PutTool::snap_place(const PointerEvent& event, const std::vector<ObjectId>& moving,
-                         Picked& place) {
-  SnapOptions options = m_options.snap;
-  options.faces = false;
-  const auto found = snap(scene(), event.view, event.px, options, moving);
-  if (found) {
-    place.point = found->point;
-    return show_snap(*found);
-  }
-  if (!options.grid) return;
-  note_grid();
-  for (int k = 0; k < 2; ++k) place.point[k] = on_grid(place.point[k], options.grid_step);
 }
 
 bool PutTool::put(const PointerEvent& event) {
@@ -113,6 +106,7 @@ bool PutTool::put(const PointerEvent& event) {
 }
 
 void PutTool::hover(const PointerEvent& event) {
+  m_hovered = event;
   if (m_document.is_busy()) return;
   const auto operation = held() ? operation_at(event) : std::nullopt;
   if (operation)
@@ -121,7 +115,21 @@ void PutTool::hover(const PointerEvent& event) {
     m_document.clear_ghost();
 }
 
+bool PutTool::wheel(const PointerEvent& event) {
+  if (!held() || event.modifiers.control) return false;
+  m_turn.turn(event.wheel_steps * m_options.angle_step_deg);
+  return true;
+}
+
+bool PutTool::wants_key(const KeyEvent& event) const {
+  return DragTool::wants_key(event) || (held() && turns_by(event).has_value());
+}
+
 bool PutTool::key(const KeyEvent& event) {
+  if (const auto steps = turns_by(event); steps && held()) {
+    m_turn.by_key(*steps, m_options.angle_step_deg);
+    return true;
+  }
   const bool plain = !event.modifiers.control && !event.modifiers.alt;
   if (event.key == KeyEvent::Key::Character && event.character == 'n' && plain) return take_next();
   if (event.key != KeyEvent::Key::Escape || is_active() || !held()) return DragTool::key(event);
@@ -143,14 +151,14 @@ std::string PutTool::hint() const {
   if (held())
     return QT_TRANSLATE_NOOP(
         "tools",
-        "Click its place; hold Alt to drop it from just above that point; Escape drops it from "
-        "the hand");
+        "Click where you want it; wheel: turn; L: next way to lie; Alt: from just above that "
+        "point; Escape puts it back");
   const ObjectSnapshot* const object = active();
-  if (object && !can_be_moved(*object->object)) {
+  if (object && m_dropped != object->id && !can_be_moved(*object->object)) {
     const QString why =
         (*object)->locked
-            ? QCoreApplication::translate("tools", "%1 is locked: it is not taken in hand")
-            : QCoreApplication::translate("tools", "%1 is fixed: it is not taken in hand");
+            ? QCoreApplication::translate("tools", "%1 is locked: unlock it to put it elsewhere")
+            : QCoreApplication::translate("tools", "%1 is fixed: unfix it to put it elsewhere");
     return why.arg(QString::fromStdString(quoted((*object)->name))).toStdString();
   }
   return QT_TRANSLATE_NOOP(

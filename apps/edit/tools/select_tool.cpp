@@ -3,12 +3,8 @@
 #include <QtGlobal>
 #include <algorithm>
 
-#include "apps/edit/tools/picking.h"
-
 namespace trivet::edit {
 namespace {
-
-constexpr double kBoxPx = 4;  // a press with less motion draws no box
 
 void toggle(Selection& selection, ObjectId id) {
   const auto found = std::find(selection.objects.begin(), selection.objects.end(), id);
@@ -19,78 +15,124 @@ void toggle(Selection& selection, ObjectId id) {
   selection.contact.reset();
 }
 
+bool adds(const PointerEvent& event) { return event.modifiers.shift || event.modifiers.control; }
+
 }  // namespace
 
-bool SelectTool::pointer(const PointerEvent& event) {
-  using Kind = PointerEvent::Kind;
-  if (event.kind == Kind::Press && event.button == MouseButton::Left) {
-    m_pressed = event;
-    m_now = event.px;
-    m_is_box = false;
-    return true;
-  }
-  if (!m_pressed) return false;
-  if (event.kind == Kind::Move) {
-    m_now = event.px;
-    if ((m_now - m_pressed->px).norm() > kBoxPx) m_is_box = true;
-    return true;
-  }
-  if (event.kind != Kind::Release || event.button != MouseButton::Left) return false;
+bool SelectTool::grab(const PointerEvent& event) {
   m_now = event.px;
-  if (m_is_box)
-    select_box(event);
-  else
-    click(event);
-  m_pressed.reset();
   return true;
 }
 
+bool SelectTool::takes_at(const PointerEvent& event) const {
+  const auto picked = pick_to_drag(scene(), event.view, event.px, m_document.selection().objects,
+                                   m_document.looks().not_selectable());
+  const ObjectSnapshot* const object =
+      picked && picked->object ? scene().find(*picked->object) : nullptr;
+  return object && !(*object)->fixed && !(*object)->locked;
+}
+
+// With Shift and Control a box may begin on any object.
+bool SelectTool::may_take(const PointerEvent& event) const {
+  if (event.modifiers.shift && event.modifiers.control) return false;
+  return !m_document.is_busy() && takes_at(event);
+}
+
+bool SelectTool::start(const PointerEvent&) {
+  if (may_take(*m_pressed) && grab_object(*m_pressed)) {
+    grab_for_snapping(*m_pressed);
+    m_gesture.begin(m_pressed->view, m_pressed->px);
+  }
+  return true;
+}
+
+void SelectTool::steer(const PointerEvent& event) {
+  m_now = event.px;
+  if (!m_gesture.is_on()) return;
+  auto at = m_gesture.under_foot(event);
+  if (at && snaps(event)) {
+    PointerEvent foot = event;
+    foot.px = m_gesture.foot_px(event.px);
+    snap_place(foot, m_gesture.moving(), *at);
+  }
+  m_gesture.follow(event, at);
+}
+
+void SelectTool::end() {
+  if (m_gesture.is_on())
+    m_gesture.release();
+  else
+    select_box();
+}
+
+void SelectTool::give_back() { m_gesture.cancel(); }
+
+bool SelectTool::wheel(const PointerEvent& event) {
+  if (!m_gesture.is_on() || event.modifiers.control) return false;
+  m_gesture.turning().turn(event.wheel_steps * m_options.angle_step_deg);
+  return true;
+}
+
+void SelectTool::hover(const PointerEvent& event) { m_hot = takes_at(event); }
+
 void SelectTool::click(const PointerEvent& event) {
-  const auto picked = pick_near(*m_document.snapshot(), m_pressed->view, m_pressed->px,
-                                m_document.looks().not_selectable());
-  const bool more = event.modifiers.shift || event.modifiers.control;
+  const auto picked =
+      pick_near(scene(), m_pressed->view, m_pressed->px, m_document.looks().not_selectable());
   if (!picked || !picked->object) {
-    if (!more) m_document.select({});
+    if (!adds(event)) m_document.select({});
     return;
   }
-  if (!more) return m_document.select_only(*picked->object);
+  if (!adds(event)) return m_document.select_only(*picked->object);
   Selection selection = m_document.selection();
   toggle(selection, *picked->object);
   m_document.select(std::move(selection));
 }
 
-void SelectTool::select_box(const PointerEvent& event) {
+// Fixed things, mostly the ground of the others, only where there is nothing else.
+void SelectTool::select_box() {
   Selection selection;
-  if (event.modifiers.shift || event.modifiers.control) selection = m_document.selection();
-  for (const ObjectId id : pick_in_box(*m_document.snapshot(), m_pressed->view, m_pressed->px,
-                                       event.px, m_document.looks().not_selectable()))
+  if (adds(*m_pressed)) selection = m_document.selection();
+  std::vector<ObjectId> found = pick_in_box(scene(), m_pressed->view, m_pressed->px, m_now,
+                                            m_document.looks().not_selectable());
+  const auto is_fixed = [&](ObjectId id) { return (*scene().find(id))->fixed; };
+  if (!std::all_of(found.begin(), found.end(), is_fixed)) std::erase_if(found, is_fixed);
+  for (const ObjectId id : found)
     if (!selection.contains(id)) selection.objects.push_back(id);
   selection.contact.reset();
   m_document.select(std::move(selection));
 }
 
+bool SelectTool::wants_key(const KeyEvent& event) const {
+  return m_gesture.is_on() && turns_by(event).has_value();
+}
+
 bool SelectTool::key(const KeyEvent& event) {
-  if (event.key != KeyEvent::Key::Escape) return false;
-  if (m_pressed)
-    cancel();
-  else
-    m_document.select({});
+  if (!wants_key(event)) return DragTool::key(event);
+  m_gesture.turning().by_key(*turns_by(event), m_options.angle_step_deg);
   return true;
 }
 
-void SelectTool::cancel() { m_pressed.reset(); }
+Cursor SelectTool::cursor() const {
+  if (m_gesture.is_on()) return DragTool::cursor();
+  return m_hot && !is_active() ? Cursor::OpenHand : Cursor::Arrow;
+}
 
-Overlay SelectTool::overlay(const View&) const {
-  Overlay overlay;
-  if (!m_pressed || !m_is_box) return overlay;
+Overlay SelectTool::overlay(const View& view) const {
+  Overlay overlay = DragTool::overlay(view);
+  if (!m_is_drag || m_gesture.is_on()) return overlay;
   overlay.box_px = {m_pressed->px, m_now};
   overlay.box_window = m_pressed->window;
   return overlay;
 }
 
 std::string SelectTool::hint() const {
-  return QT_TRANSLATE_NOOP(
-      "tools", "Click an object to select it, Shift-click to add it; drag for a selection box");
+  if (m_gesture.is_on())
+    return QT_TRANSLATE_NOOP("tools",
+                             "Wheel: turn; L: next way to lie; Shift: lift; Control: snap; "
+                             "Escape: put it back");
+  return QT_TRANSLATE_NOOP("tools",
+                           "Drag an object to move it; click to select, Shift-click to add; drag "
+                           "from the ground for a selection box");
 }
 
 }  // namespace trivet::edit

@@ -1,31 +1,44 @@
-// Selection by click, Shift or Control to add, or by a box dragged from an empty place.
+// Selection and direct moves: a click selects, with Shift or Control adds; a drag moves an object
+// that may move, and from anywhere else, or with Shift and Control, draws a box that selects.
 #pragma once
 
-#include "apps/edit/tools/tool.h"
+#include "apps/edit/tools/drag_tool.h"
+#include "apps/edit/tools/hand_gesture.h"
 
 namespace trivet::edit {
 
-class SelectTool : public Tool {
+class SelectTool : public DragTool {
  public:
-  explicit SelectTool(Document& document) : m_document(document) {}
+  SelectTool(Document& document, const ToolOptions& options)
+      : DragTool(document, options), m_gesture(document, options) {}
 
   ToolKind kind() const override { return ToolKind::Select; }
-  bool pointer(const PointerEvent& event) override;
   bool key(const KeyEvent& event) override;
-  void cancel() override;
-  bool is_active() const override { return m_pressed.has_value(); }
+  bool wants_key(const KeyEvent& event) const override;
   Overlay overlay(const View& view) const override;
-  Cursor cursor() const override { return Cursor::Arrow; }
+  Cursor cursor() const override;
   std::string hint() const override;
 
- private:
-  void click(const PointerEvent& event);
-  void select_box(const PointerEvent& event);
+ protected:
+  bool waits() const override { return false; }
+  bool grab(const PointerEvent& event) override;
+  bool start(const PointerEvent& event) override;
+  bool follows() const override { return true; }
+  void steer(const PointerEvent& event) override;
+  void end() override;
+  void give_back() override;
+  void click(const PointerEvent& event) override;
+  void hover(const PointerEvent& event) override;
+  bool wheel(const PointerEvent& event) override;
 
-  Document& m_document;
-  std::optional<PointerEvent> m_pressed;
+ private:
+  bool may_take(const PointerEvent& event) const;
+  bool takes_at(const PointerEvent& event) const;
+  void select_box();
+
+  HandGesture m_gesture;
+  bool m_hot = false;  // the mouse is over what a drag would move
   Vec2 m_now = Vec2::Zero();
-  bool m_is_box = false;
 };
 
 }  // namespace trivet::edit

@@ -22,6 +22,7 @@ struct ToolOptions {
   bool settle = true;             // PUSH: release at the end
   bool let_go = false;            // TURN, MOVE, ROTATE: the same
   bool settle_left = false;       // objects left without support are released too
+  bool lift = true;               // ROTATE: lifts, turns and settles; else it stops at collisions
   bool free = false;              // MOVE, ROTATE: ignore collisions
   bool take_next = false;         // PUT: then the next object that is not placed yet
   double drop_height = 0.02;      // PUT: above the highest point below the object; with Alt, above
@@ -31,6 +32,8 @@ struct ToolOptions {
   SnapOptions snap;
   double paint_spacing = 0;      // PAINT: metres between copies; 0: by the object's width
   bool paint_turned = true;      // PAINT: each about the vertical axis, by the seed
+  bool paint_pile = false;       // PAINT: pours a pile under the mouse while the button is down
+  int paint_flow = 8;            // PAINT: copies of a pile, per second
   std::uint64_t paint_seed = 1;  // PAINT: of the first stroke; each has its own
 };
 

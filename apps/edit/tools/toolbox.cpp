@@ -1,10 +1,18 @@
 #include "apps/edit/tools/toolbox.h"
 
+#include <QCoreApplication>
+#include <cmath>
+#include <utility>
+
+#include "apps/edit/document/pose_numbers.h"
 #include "apps/edit/tools/gizmo_tool.h"
+#include "apps/edit/tools/lean.h"
 #include "apps/edit/tools/move_tools.h"
 #include "apps/edit/tools/paint_tool.h"
+#include "apps/edit/tools/placing.h"
 #include "apps/edit/tools/select_tool.h"
 #include "apps/edit/tools/turn_tool.h"
+#include "core/base/quoted.h"
 #include "ops/operations/turn_axis.h"
 
 namespace trivet::edit {
@@ -29,7 +37,7 @@ std::unique_ptr<Tool> make_tool(ToolKind kind, Document& document, const ToolOpt
     case ToolKind::Paint:
       return std::make_unique<PaintTool>(document, options);
   }
-  return std::make_unique<SelectTool>(document);
+  return std::make_unique<SelectTool>(document, options);
 }
 
 std::optional<ToolKind> kind_of(char key) {
@@ -58,8 +66,12 @@ std::optional<ToolKind> kind_of(char key) {
 }  // namespace
 
 Toolbox::Toolbox(Document& document)
-    : m_document(document), m_tool(make_tool(ToolKind::Select, document, m_options)) {}
-Toolbox::~Toolbox() = default;
+    : m_document(document), m_tool(make_tool(ToolKind::Select, document, m_options)) {
+  m_ways = QObject::connect(&document, &Document::ways_found,
+                            [this](const WaysToLie& ways) { lie_as_found(ways); });
+}
+
+Toolbox::~Toolbox() { QObject::disconnect(m_ways); }
 
 void Toolbox::take(ToolKind kind) {
   m_tool->cancel();
@@ -92,6 +104,65 @@ bool Toolbox::take_next() {
 bool Toolbox::pick_up() {
   if (m_document.is_busy() || m_document.is_dragging()) return false;
   return PickUpTool(m_document, m_options).pick_up();
+}
+
+// The active object, when it can be put elsewhere now.
+const ObjectSnapshot* Toolbox::idle_active() const {
+  if (m_document.is_busy() || m_document.is_dragging()) return nullptr;
+  const auto active = m_document.selection().active();
+  const ObjectSnapshot* const object = active ? m_document.snapshot()->find(*active) : nullptr;
+  return object && (*object)->placed ? object : nullptr;
+}
+
+void Toolbox::put_turned(const ObjectSnapshot& object, const Rotation& rotation) {
+  const SceneSnapshot& scene = *m_document.snapshot();
+  Object turned = *object.object;
+  turned.pose.rotation = rotation;
+  m_document.perform_first(put_choices(
+      scene, turned, with_loads(scene, object.id), place_of(*object.object),
+      operation_of<PutOperation>(*object.object, m_document, m_options), m_options.drop_height));
+}
+
+bool Toolbox::turn(int steps) {
+  const ObjectSnapshot* const object = idle_active();
+  if (!object) return false;
+  const Rotation turn =
+      turned_about(Vec3::UnitZ(), std::fmod(steps * m_options.angle_step_deg, 360));
+  put_turned(*object, (turn * (*object)->pose.rotation).normalized());
+  return true;
+}
+
+bool Toolbox::lean() {
+  const std::vector<ObjectId>& selected = m_document.selection().objects;
+  const ObjectSnapshot* const wall = idle_active();
+  if (!wall || selected.size() != 2) return false;
+  const SceneSnapshot& scene = *m_document.snapshot();
+  const ObjectSnapshot* const object = scene.find(selected.front());
+  if (!object || !(*object)->placed) return false;
+  const auto turn = lean_against(*object->object, *wall->object, scene);
+  if (turn) m_document.perform(*turn);
+  return turn.has_value();
+}
+
+bool Toolbox::lie(Lying how) {
+  const ObjectSnapshot* const object = idle_active();
+  if (!object) return false;
+  m_lying = how;
+  m_document.request_ways(object->id);
+  return true;
+}
+
+void Toolbox::lie_as_found(const WaysToLie& ways) {
+  const std::optional<Lying> how = std::exchange(m_lying, std::nullopt);
+  const ObjectSnapshot* const object = idle_active();
+  if (!how || !object || object->id != ways.object) return;
+  if (const auto way = way_of(ways.ways, *how)) return put_turned(*object, way->rotation);
+  const QString said = QCoreApplication::translate("tools", "%1 lies so, or cannot");
+  Q_EMIT m_document.message(
+      {Message::Kind::Info,
+       said.arg(QString::fromStdString(quoted((*object)->name))).toStdString(),
+       {},
+       {}});
 }
 
 bool Toolbox::next_contact() {
@@ -130,8 +201,10 @@ bool Toolbox::key(const KeyEvent& event) {
   if (!taken && event.key == KeyEvent::Key::Character && plain) {
     const auto kind = kind_of(event.character);
     if (kind) take(*kind);
-    taken = kind || (event.character == 'p' && put_at_pointer()) ||
-            (event.character == 'u' && pick_up()) || (event.character == 'v' && next_contact());
+    taken =
+        kind || (event.character == 'p' && put_at_pointer()) ||
+        (turns_by(event) && (event.character == 'l' ? lie(Lying::Next) : turn(*turns_by(event)))) ||
+        (event.character == 'u' && pick_up()) || (event.character == 'v' && next_contact());
   }
   if (taken && changed) changed();
   return taken;

@@ -31,6 +31,12 @@ class Toolbox {
   bool take_next();       // into the hand of PUT: the next object that is not placed yet
   bool pick_up();         // the active object, by ToolOptions::pick_up_distance
   bool erase_selected();
+  /// The active object lifted, laid otherwise, and settled; a message where it lies so already.
+  bool lie(Lying how);
+  /// The same, turned about the vertical by steps of ToolOptions::angle_step_deg.
+  bool turn(int steps);
+  /// The object selected before the active one leans against it.
+  bool lean();
   bool next_contact();  // of the active object: what the constraint window looks along, and PUSH
                         // goes along
 
@@ -47,8 +53,14 @@ class Toolbox {
   std::function<void()> changed;
 
  private:
+  const ObjectSnapshot* idle_active() const;
+  void put_turned(const ObjectSnapshot& object, const Rotation& rotation);
+  void lie_as_found(const WaysToLie& ways);
+
   Document& m_document;
   ToolOptions m_options;
+  std::optional<Lying> m_lying;  // asked for, until the ways are found
+  QMetaObject::Connection m_ways;
   ToolKind m_current = ToolKind::Select;
   std::unique_ptr<Tool> m_tool;
   std::optional<PointerEvent> m_last;

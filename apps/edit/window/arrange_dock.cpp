@@ -26,7 +26,7 @@ void MainWindow::make_arrange_action() {
   QAction* const shown = add_action(
       "arrange", tr("&Arrange…"), tr("Ctrl+R"),
       [this] { m_arrange_dock->setVisible(action("arrange")->isChecked()); },
-      tr("Arrange: wishes between objects, and scenes that meet them"));
+      tr("Arrange: constraints between objects, and scenes that meet them"));
   shown->setCheckable(true);
 }
 

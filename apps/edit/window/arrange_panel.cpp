@@ -103,8 +103,9 @@ void ArrangePanel::list_wishes() {
     auto* const item = new QTreeWidgetItem({QString::fromStdString(wishes[i].text),
                                             weight ? QLocale().toString(*weight) : tr("hard")});
     item->setData(0, kEntryRole, static_cast<qulonglong>(i));
-    item->setToolTip(1, wishes[i].may_be_soft ? tr("A number makes the wish soft, no number hard")
-                                              : tr("This wish is always hard"));
+    item->setToolTip(1, wishes[i].may_be_soft
+                            ? tr("A number makes the constraint soft, no number hard")
+                            : tr("This constraint is always hard"));
     if (wishes[i].may_be_soft) item->setFlags(item->flags() | Qt::ItemIsEditable);
     if (layout && layout->entries.count(i))
       for (const int column : {0, 1}) item->setForeground(column, m_theme.refused());
@@ -152,9 +153,10 @@ void ArrangePanel::take_weight(size_t entry, std::optional<double> weight) {
   if (entry >= wishes.list().size()) return;
   if (!weight || (*weight >= 0 && *weight <= kMostWeight))
     return m_document.set_wishes(wishes.weighted(entry, weight));
-  const QString text = tr("Weight %1: accepted: a number from 0 to %2, or none for a hard wish")
-                           .arg(QLocale().toString(*weight))
-                           .arg(QLocale().toString(kMostWeight));
+  const QString text =
+      tr("Weight %1: accepted: a number from 0 to %2, or none for a hard constraint")
+          .arg(QLocale().toString(*weight))
+          .arg(QLocale().toString(kMostWeight));
   Q_EMIT m_document.message(Message{Message::Kind::Refused, text.toStdString(), {}, {}});
 }
 
@@ -210,7 +212,7 @@ void ArrangePanel::save_problem() {
 
 void ArrangePanel::load_problem() {
   const QString file =
-      QFileDialog::getOpenFileName(this, tr("Load wishes"), {}, tr("Problems (*.json)"));
+      QFileDialog::getOpenFileName(this, tr("Load constraints"), {}, tr("Problems (*.json)"));
   if (file.isEmpty()) return;
   try {
     m_document.load_wishes(file.toStdString());

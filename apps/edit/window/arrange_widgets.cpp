@@ -72,7 +72,7 @@ QWidget* ArrangePanel::make_new_wish() {
   m_is_soft = new QCheckBox(tr("Soft, weight"));
   m_is_soft->setObjectName("wish_soft");
   m_weight = make_number("wish_weight", kSoftWeight, 1000);
-  m_add = make_button("wish_add", tr("Add wish"), tr("Add the wish to the scene's"));
+  m_add = make_button("wish_add", tr("Add constraint"), tr("Add the constraint to the scene's"));
   auto* const box = new QWidget;
   auto* const column = column_in(*box, 250, *m_pair);
   column->addWidget(m_pair);
@@ -93,20 +93,20 @@ QWidget* ArrangePanel::make_new_wish() {
 QWidget* ArrangePanel::make_list() {
   m_list = new QTreeWidget;
   m_list->setObjectName("wishes");
-  m_list->setHeaderLabels({tr("Wish"), tr("Weight")});
+  m_list->setHeaderLabels({tr("Constraint"), tr("Weight")});
   m_list->setRootIsDecorated(false);
   m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   m_list->header()->setStretchLastSection(false);
   m_all = new QCheckBox(tr("All"));
   m_all->setObjectName("wishes_all");
-  m_all->setToolTip(tr("All wishes, not of the selected objects alone"));
+  m_all->setToolTip(tr("All constraints, not of the selected objects alone"));
   m_all->setChecked(true);
-  m_remove = make_button("wish_remove", tr("Remove"), tr("Remove the chosen wishes"));
+  m_remove = make_button("wish_remove", tr("Remove"), tr("Remove the chosen constraints"));
   auto* const load =
       make_button("wishes_load", tr("Load…"), tr("Load a problem of trivet arrange"));
   auto* const save = make_button("wishes_save", tr("Save…"),
-                                 tr("Save scene and wishes as a problem of trivet arrange"));
+                                 tr("Save scene and constraints as a problem of trivet arrange"));
   auto* const box = new QWidget;
   auto* const column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
@@ -136,8 +136,8 @@ QWidget* ArrangePanel::make_search() {
   m_next = make_button("arrange_next", tr("Next"), tr("The next solution: another seed"));
   m_accept = make_button("arrange_accept", tr("Accept"), tr("Do it, as one step"));
   m_reject = make_button("arrange_reject", tr("Reject"), tr("Leave the scene as it is"));
-  m_drop = make_button("arrange_drop", tr("Drop the cheapest wish"),
-                       tr("Drop the wish that is nearest to being met, and look again"));
+  m_drop = make_button("arrange_drop", tr("Drop the cheapest constraint"),
+                       tr("Drop the constraint that is nearest to being met, and look again"));
   m_progress = new QProgressBar;
   m_progress->setTextVisible(false);
   m_progress->setMaximumHeight(6);

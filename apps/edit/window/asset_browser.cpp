@@ -2,10 +2,12 @@
 
 #include <QAbstractItemView>
 #include <QDir>
+#include <QDrag>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMimeData>
+#include <QPainter>
 #include <QPixmap>
 #include <QScrollBar>
 #include <QSettings>
@@ -24,6 +26,7 @@ namespace {
 
 constexpr int kModelRole = Qt::UserRole;
 constexpr int kIconPx = 88, kCellPx = 108;
+constexpr int kRoomPx = 12, kDragPx = 32;
 constexpr int kSettleMs = 80;  // after scrolling, until pictures are asked for
 
 Asset asset_of(const QString& file, const AssetInfo& info, const FolderChoice& chosen) {
@@ -52,6 +55,31 @@ QMimeData* AssetList::mimeData(const QList<QListWidgetItem*>& items) const {
   mime->setUrls(urls);
   mime->setData(kAssetsMime, "models");
   return mime;
+}
+
+// With a small picture: over a view the ghost of the model shows where it will be.
+void AssetList::startDrag(Qt::DropActions actions) {
+  const QList<QListWidgetItem*> items = selectedItems();
+  if (items.isEmpty()) return;
+  auto* const drag = new QDrag(this);
+  drag->setMimeData(mimeData(items));
+  drag->setPixmap(items.front()->icon().pixmap(kDragPx));
+  drag->setHotSpot(QPoint(-kDragPx / 2, -kDragPx / 2));
+  drag->exec(actions);
+}
+
+void AssetList::explain(const QString& text) {
+  m_explanation = text;
+  viewport()->update();
+}
+
+void AssetList::paintEvent(QPaintEvent* event) {
+  QListWidget::paintEvent(event);
+  if (count() > 0) return;
+  QPainter painter(viewport());
+  painter.setPen(palette().color(QPalette::PlaceholderText));
+  const QRect room = viewport()->rect().adjusted(kRoomPx, kRoomPx, -kRoomPx, -kRoomPx);
+  painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, m_explanation);
 }
 
 AssetBrowser::AssetBrowser(const QString& cache, const ImportLimits& limits, QWidget* parent)
@@ -184,6 +212,11 @@ void AssetBrowser::show_folder() {
   want_seen();
   const bool has_one = !folder().isEmpty();
   m_forget->setEnabled(has_one), m_unit->setEnabled(has_one), m_search->setEnabled(has_one);
+  m_list->explain(has_one ? tr("There are no models in this folder and those below it, or they are "
+                               "still being listed.")
+                          : tr("Add a folder of models (.glb, .gltf, .obj, .stl, .ply, ...). Then "
+                               "drag them from here into a view, or double click one to take it "
+                               "in hand."));
   if (!has_one) return;
   QSettings().setValue("assets/folder", folder());
   const QSignalBlocker blocker(m_unit);

@@ -23,8 +23,16 @@ class AssetList : public QListWidget {
  public:
   using QListWidget::QListWidget;
 
+  /// Shown while the list is empty.
+  void explain(const QString& text);
+
  protected:
   QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
+  void startDrag(Qt::DropActions actions) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString m_explanation;
 };
 
 /// A model to import from the browser.

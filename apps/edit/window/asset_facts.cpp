@@ -33,10 +33,11 @@ void keep(const QString& key, const QVariant& value, bool is_default) {
 
 QString size_text(const AssetInfo& info) {
   QStringList sides;
-  for (int i = 0; i < 3; ++i) sides << QLocale().toString(info.size[i], 'g', 4);
+  for (int i = 0; i < 3; ++i) sides << QLocale().toString(info.size[i], 'g', 3);
   const QString size = sides.join(" × ");
   if (!info.unit.isEmpty())
     return words(QT_TRANSLATE_NOOP("assets", "%1, likely %2")).arg(size, info.unit);
+  if (info.metres == 1) return words(QT_TRANSLATE_NOOP("assets", "%1 m")).arg(size);
   return words(QT_TRANSLATE_NOOP("assets", "%1 units of %2 m"))
       .arg(size, QLocale().toString(info.metres, 'g', 4));
 }

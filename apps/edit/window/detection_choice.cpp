@@ -65,7 +65,7 @@ void save_detection(const EditorDetection& choice) {
 }
 
 QString in_words(const Answering& answering) {
-  if (answering.name == "bvh") return QObject::tr("BVHs");
+  if (answering.name == "bvh") return QObject::tr("CPU");
   if (answering.name == "software") return QObject::tr("z-lists in software");
   QStringList where;
   const bool is_gpu = answering.name == "gpu";

@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "apps/edit/document/margins.h"
 #include "apps/edit/window/main_window.h"
 
 namespace trivet::edit {
@@ -92,7 +93,7 @@ void MainWindow::update_status() {
   QString hint =
       typed.isEmpty() ? QCoreApplication::translate("tools", m_toolbox.hint().c_str()) : typed;
   const auto& ghost = m_document.ghost();
-  if (typed.isEmpty() && ghost && !ghost->ok && !ghost->text.empty())
+  if (typed.isEmpty() && ghost && (!ghost->ok || ghost->hangs_back) && !ghost->text.empty())
     hint = QString::fromStdString(ghost->text);
   m_hint->setText(hint);
   m_hint->setToolTip(hint);
@@ -109,11 +110,11 @@ void MainWindow::update_status() {
 
 void MainWindow::show_detection() {
   const Detection& now = m_document.detection();
-  const QString text = in_words(now.moves);
+  const QString text = tr("Detection: %1").arg(in_words(now.moves));
   m_answering->setText(
       m_answering->fontMetrics().elidedText(text, Qt::ElideRight, kWidestAnswering));
   m_answering->setToolTip(tr("Collision detection. Moves: %1. Previews: %2. See Preferences.")
-                              .arg(text, in_words(now.previews)));
+                              .arg(in_words(now.moves), in_words(now.previews)));
 }
 
 // The last verdict is shown until there is another.
@@ -123,9 +124,9 @@ void MainWindow::show_verdict() {
   const QString text = QString::fromStdString(whole_text(*m_document.snapshot(), *verdict));
   const Theme& theme = m_drawing.theme();
   const Stability::Status status = verdict->stability.status;
-  const QColor colour = status == Stability::Status::Unstable ? theme.refused()
-                        : status == Stability::Status::Stable ? theme.faint_text()
-                                                              : theme.warning();
+  const QColor colour = status == Stability::Status::Unstable         ? theme.refused()
+                        : is_barely(*m_document.snapshot(), *verdict) ? theme.warning()
+                                                                      : theme.faint_text();
   m_stands->setStyleSheet("color: " + colour.name());
   m_stands->setText(m_stands->fontMetrics().elidedText(text, Qt::ElideRight, kWidestVerdict));
   m_stands->setToolTip(tr("The scene as a whole, at the friction of the materials: %1").arg(text));

@@ -117,7 +117,12 @@ void MainWindow::open_file(const QString& file) {
 void MainWindow::open_demo(const QString& name) {
   may_lose_work([this, name] {
     show_workspace();
-    m_document.open_demo(name.toStdString());
+    const Document::Job job = m_document.open_demo(name.toStdString());
+    when_finished(job, [this](bool ok) {
+      if (!ok || m_document.wishes().empty()) return;
+      m_arrange_dock->show();
+      m_document.request_layout(m_document.wishes().seed(), false);
+    });
   });
 }
 

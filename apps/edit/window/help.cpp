@@ -38,7 +38,12 @@ QString table(const QString& heading, const std::vector<ShortcutRow>& rows) {
 
 void show_shortcuts(QWidget* parent, const std::vector<ShortcutRow>& menu_shortcuts) {
   const std::vector<ShortcutRow> mouse = {
-      {tr("Left"), tr("Use the tool: select, put, push, turn, ...")},
+      {tr("Left"), tr("Drag an object to move it; click to select; drag from the ground for a box; "
+                      "with another tool, use that")},
+      {tr("Shift + Left"), tr("Click: add to the selection. Drag: lift the object")},
+      {tr("Shift + Control + Left"), tr("Box, also from an object")},
+      {tr("Wheel, or , and . with an object in hand"), tr("Turn it about the vertical")},
+      {tr("L with an object in hand"), tr("Next way in which it can lie, the nearest first")},
       {tr("Middle, or Alt + Left"), tr("Orbit (perspective), pan (other windows)")},
       {tr("Shift + Middle, or Right"), tr("Pan")},
       {tr("Wheel, or Control + Middle"), tr("Zoom towards the mouse")},
@@ -46,7 +51,7 @@ void show_shortcuts(QWidget* parent, const std::vector<ShortcutRow>& menu_shortc
       {tr("Control during a drag"), tr("Snap, or not if the magnet is on")},
       {tr("Right click"), tr("Menu for the selection")},
       {tr("Double click on a title"), tr("Maximise the window, and restore it")},
-      {tr("Escape"), tr("Cancel the action in progress; close messages")},
+      {tr("Escape"), tr("Put back what is in hand; cancel the action; close messages")},
   };
   show_text(parent, tr("Mouse and keys"),
             table(tr("Mouse"), mouse) + table(tr("Keys"), menu_shortcuts));
@@ -63,8 +68,13 @@ void show_two_minutes(QWidget* parent) {
          "settles, and lies at rest. Into a shelf: click on its board.</li>"
          "<li>To put another object, press <b>N</b> for the next one, or choose it in the tree, "
          "then press <b>W</b> (Put). A red ghost says why it cannot be there.</li>"
-         "<li><b>E</b> (Push): drag a cup along the table. It stays on the surface, goes up "
-         "onto saucers and over low steps, and stops at walls.</li>"
+         "<li><b>Drag</b> a cup along the table, without a tool: it slides, hangs back where it is "
+         "blocked, and climbs onto the saucer, the tray or the shelf under the mouse. A ghost "
+         "shows "
+         "where it will come to rest; let go, and it settles. Meanwhile the wheel turns it, "
+         "<b>L</b> lays it otherwise, Shift lifts it, Control snaps, Escape puts it back.</li>"
+         "<li><b>E</b> (Push): the same along the surface alone, with steps and walls as "
+         "set.</li>"
          "<li><b>R</b> (Turn): click a contact point, edge or area in the constraint window "
          "and drag about it; or drag to turn about the contact's normal.</li>"
          "<li><b>T</b> (Pick up), <b>G</b> (Move) and <b>H</b> (Rotate) move it through the "
@@ -74,7 +84,7 @@ void show_two_minutes(QWidget* parent) {
          "<li><b>Control+S</b> saves the scene as .glb, which other programs can read. "
          "<b>File, Picture…</b> renders a picture of the current view.</li></ol>"
          "<p>When an operation is refused, a bar gives the reason, and the obstacles are "
-         "highlighted red. "
+         "marked. "
          "The scene is unchanged.</p>"));
 }
 

@@ -1,5 +1,8 @@
 #include "apps/edit/window/key_events.h"
 
+#include <QAbstractSpinBox>
+#include <QLineEdit>
+
 namespace trivet::edit {
 
 Modifiers modifiers_of(Qt::KeyboardModifiers keys) {
@@ -40,6 +43,10 @@ KeyEvent key_event_of(const QKeyEvent& event) {
     }
   }
   return out;
+}
+
+bool takes_text(const QWidget* widget) {
+  return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget);
 }
 
 }  // namespace trivet::edit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QKeyEvent>
+#include <QWidget>
 
 #include "apps/edit/tools/events.h"
 
@@ -14,5 +15,8 @@ KeyEvent key_event_of(const QKeyEvent& event);
 inline bool has_meaning(const KeyEvent& event) {
   return event.key != KeyEvent::Key::Character || event.character != 0;
 }
+
+/// True if keys are text for this widget: a line or a number that is edited. Null: false.
+bool takes_text(const QWidget* widget);
 
 }  // namespace trivet::edit

@@ -23,6 +23,7 @@ void add_ghosts(const SceneSnapshot& scene, const std::vector<Ghost::Member>& me
     if (!object) continue;
     LiveObject live = live_object(*object->object, member.pose);
     live.opacity = kGhostOpacity;
+    live.outlined = true;  // it is seen on any ground
     live.tint = tint;
     live.moving = true;
     out.objects.push_back(std::move(live));

@@ -1,5 +1,6 @@
 #include "apps/edit/window/main_window.h"
 
+#include <QApplication>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -32,6 +33,7 @@ MainWindow::MainWindow(Document& document, const EditorDetection& detection)
       m_detection(detection) {
   setObjectName("trivet-edit");
   setAcceptDrops(true);
+  QApplication::instance()->installEventFilter(this);
   make_views();
   make_zlist_dock();
   make_asset_dock();

@@ -29,6 +29,7 @@
 namespace trivet::edit {
 
 class ArrangePanel;
+class AssetDrag;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -54,6 +55,8 @@ class MainWindow : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dragMoveEvent(QDragMoveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -87,6 +90,9 @@ class MainWindow : public QMainWindow {
   void show_detection();
   void show_verdict();
   void update_actions();
+
+  // window_events.cpp
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
   // arrangement.cpp
   void toggle_maximised(ViewFrame* frame);
@@ -169,6 +175,9 @@ class MainWindow : public QMainWindow {
   // assets.cpp
   void make_asset_dock();
   void take_asset(const Asset& asset);
+  SceneView* view_at(const QPoint& at) const;
+  void hover_assets(const QList<QUrl>& urls, const QPoint& at);
+  void end_asset_drag();
   void drop_assets(const QList<QUrl>& urls, const QPoint& at);
   void drop_asset(const Asset& asset, SceneView& view, const QPoint& at);
 
@@ -219,6 +228,8 @@ class MainWindow : public QMainWindow {
   ZListPanel* m_zlists = nullptr;
   QDockWidget* m_asset_dock = nullptr;
   AssetBrowser* m_assets = nullptr;
+  AssetDrag* m_asset_drag = nullptr;
+  QString m_dragged_asset;  // file
   QDockWidget* m_arrange_dock = nullptr;
   ArrangePanel* m_arrange_panel = nullptr;
   EditorDetection m_detection;

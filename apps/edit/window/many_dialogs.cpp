@@ -88,18 +88,21 @@ std::optional<ScatterWish> ask_for_scatter(QWidget* parent, const SceneSnapshot&
   const Vec3 middle = box.empty() ? Vec3(Vec3::Zero()) : box.centre();
   const Range x = range(dialog, "x", proposed(middle.x()));
   const Range y = range(dialog, "y", proposed(middle.y()));
+  auto* const pile = dialog.yes_or_no(tr("As a pile, on each other"), wish.pile);
   auto* const keep = dialog.metres(tr("Keep away"), wish.keep, 0);
   auto* const turn =
       dialog.choice(tr("Turned"), {tr("not"), tr("about the vertical"), tr("anyhow")},
                     static_cast<int>(wish.turn));
   auto* const seed = dialog.number(tr("Seed"), static_cast<int>(wish.seed), 0, 1000000);
-  dialog.note(
-      tr("Each comes to rest on that alone, at a free place that the seed chooses; what finds none "
-         "is left out."));
+  dialog.note(tr(
+      "Each object is placed at a random free spot on the selected support, or let fall over its "
+      "middle as a pile; objects that do not fit are skipped. Cancel keeps what is placed."));
   const auto follow = [&] {
     dialog.show_rows({x.lower, x.upper, y.lower, y.upper}, within->isChecked());
+    dialog.show_rows({keep}, !pile->isChecked());
   };
   QObject::connect(within, &QCheckBox::toggled, &dialog, follow);
+  QObject::connect(pile, &QCheckBox::toggled, &dialog, follow);
   follow();
   if (supports.isEmpty() || !dialog.ask()) return std::nullopt;
   if (!put_all) wish.count = count->value();
@@ -107,6 +110,7 @@ std::optional<ScatterWish> ask_for_scatter(QWidget* parent, const SceneSnapshot&
   if (within->isChecked())
     wish.region = {Vec2(x.lower->value(), y.lower->value()),
                    Vec2(x.upper->value(), y.upper->value())};
+  wish.pile = pile->isChecked();
   wish.keep = keep->value();
   wish.turn = static_cast<RandomTurn>(turn->currentIndex());
   wish.seed = static_cast<std::uint64_t>(seed->value());

@@ -8,8 +8,10 @@
 #include <QMessageBox>
 #include <QToolBar>
 
+#include "apps/demo/arranged.h"
 #include "apps/demo/demo.h"
 #include "apps/edit/window/main_window.h"
+#include "apps/edit/window/quick_actions.h"
 
 namespace trivet::edit {
 namespace {
@@ -55,6 +57,10 @@ void MainWindow::make_actions() {
   add_action("two minutes", tr("A table in &two minutes"), {}, [this] { show_two_minutes(this); });
   add_action("shortcuts", tr("&Mouse and keys"), Qt::Key_F1,
              [this] { show_shortcuts(this, shortcut_rows()); });
+  add_action(
+      "quick actions", tr("&Quick actions…"), tr("Ctrl+Space"),
+      [this] { (new QuickActions(actions(), this))->show(); },
+      tr("Quick actions: find an action by words"));
   add_action("about", tr("&About Trivet"), {}, [this] {
     QMessageBox::about(
         this, tr("About Trivet"),
@@ -148,7 +154,8 @@ void MainWindow::make_tool_actions() {
     group->addAction(action);
     m_icons[action] = static_cast<Icon>(kind);
   };
-  tool("select", tr("&Select"), "Q", ToolKind::Select, tr("Select: click, or a box"));
+  tool("select", tr("&Select"), "Q", ToolKind::Select,
+       tr("Select and move: drag an object, click it, or draw a box"));
   tool("put", tr("&Put"), "W", ToolKind::Put,
        tr("Put: drop the object where you click, and let it settle"));
   tool("push", tr("Pus&h"), "E", ToolKind::Push,
@@ -174,6 +181,28 @@ void MainWindow::make_hand_actions() {
       "pick up now", tr("Pick up &now"), tr("U"), [this] { m_toolbox.pick_up(); },
       tr("Pick up the selected object by the distance in the operation panel"));
   add_action(
+      "next way", tr("Next wa&y to lie"), tr("L"), [this] { m_toolbox.lie(Lying::Next); },
+      tr("Lift the object, lay it as it can lie next, and let it settle"));
+  add_action(
+      "on its side", tr("Lay on its s&ide"), {}, [this] { m_toolbox.lie(Lying::OnItsSide); },
+      tr("Lift the object, lay it on its side, and let it settle"));
+  add_action(
+      "upright", tr("Stand upri&ght"), {}, [this] { m_toolbox.lie(Lying::Upright); },
+      tr("Lift the object, stand it upright, and let it settle"));
+  add_action(
+      "lean", tr("L&ean against the last selected"), tr("Shift+L"),
+      [this] {
+        if (!m_toolbox.lean())
+          say(Message::Kind::Info, tr("Lean: select an object that stands, then what it leans on"));
+      },
+      tr("Tilt the object until it touches the one selected last, and let it go"));
+  add_action(
+      "turn left", tr("Turn &left"), tr(","), [this] { m_toolbox.turn(1); },
+      tr("Turn about the vertical by a step, seen from above to the left"));
+  add_action(
+      "turn right", tr("Turn ri&ght"), tr("."), [this] { m_toolbox.turn(-1); },
+      tr("Turn about the vertical by a step, seen from above to the right"));
+  add_action(
       "next contact", tr("Ne&xt contact"), tr("V"), [this] { m_toolbox.next_contact(); },
       tr("The next contact of the active object: the constraint window looks along it, and Push "
          "goes along it, walls included"));
@@ -190,9 +219,12 @@ void MainWindow::make_file_menu() {
   m_recent_menu = file->addMenu(tr("Open &recent"));
   connect(m_recent_menu, &QMenu::aboutToShow, this, &MainWindow::fill_recent_menu);
   QMenu* const demos = file->addMenu(tr("Open &demo"));
-  for (const std::string& name : demo_names())
-    demos->addAction(QString::fromStdString(name),
-                     [this, name] { open_demo(QString::fromStdString(name)); });
+  for (const std::vector<std::string>& names : {demo_names(), arranged_demo_names()}) {
+    for (const std::string& name : names)
+      demos->addAction(QString::fromStdString(name),
+                       [this, name] { open_demo(QString::fromStdString(name)); });
+    demos->addSeparator();
+  }
   fill(*file, m_actions,
        {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
 }
@@ -200,8 +232,8 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_view_menu() {
   QMenu* const view = add_menu(tr("&View"), {"frame", "frame all", ""});
   fill(*view, m_actions,
-       {"top", "side", "front", "from front", "from side", "from above", "from behind",
-        "follow contact", "section", "", "maximise", "reset layout", ""});
+       {"from front", "from side", "from above", "from behind", "follow contact", "section", "",
+        "maximise", "reset layout", ""});
   fill(*view, m_actions, {"hide", "show all", "not selectable", "all selectable"});
   view->addMenu(m_colours);
   view->addMenu(m_bookmark_menu);
@@ -211,8 +243,9 @@ void MainWindow::make_view_menu() {
 void MainWindow::make_context_menu() {
   m_context_menu = new QMenu(this);
   fill(*m_context_menu, m_actions,
-       {"put", "push", "turn", "pick up", "move", "rotate", "", "duplicate", "delete", "lock",
-        "unlock", "fix", "unfix", "", "frame", "hide", "not selectable"});
+       {"put",      "push",        "turn",    "pick up", "move",      "rotate", "",
+        "next way", "on its side", "upright", "",        "duplicate", "delete", "lock",
+        "unlock",   "fix",         "unfix",   "",        "frame",     "hide",   "not selectable"});
   m_context_menu->addMenu(m_colours);
 }
 
@@ -223,13 +256,16 @@ void MainWindow::make_menus() {
       {"undo",        "redo",    "", "duplicate", "rename",    "delete", "",           "select all",
        "select none", "search",  "", "lock",      "unlock",    "fix",    "unfix",      "",
        "group",       "ungroup", "", "collect",   "uncollect", "",       "preferences"});
-  QMenu* const object = add_menu(
-      tr("&Object"), {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint", "",
-                      "put here", "take next", "pick up now", "next contact", "", "snap"});
+  QMenu* const object =
+      add_menu(tr("&Object"),
+               {"select",       "put",        "push",     "turn",        "pick up",   "move",
+                "rotate",       "paint",      "",         "put here",    "take next", "pick up now",
+                "next contact", "",           "next way", "on its side", "upright",   "lean",
+                "turn left",    "turn right", "",         "snap"});
   object->addMenu(m_snap_menu);
   add_menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange"});
   make_view_menu();
-  add_menu(tr("&Help"), {"two minutes", "shortcuts", "about"});
+  add_menu(tr("&Help"), {"quick actions", "two minutes", "shortcuts", "about"});
   make_context_menu();
 }
 
@@ -244,6 +280,10 @@ void MainWindow::make_tool_bar() {
         "select", "put",  "push", "turn",   "pick up",  "move",   "rotate", "paint",
         "",       "snap", "",     "frame",  "maximise", "picture"});
   dress_snap_button(*bar);
+  for (const char* const name :
+       {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint"})
+    if (auto* const button = qobject_cast<QToolButton*>(bar->widgetForAction(action(name))))
+      button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
 
 void MainWindow::dress_actions() {

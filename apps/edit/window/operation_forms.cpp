@@ -15,7 +15,9 @@ namespace trivet::edit {
 
 void OperationPanel::add_select(QFormLayout& form) {
   auto* const text = new QLabel(
-      tr("Click selects, Shift-click adds; drag from an empty place to select with a box."));
+      tr("Drag an object to move it: it slides, climbs onto what is under the mouse, and settles. "
+         "Wheel: turn; L: next way to lie; Shift: lift; Control: snap. Click selects, Shift-click "
+         "adds; drag from the ground to select with a box."));
   text->setWordWrap(true);
   text->setObjectName("faint");
   form.addRow(text);
@@ -142,6 +144,8 @@ void OperationPanel::add_rotate(QFormLayout& form) {
   form.addRow(tr("Axis"), axis);
   auto* const by = angle(form, tr("Angle"), 15, tr("About the centre of mass"));
   add_angle_step(form);
+  choice(form, tr("Lift, turn and settle"), &ToolOptions::lift,
+         tr("For the mouse: otherwise the object turns where it is, and stops at collisions"));
   choice(form, tr("Ignore collisions"), &ToolOptions::free,
          tr("As in a modeller; interpenetrating objects are marked until resolved"));
   choice(form, tr("Settle at the end"), &ToolOptions::let_go, tr("Otherwise the object is held"));
@@ -161,6 +165,16 @@ void OperationPanel::add_paint(QFormLayout& form) {
   text->setWordWrap(true);
   text->setObjectName("faint");
   form.addRow(text);
+  choice(form, tr("Pour a pile"), &ToolOptions::paint_pile,
+         tr("While the button is down, copies fall onto each other under the mouse"));
+  auto* const flow = new QSpinBox;
+  flow->setRange(1, 100);
+  flow->setSuffix(tr(" a second"));
+  flow->setToolTip(tr("Copies of a pile, while the button is down"));
+  flow->setValue(m_toolbox.options().paint_flow);
+  connect(flow, &QSpinBox::valueChanged, this,
+          [this](int value) { m_toolbox.options().paint_flow = value; });
+  form.addRow(tr("Flow"), flow);
   auto* const spacing = threshold(form, tr("Spacing"), &ToolOptions::paint_spacing,
                                   tr("Between the middles of the copies; 0: side by side"));
   spacing->setSpecialValueText(tr("side by side"));

@@ -11,7 +11,6 @@
 #include "apps/edit/window/outliner.h"
 #include "apps/edit/window/units.h"
 #include "core/base/limits.h"
-#include "core/scene/materials.h"
 #include "ops/stability/stability.h"
 
 namespace trivet::edit {
@@ -60,6 +59,13 @@ QDoubleSpinBox* number_box(double lower, double upper, int decimals, double step
   return box;
 }
 
+/// Along the vertical; of an object that is not placed, as it stands in its file.
+double height_of(const Object& object) {
+  if (object.placed) return 2 * world_box(object).half_extent().z();
+  const Vec3 half = object.shape->box.half_extent();
+  return 2 * object.scale * (object.up == UpAxis::Y ? half.y() : half.z());
+}
+
 QString weight_text(const Object& object) {
   const double kilograms = weight_of(object) / kGravity;
   return kilograms < 1 ? number(1000 * kilograms, 1) + " g" : number(kilograms, 3) + " kg";
@@ -87,6 +93,7 @@ Properties::Properties(Document& document, QWidget* parent)
       m_position(new VectorField("position", 1e6, 4, 0.01)),
       m_rotation(new VectorField("rotation", 360, 2, 5)),
       m_scale(number_box(1e-6, 1e6, 6, 0.1, {})),
+      m_height(number_box(1e-6, 1e6, 4, 0.01, tr(" m"))),
       m_unit(new QComboBox),
       m_up(new QComboBox),
       m_friction(number_box(kMinFriction, kMaxFriction, 3, 0.05, {})),
@@ -149,6 +156,14 @@ void Properties::add_scale() {
     widget->setToolTip(
         tr("Metres per unit of the model; with another number it is put anew in its place"));
   m_form->addRow(title, m_scale);
+  auto* const tall = new QLabel(tr("Height"));
+  tall->setObjectName("faint");
+  m_height->setObjectName("height");
+  for (QWidget* const widget : std::initializer_list<QWidget*>{tall, m_height})
+    widget->setToolTip(
+        tr("As it lies; with another number the object is scaled, and settles with its loads"));
+  m_form->addRow(tall, m_height);
+  connect(m_height, &QDoubleSpinBox::valueChanged, this, &Properties::take_height);
   connect(m_scale, &QDoubleSpinBox::valueChanged, this, &Properties::take_scale);
 }
 
@@ -185,6 +200,13 @@ void Properties::take_scale(double metres) {
   if (object && object->scale != metres) m_document.rescale(object->name, metres, kDropHeight);
 }
 
+void Properties::take_height(double metres) {
+  const Object* const object = active_object();
+  if (!object) return;
+  const double now = height_of(*object);
+  if (now > 0) take_scale(object->scale * metres / now);
+}
+
 void Properties::take_up(UpAxis up) {
   const Object* const object = active_object();
   if (object && object->up != up) m_document.rescale(object->name, object->scale, up, kDropHeight);
@@ -203,60 +225,6 @@ void Properties::stand(PosePart part, int axis, double value) {
   stand.object = object->name;
   stand.pose = with_number(object->pose, part, axis, value);
   m_document.perform(stand);
-}
-
-void Properties::add_material() {
-  m_preset->setObjectName("material");
-  m_friction->setObjectName("friction");
-  m_preset->addItem(tr("numbers"));
-  for (const std::string& name : material_names()) m_preset->addItem(QString::fromStdString(name));
-  const auto add = [&](const QString& name, QWidget* field, const QString& tip) {
-    auto* const title = new QLabel(name);
-    title->setObjectName("faint");
-    title->setToolTip(tip);
-    field->setToolTip(tip);
-    m_form->addRow(title, field);
-  };
-  add(tr("Material"), m_preset, tr("A preset, or the numbers below"));
-  add(tr("Friction"), m_friction,
-      tr("Coulomb coefficient; of two surfaces in contact the smaller one holds"));
-  add(tr("Density"), m_density, tr("For weights, and for simulators"));
-  add(tr("Restitution"), m_restitution, tr("For simulators: nothing bounces here"));
-  connect(m_preset, &QComboBox::activated, this, [this](int index) {
-    if (index > 0) take_material(*material_preset(m_preset->itemText(index).toStdString()));
-  });
-  const std::pair<QDoubleSpinBox*, double PhysicsMaterial::*> numbers[] = {
-      {m_friction, &PhysicsMaterial::friction},
-      {m_density, &PhysicsMaterial::density},
-      {m_restitution, &PhysicsMaterial::restitution}};
-  for (const auto& [box, member] : numbers)
-    connect(box, &QDoubleSpinBox::valueChanged, this, [this, member = member](double value) {
-      PhysicsMaterial material = m_material;  // unchanged values keep all their digits
-      material.name.clear();
-      material.*member = value;
-      take_material(material);
-    });
-}
-
-void Properties::show_material(const PhysicsMaterial& material) {
-  m_material = material;
-  const QSignalBlocker preset(m_preset), friction(m_friction), density(m_density),
-      restitution(m_restitution);
-  m_preset->setCurrentIndex(
-      is_preset(material) ? m_preset->findText(QString::fromStdString(material.name)) : 0);
-  m_friction->setValue(material.friction);
-  m_density->setValue(material.density);
-  m_restitution->setValue(material.restitution);
-}
-
-void Properties::take_material(const PhysicsMaterial& material) {
-  const auto snapshot = m_document.snapshot();
-  std::vector<Operation> operations;
-  for (const ObjectId id : m_document.selection().objects)
-    if (const ObjectSnapshot* const object = snapshot->find(id))
-      operations.push_back(MaterialOperation{(*object)->name, material});
-  if (!operations.empty())
-    m_document.perform_all(tr("material").toStdString(), std::move(operations));
 }
 
 void Properties::set(const QString& name, const QString& value, const QString& tip) {
@@ -281,6 +249,8 @@ void Properties::show_pose(const Object& object) {
   m_rotation->show_values(placed ? angles_deg(object.pose.rotation) : Vec3::Zero());
   const QSignalBlocker scale(m_scale);
   m_scale->setValue(object.scale);
+  const QSignalBlocker height(m_height);
+  m_height->setValue(height_of(object));
   show_frame(object);
   const Vec3 size = placed ? Vec3(2 * world_box(object).half_extent())
                            : Vec3(2 * object.scale * object.shape->box.half_extent());
@@ -302,13 +272,10 @@ void Properties::show_rest(const Object& object, ObjectId id) {
       tr("Smallest Coulomb coefficient that holds the object"));
   const auto verdict = m_document.verdict();
   const ObjectStability* const judged = verdict ? verdict->find(id) : nullptr;
-  set(tr("As a whole"),
-      judged ? tr("%1, margin %2")
-                   .arg(QString::fromStdString(object_text(object, *judged)),
-                        length_text(judged->margin))
-             : none,
+  set(tr("As a whole"), judged ? QString::fromStdString(object_text(object, *judged)) : none,
       tr("With all that it touches, at the friction of the materials. Margin: how far all weights "
-         "may shift sideways before it gives way"));
+         "may shift sideways before it gives way: %1")
+          .arg(judged ? length_text(judged->margin) : none));
 }
 
 void Properties::show_object() {

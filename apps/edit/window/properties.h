@@ -32,6 +32,7 @@ class Properties : public QScrollArea {
   // Another one has the model put anew in its place.
   void take_scale(double metres);
   void take_up(UpAxis up);
+  void take_height(double metres);
   void show_frame(const Object& object);
   void stand(PosePart part, int axis, double value);
   void add_material();
@@ -49,7 +50,7 @@ class Properties : public QScrollArea {
   PhysicsMaterial m_material;  // of the active object
   QComboBox* m_preset;
   VectorField *m_position, *m_rotation;
-  QDoubleSpinBox* m_scale;
+  QDoubleSpinBox *m_scale, *m_height;
   QComboBox *m_unit, *m_up;
   QDoubleSpinBox *m_friction, *m_density, *m_restitution;
 };

@@ -9,12 +9,27 @@
 namespace trivet::edit {
 namespace {
 
-constexpr int kRestsMs = 120;  // without motion, after which what is held counts as still
+constexpr double kSamePlace = 0.01;  // of the size; of a turn in radians
+constexpr int kRestsMs = 120;        // without motion, after which what is held counts as still
 
 bool moves(const QElapsedTimer& moved) { return moved.isValid() && moved.elapsed() < kRestsMs; }
 
 /// Marks whole objects weakly when faces are lit.
 float strength(float alone, bool faces_are_lit) { return faces_are_lit ? 0.35f * alone : alone; }
+
+// A ghost where its object is drawn anyway would only tint it.
+std::vector<Ghost::Member> elsewhere(const SceneSnapshot& scene,
+                                     std::vector<Ghost::Member> members) {
+  std::erase_if(members, [&](const Ghost::Member& member) {
+    const ObjectSnapshot* const object = scene.find(member.id);
+    if (!object || !(*object)->placed) return false;
+    const Pose& here = (*object)->pose;
+    const double size = world_box(*object->object).diagonal();
+    return (here.translation - member.pose.translation).norm() < kSamePlace * size &&
+           (here.rotation.matrix() - member.pose.rotation.matrix()).norm() < kSamePlace;
+  });
+  return members;
+}
 
 }  // namespace
 
@@ -84,16 +99,14 @@ bool SceneDrawing::stops_drag(const ObjectSnapshot& object) const {
   return drag && drag->blocked && object->name == drag->blocked_by.name;
 }
 
+bool SceneDrawing::is_lit(ObjectId id) const {
+  return std::find(m_lit.objects.begin(), m_lit.objects.end(), id) != m_lit.objects.end();
+}
+
 LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
   const auto snapshot = m_document.snapshot();
-  const bool is_lit =
-      std::find(m_lit.objects.begin(), m_lit.objects.end(), object.id) != m_lit.objects.end();
-  const bool warns = m_lit.kind == Message::Kind::Warning;
-  const bool is_done = warns || m_lit.kind == Message::Kind::Info;
-  const bool faces = snapshot->invalid || !m_lit.faces.empty();
-  if (is_lit && !(is_done && faces))
-    return !is_done ? live_colour(m_theme.refused(), 0.5f)
-                    : live_colour(warns ? m_theme.warning() : m_theme.information(), 0.35f);
+  if (m_lit.kind == Message::Kind::Warning && is_lit(object.id) && !snapshot->invalid)
+    return live_colour(m_theme.warning(), 0.35f);
   switch (object->state) {
     case ObjectState::Invalid:
       return {0.9f, 0.1f, 0.15f, strength(0.55f, snapshot->invalid != nullptr)};
@@ -106,12 +119,8 @@ LiveColour SceneDrawing::tint_of(const ObjectSnapshot& object) const {
   }
 }
 
-// The colour that was chosen for it; of several selected objects, those that are not the active one
-// are told apart.
+// The colour that was chosen for it. What is selected keeps its own: an outline shows it.
 LiveColour SceneDrawing::look_of(const ObjectSnapshot& object) const {
-  const Selection& selection = m_document.selection();
-  if (selection.contains(object.id) && selection.active() != object.id)
-    return live_colour(m_theme.accent(), 0.3f);
   const auto colour = m_document.looks().shown(object.id).colour;
   return colour ? LiveColour{(*colour)[0], (*colour)[1], (*colour)[2], 0.8f} : LiveColour{};
 }
@@ -124,7 +133,7 @@ LiveScene SceneDrawing::scene(const View& view) const {
     if (!object->placed || m_document.looks().shown(object.id).hidden) continue;
     LiveObject live = live_object(*object.object, m_playback.pose_of(object));
     live.tint = tint_of(object);
-    live.outlined = m_document.selection().contains(object.id);
+    live.outlined = m_document.selection().contains(object.id) || is_lit(object.id);
     live.moving = m_playback.moves(object.id) || is_dragged(object.id);
     out.objects.push_back(std::move(live));
     add_in_the_way(object, out);
@@ -144,14 +153,13 @@ LiveScene SceneDrawing::scene(const View& view) const {
   return out;
 }
 
-// The blocker is drawn once more, as if it moved: what stands still need not be drawn again
-// whenever it is touched. A table may fill the picture: of what is fixed, faces and points are lit
-// alone.
+// The outline of the blocker, which is drawn once more as if it moved: what stands still need not
+// be drawn again whenever it is touched. A table may fill the picture: of what is fixed, the place
+// of the contact is marked alone.
 void SceneDrawing::add_in_the_way(const ObjectSnapshot& object, LiveScene& scene) const {
   if (!stops_drag(object) || object->fixed) return;
   LiveObject again = scene.objects.back();
-  again.tint =
-      live_colour(m_theme.refused(), strength(0.45f, !m_document.snapshot()->drag->faces.empty()));
+  again.outlined = true;
   again.moving = true;
   scene.objects.push_back(std::move(again));
 }
@@ -161,7 +169,7 @@ void SceneDrawing::add_ghost(LiveScene& scene) const {
   const Ghost& ghost = *m_document.ghost();
   const auto snapshot = m_document.snapshot();
   if (!ghost.ok && snapshot->drag) return;  // the dragged object is there
-  add_ghosts(*snapshot, ghost.members,
+  add_ghosts(*snapshot, elsewhere(*snapshot, ghost.members),
              ghost.ok ? live_colour(m_theme.accent(), 0.45f) : live_colour(m_theme.lit(), 0.7f),
              scene);
   if (ghost.ok) return;

@@ -46,6 +46,7 @@ class SceneDrawing : public QObject {
   void follow_document();
   bool is_dragged(ObjectId id) const;
   bool stops_drag(const ObjectSnapshot& object) const;
+  bool is_lit(ObjectId id) const;  // by a message
   LiveColour tint_of(const ObjectSnapshot& object) const;
   LiveColour look_of(const ObjectSnapshot& object) const;
   void add_in_the_way(const ObjectSnapshot& object, LiveScene& scene) const;
@@ -62,7 +63,7 @@ class SceneDrawing : public QObject {
   void add_playback(LiveOverlay& overlay) const;
   void add_interference(LiveOverlay& overlay) const;
   void add_crossing(LiveOverlay& overlay, const InterferingFaces& faces) const;
-  void add_blocking(LiveOverlay& overlay, const InterferingFaces& faces) const;
+  void add_patch(LiveOverlay& overlay, const InterferingFaces& faces, const Vec3& at) const;
   void add_toppling(LiveOverlay& overlay, const View& view) const;
   void add_zlists(LiveOverlay& overlay) const;
   void add_tool(LiveOverlay& overlay, const View& view) const;

@@ -4,6 +4,7 @@
 #include <QColor>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "apps/edit/window/scene_drawing.h"
 #include "ops/placement/neighbourhood.h"
@@ -14,10 +15,12 @@ namespace {
 constexpr double kNormalPx = 26, kNormalOfObject = 0.15;  // length of normals: the shorter of both
 constexpr double kHeadPx = 9, kHeadOfArrow = 0.3;         // of arrows: the shorter of both
 constexpr size_t kManyPoints = 12;                        // of a contact
+constexpr double kPatchOfObject = 0.04;                   // radius of the mark of a contact
+constexpr int kPatchSides = 20, kHatchLines = 9;
 constexpr size_t kManyFaces = 300;  // above, faces are lit without their edges
-const LiveColour kContactRed{0.92f, 0.20f, 0.18f, 1};
+const LiveColour kContactColour{0.10f, 0.62f, 0.62f, 1};  // red is for what is wrong
 const LiveColour kGravityLine{0.30f, 0.55f, 0.95f, 1};
-const LiveColour kVolume{0.92f, 0.20f, 0.18f, 0.6f};  // thinner than hulls
+const LiveColour kVolume{0.10f, 0.62f, 0.62f, 0.5f};  // thinner than hulls
 const LiveColour kAxes[4] = {{0.86f, 0.27f, 0.27f, 1},
                              {0.35f, 0.68f, 0.25f, 1},
                              {0.25f, 0.45f, 0.90f, 1},
@@ -33,6 +36,30 @@ double foot_height(const SceneSnapshot& scene) {
   if (scene.floor) return 0;
   const Aabb box = scene.box();
   return box.empty() ? 0 : box.lower.z();
+}
+
+/// Parallel lines over a convex polygon, at equal distances.
+std::vector<std::array<Vec3, 2>> hatch(const std::vector<Vec3>& hull) {
+  std::vector<std::array<Vec3, 2>> out;
+  if (hull.size() < 3) return out;
+  const Vec3 longest = hull[1] - hull[0];
+  const Vec3 normal = longest.cross(hull[2] - hull[0]);
+  if (!(normal.norm() > 0)) return out;
+  const Vec3 across = (longest + normal.normalized().cross(longest)).normalized();
+  const auto height = [&](const Vec3& p) { return across.dot(p - hull[0]); };
+  double low = 0, high = 0;
+  for (const Vec3& p : hull) low = std::min(low, height(p)), high = std::max(high, height(p));
+  for (int k = 1; k < kHatchLines; ++k) {
+    const double level = low + (high - low) * k / kHatchLines;
+    std::vector<Vec3> ends;
+    for (size_t i = 0; i < hull.size(); ++i) {
+      const Vec3 &a = hull[i], &b = hull[(i + 1) % hull.size()];
+      const double from = height(a) - level, to = height(b) - level;
+      if ((from < 0) != (to < 0)) ends.push_back(a + from / (from - to) * (b - a));
+    }
+    if (ends.size() == 2) out.push_back({ends[0], ends[1]});
+  }
+  return out;
 }
 
 std::vector<Triangle> triangles_of(const SceneSnapshot& scene, const FacesOfObject& of) {
@@ -68,13 +95,14 @@ void SceneDrawing::add_gravity_line(LiveOverlay& overlay, const SceneSnapshot& s
   overlay.points.push_back({centre, {1, 1, 1, 1}, 1.8f, Hidden::Shown});
 }
 
-// The hull of the contact in red [Shinya 1995, Fig. 15b].
+// The hull of the contact [Shinya 1995, Fig. 15b]: its outline, and a light hatch.
 void SceneDrawing::add_hull(LiveOverlay& overlay, const Contact& contact) const {
-  overlay.add_polygon(contact.hull, with_alpha(kContactRed, 0.30f), Hidden::Faint);
-  if (contact.hull.size() > 1) overlay.add_loop(contact.hull, kContactRed, 1.8f, Hidden::Faint);
-  const float radius = contact.points.size() > kManyPoints ? 1.5f : 3;
+  for (const auto& [a, b] : hatch(contact.hull))
+    overlay.lines.push_back({a, b, with_alpha(kContactColour, 0.45f), 0.8f, Hidden::Faint});
+  if (contact.hull.size() > 1) overlay.add_loop(contact.hull, kContactColour, 1.4f, Hidden::Faint);
+  const float radius = contact.points.size() > kManyPoints ? 1.2f : 2.4f;
   for (const ContactPoint& point : contact.points)
-    overlay.points.push_back({point.point, kContactRed, radius, Hidden::Faint});
+    overlay.points.push_back({point.point, kContactColour, radius, Hidden::Faint});
 }
 
 // With normals; where there are many points, one for all.
@@ -90,11 +118,11 @@ void SceneDrawing::add_contact(LiveOverlay& overlay, const Object& object, const
     middle += point.point / double(contact.points.size());
     if (!many)
       overlay.lines.push_back({point.point, point.point + length * point.normal,
-                               with_alpha(kContactRed, 0.75f), 1.2f, Hidden::Faint});
+                               with_alpha(kContactColour, 0.75f), 1.2f, Hidden::Faint});
   }
   if (many)
     overlay.lines.push_back(
-        {middle, middle + length * contact.normal, kContactRed, 1.8f, Hidden::Faint});
+        {middle, middle + length * contact.normal, kContactColour, 1.8f, Hidden::Faint});
 }
 
 void SceneDrawing::add_volume(LiveOverlay& overlay, const ProjectionVolume& volume) const {
@@ -108,7 +136,7 @@ void SceneDrawing::add_drag(LiveOverlay& overlay) const {
   add_volume(overlay, drag.volume);
   for (const Contact& contact : drag.contacts) add_hull(overlay, contact);
   if (drag.blocked && drag.end != OperationResult::End::Edge)
-    overlay.points.push_back({drag.blocked_at, live_colour(m_theme.refused()),
+    overlay.points.push_back({drag.blocked_at, live_colour(m_theme.warning()),
                               drag.faces.empty() ? 7.0f : 4.0f, Hidden::Shown});
 }
 
@@ -138,9 +166,12 @@ void SceneDrawing::add_interference(LiveOverlay& overlay) const {
   if (snapshot->invalid)
     for (const InvalidObject& object : *snapshot->invalid)
       if (!is_dragged(object.id)) add_crossing(overlay, object.faces);
-  if (!snapshot->drag) return add_blocking(overlay, m_lit.faces);
+  if (!snapshot->drag) {
+    if (!m_lit.points.empty()) add_patch(overlay, m_lit.faces, m_lit.points.front());
+    return;
+  }
   if (snapshot->drag->blocked)
-    add_blocking(overlay, snapshot->drag->faces);
+    add_patch(overlay, snapshot->drag->faces, snapshot->drag->blocked_at);
   else
     add_crossing(overlay, snapshot->drag->faces);
 }
@@ -155,14 +186,26 @@ void SceneDrawing::add_crossing(LiveOverlay& overlay, const InterferingFaces& fa
     }
 }
 
-// Touching faces are hidden by their own objects: their edges are drawn on top.
-void SceneDrawing::add_blocking(LiveOverlay& overlay, const InterferingFaces& faces) const {
-  const LiveColour area = live_colour(m_theme.lit(), 0.75f), edge = live_colour(m_theme.lit());
+// Where something stops a motion: a small disc on the first of the touching faces, which may be as
+// large as a wall.
+void SceneDrawing::add_patch(LiveOverlay& overlay, const InterferingFaces& faces,
+                             const Vec3& at) const {
   for (const FacesOfObject& of : faces.objects)
     for (const Triangle& t : triangles_of(*m_document.snapshot(), of)) {
-      overlay.triangles.push_back({t, area, Hidden::Faint});
-      if (of.faces.size() <= kManyFaces)
-        overlay.add_loop({t[0], t[1], t[2]}, edge, 1.5f, Hidden::Shown);
+      const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+      const ObjectSnapshot* const object = m_document.snapshot()->find(of.id);
+      if (!(normal.norm() > 0) || !object) continue;
+      const double radius = kPatchOfObject * world_box(*object->object).diagonal();
+      const Vec3 side = normal.normalized().unitOrthogonal();
+      const Vec3 other = normal.normalized().cross(side);
+      std::vector<Vec3> disc;
+      for (int i = 0; i < kPatchSides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kPatchSides;
+        disc.push_back(at + radius * (std::cos(angle) * side + std::sin(angle) * other));
+      }
+      overlay.add_polygon(disc, live_colour(m_theme.warning(), 0.45f), Hidden::Shown);
+      overlay.add_loop(disc, live_colour(m_theme.warning()), 1.5f, Hidden::Shown);
+      return;
     }
 }
 

@@ -53,6 +53,7 @@ class SceneView : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
@@ -67,6 +68,7 @@ class SceneView : public QWidget {
   void request();
   int& coarseness();
   void take(int view, quint64 number, const QImage& image, double milliseconds, bool whole);
+  bool turn_in_hand(const QWheelEvent& event);
   bool send(PointerEvent::Kind kind, const QMouseEvent& event);
   void paint_label(QPainter& painter, const QRectF& box, int flags, const QString& text,
                    const QColor& colour) const;

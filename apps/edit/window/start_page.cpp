@@ -13,7 +13,10 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStringList>
+#include <algorithm>
+#include <utility>
 
+#include "apps/demo/arranged.h"
 #include "apps/demo/demo.h"
 #include "apps/edit/window/icons.h"
 
@@ -22,16 +25,22 @@ namespace {
 
 constexpr int kWidth = 720;
 constexpr int kMostShown = 6;
-constexpr QSize kDemoPicture(96, 64);
+constexpr QSize kDemoPicture(72, 48);
 
 /// In the resources: 288 x 192 pixels.
 QPixmap picture_of(const QString& demo) { return QPixmap(":/demos/" + demo + ".png"); }
 
 QString description_of(const std::string& demo) {
-  if (demo == "spoon-saucer") return StartPage::tr("A cup, a saucer and a spoon: the first steps");
+  if (demo == "spoon-saucer") return StartPage::tr("A spoon and its saucer: the first steps");
   if (demo == "breakfast") return StartPage::tr("A breakfast table of 24 objects");
   if (demo == "office1") return StartPage::tr("A tidy office of 16 objects");
   if (demo == "office2") return StartPage::tr("The same office, untidied, with 9 more objects");
+  if (demo == "table-for-six") return StartPage::tr("A table laid for six");
+  if (demo == "tight-table") return StartPage::tr("The same on a smaller table");
+  if (demo == "bookcase") return StartPage::tr("Books in rows, a plant and a telephone");
+  if (demo == "market") return StartPage::tr("A shop's shelf, filled row by row");
+  if (demo == "office3") return StartPage::tr("A desk with everything in view and in reach");
+  if (demo == "workshop") return StartPage::tr("A workbench, tools and parts in their zones");
   return {};
 }
 
@@ -115,12 +124,19 @@ void StartPage::add_beginnings(QVBoxLayout& column) {
       tr("Any mesh; or drop files onto this window"), [this] { Q_EMIT import_wanted(); });
   add(0, icon_of(Icon::Put), tr("A table in two minutes"), tr("A tutorial in eight steps"),
       [this] { Q_EMIT help_wanted(); });
-  for (const std::string& demo : demo_names()) {
+  const auto add_demo = [&](int side, const std::string& demo) {
     const QString name = QString::fromStdString(demo);
-    add(1, picture_of(name), name, description_of(demo), [this, name] {
+    add(side, picture_of(name), name, description_of(demo), [this, name] {
       Q_EMIT demo_wanted(name);
     })->setIconSize(kDemoPicture);
-  }
+  };
+  for (const std::string& demo : demo_names()) add_demo(1, demo);
+  line[0] = line[1] = std::max(line[0], line[1]);
+  grid->addWidget(heading(tr("Demos that arrange themselves by constraints")), line[0]++, 0, 1, 2);
+  line[1] = line[0];
+  int side = 0;
+  for (const std::string& demo : arranged_demo_names())
+    add_demo(std::exchange(side, 1 - side), demo);
   column.addLayout(grid);
 }
 

@@ -45,7 +45,7 @@ void Theme::apply(QApplication& application) const {
     QToolBar QToolButton[popupMode="1"] { padding-right: 17px; }
     QToolBar QToolButton::menu-button { border: none; width: 14px; }
     QToolBar QToolButton:hover { background: rgba(128, 128, 128, 60); }
-    QToolBar QToolButton:checked { background: %5; }
+    QToolBar QToolButton:checked { background: %5; color: %4; }
     QStatusBar { border-top: 1px solid %1; }
     QStatusBar::item { border: none; }
     QTreeWidget, QListWidget, QScrollArea, QTableWidget { border: none; }

@@ -25,7 +25,7 @@ void MainWindow::make_view_actions() {
     aim_constraint_window();
   });
   m_icons[add_action(
-      "maximise", tr("&Maximise window"), tr("Ctrl+Space"),
+      "maximise", tr("&Maximise window"), tr("Shift+Space"),
       [this] {
         ViewFrame* frame = m_frames[0];
         for (ViewFrame* const other : m_frames)

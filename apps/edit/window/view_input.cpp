@@ -1,4 +1,5 @@
 // Mouse and keyboard of a view: its camera, its section, and events for the tools.
+#include <QApplication>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -120,7 +121,21 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (camera_drag_of(*event) == CameraDrag::None) send(PointerEvent::Kind::DoubleClick, *event);
 }
 
-// With Control the wheel moves the section.
+bool SceneView::turn_in_hand(const QWheelEvent& event) {
+  PointerEvent out;
+  out.kind = PointerEvent::Kind::Wheel;
+  out.px = Vec2(event.position().x(), event.position().y());
+  out.wheel_steps = event.angleDelta().y() / 120.0;
+  out.left_is_down = event.buttons().testFlag(Qt::LeftButton);
+  out.modifiers = modifiers_of(event.modifiers());
+  out.window = m_kind;
+  out.view = view();
+  const bool taken = m_toolbox.pointer(out);
+  if (taken) Q_EMIT pointed();
+  return taken;
+}
+
+// The wheel turns what is in the hand. With Control it moves the section.
 void SceneView::wheelEvent(QWheelEvent* event) {
   if (event->modifiers().testFlag(Qt::ControlModifier) && m_section.on) {
     const View now = view();
@@ -128,10 +143,16 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     m_section.shift += kCutPx * metres * event->angleDelta().y() / 120.0;
     return redraw();
   }
+  if (turn_in_hand(*event)) return;
   m_camera.zoom(event->angleDelta().y() / 120.0, event->position(), size());
   m_camera_moved.start();
   Q_EMIT camera_moved();
   redraw();
+}
+
+// Keys act on the view under the pointer.
+void SceneView::enterEvent(QEnterEvent*) {
+  if (!takes_text(QApplication::focusWidget())) setFocus(Qt::MouseFocusReason);
 }
 
 void SceneView::leaveEvent(QEvent*) {

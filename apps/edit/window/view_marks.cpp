@@ -89,7 +89,8 @@ void SceneView::paint_at_pointer(QPainter& painter) const {
   const auto& pointer = m_toolbox.last_pointer();
   if (!pointer || pointer->window != m_kind || pointer->kind == PointerEvent::Kind::Leave) return;
   const Theme& theme = m_drawing.theme();
-  const bool refused = ghost && !ghost->ok && !ghost->text.empty() && !m_document.is_dragging();
+  const bool refused = ghost && !ghost->text.empty() &&
+                       (ghost->hangs_back || (!ghost->ok && !m_document.is_dragging()));
   const std::string note = refused ? ghost->text : m_toolbox.overlay(view()).note;
   if (!note.empty())
     paint_note(painter, QString::fromStdString(note), pointer->px,

@@ -1,4 +1,5 @@
 // Events of the main window: Escape, size, end, files that are dropped.
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -6,8 +7,10 @@
 #include <QMimeData>
 #include <QResizeEvent>
 #include <QStringList>
+#include <QTimer>
 #include <QUrl>
 
+#include "apps/edit/window/key_events.h"
 #include "apps/edit/window/main_window.h"
 
 namespace trivet::edit {
@@ -23,6 +26,17 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     return;
   }
   QMainWindow::keyPressEvent(event);
+}
+
+// After Return in a field, keys are the view's again.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  const auto* const field = qobject_cast<const QWidget*>(watched);
+  if (event->type() == QEvent::KeyPress && takes_text(field) && field->window() == this) {
+    const int key = static_cast<const QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Return || key == Qt::Key_Enter)
+      QTimer::singleShot(0, this, [this] { active_view()->setFocus(); });
+  }
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -45,6 +59,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
+
+void MainWindow::dragMoveEvent(QDragMoveEvent* event) {
+  if (event->mimeData()->hasFormat(kAssetsMime))
+    hover_assets(event->mimeData()->urls(), event->position().toPoint());
+  QMainWindow::dragMoveEvent(event);
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { end_asset_drag(); }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   if (event->mimeData()->hasFormat(kAssetsMime))

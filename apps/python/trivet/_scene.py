@@ -13,6 +13,7 @@ from ._files import Files
 from ._named import name_of
 from ._object import Object
 from ._pictures import Pictures
+from ._pour import Pours
 from ._properties import Material, material_of
 from ._questions import Questions
 from ._results import Result, done
@@ -22,7 +23,7 @@ from ._snapshot import Snapshot
 from ._transaction import Transaction
 
 
-class Scene(Files, Pictures, Questions):
+class Scene(Files, Pictures, Pours, Questions):
     """Objects that never interpenetrate and lie at rest; gravity along -z.
 
     A mapping of names to objects, in the order of their addition. Any number of threads may use one scene: one at a time

@@ -34,6 +34,19 @@ void Hand::send(PointerEvent::Kind kind, const Vec2& at) {
   m_toolbox.pointer(event);
 }
 
+void Hand::wheel(const Vec2& at, double steps) {
+  PointerEvent event;
+  event.kind = PointerEvent::Kind::Wheel;
+  event.px = at;
+  event.wheel_steps = steps;
+  event.left_is_down = m_down;
+  event.modifiers = modifiers;
+  event.window = window;
+  event.view = view;
+  m_toolbox.pointer(event);
+  m_document->wait_until_idle();
+}
+
 void Hand::click(const Vec2& at) {
   move(at);
   press(at);

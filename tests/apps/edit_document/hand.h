@@ -23,6 +23,8 @@ class Hand {
   void press(const Vec2& at) { send(PointerEvent::Kind::Press, at); }
   void move(const Vec2& at) { send(PointerEvent::Kind::Move, at); }
   void release(const Vec2& at) { send(PointerEvent::Kind::Release, at); }
+  /// Turns the wheel over a pixel.
+  void wheel(const Vec2& at, double steps);
   void click(const Vec2& at);
   /// Drags in `steps` moves; waits until each has been followed.
   void drag(const Vec2& from, const Vec2& to, int steps = 10);

@@ -201,6 +201,57 @@ TEST_F(Many, PutsAllThatAreNotPlaced) {
   EXPECT_EQ(scene().objects.size(), 5u);
 }
 
+TEST_F(Many, PoursAPileIntoABox) {
+  write_boxes(folder.file("crate.obj"), {{{-0.1, -0.1, 0}, {0.1, 0.1, 0.01}},
+                                         {{-0.1, -0.1, 0.01}, {-0.09, 0.1, 0.1}},
+                                         {{0.09, -0.1, 0.01}, {0.1, 0.1, 0.1}},
+                                         {{-0.09, -0.1, 0.01}, {0.09, -0.09, 0.1}},
+                                         {{-0.09, 0.09, 0.01}, {0.09, 0.1, 0.1}}});
+  document.import(folder.file("crate.obj"), "crate");
+  PutOperation put;
+  put.object = "crate";
+  put.start.translation = Vec3(0.1, 0, 0.03);
+  ASSERT_TRUE(document.done(document->perform(put))) << document.last_text();
+  ScatterWish wish;
+  wish.objects = {"box"};
+  wish.count = 24;
+  wish.on = "crate";
+  wish.pile = true;
+  wish.turn = RandomTurn::Any;
+  run(scattered(scene(), wish));
+  const Aabb crate = world_box(document.object("crate"));
+  int num_inside = 0, num_above = 0;
+  for (const ObjectSnapshot& o : scene().objects) {
+    if (o->name == "box" || o->model->path != document.object("box").model->path) continue;
+    const Vec3 centre = o->centre_of_mass();
+    num_inside += std::abs(centre.x() - 0.1) < 0.1 && std::abs(centre.y()) < 0.1;
+    num_above += centre.z() > crate.lower.z() + 0.055;
+  }
+  EXPECT_GE(num_inside, 20) << document.last_text();
+  EXPECT_GE(num_above, 4) << "they lie on each other";
+}
+
+TEST_F(Many, KeepsWhatIsPlacedWhenCancelled) {
+  ScatterWish wish;
+  wish.objects = {"box"};
+  wish.count = 500;
+  wish.on = "tray";
+  wish.pile = true;
+  const size_t steps = document->history().num_done;
+  const auto stop =
+      QObject::connect(&*document, &Document::progressed, [&](const QString&, int done, int total) {
+        if (total == 500 && done >= 5) document->cancel();
+      });
+  EXPECT_TRUE(document.done(document->perform_groups("pour", scattered(scene(), wish))));
+  QObject::disconnect(stop);
+  EXPECT_EQ(document->history().num_done, steps + 1);
+  EXPECT_GE(scene().objects.size(), 6u);
+  EXPECT_LT(scene().objects.size(), 400u);
+  EXPECT_EQ(document.messages().back().kind, Message::Kind::Info);
+  EXPECT_NE(document.last_text().find("stopped after"), std::string::npos) << document.last_text();
+  EXPECT_EQ(wrong_with(scene()), "");
+}
+
 TEST_F(Many, AlignsAndSpacesEvenly) {
   put("b", Vec3(-0.1, 0.05, 0.03));
   put("c", Vec3(0.05, -0.1, 0.03));

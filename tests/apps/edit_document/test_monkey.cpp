@@ -72,11 +72,11 @@ class Monkey {
     m_hand.release(from);
   }
   void key() {
-    const std::string keys = "qwertghpux";
+    const std::string keys = "qwertghpuxl,.";
     if (m_random.integer(0, 15) == 0)
       m_hand.key(KeyEvent::Key::Delete);
     else
-      m_hand.key(keys[static_cast<size_t>(m_random.integer(0, 9))]);
+      m_hand.key(keys[static_cast<size_t>(m_random.integer(0, 12))]);
   }
   void history() {
     const size_t num = m_document->history().steps.size();

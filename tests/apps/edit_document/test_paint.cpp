@@ -1,5 +1,7 @@
 // PAINT: places along strokes; strokes with the mouse.
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "apps/edit/document/paint.h"
 #include "apps/edit_document/hand.h"
@@ -119,6 +121,36 @@ TEST_F(Painting, LeavesOutWhatDoesNotFit) {
   EXPECT_GE(poses().size(), 3u);
   EXPECT_LT(poses().size(), 20u);
   EXPECT_NE(document.last_text().find("refused"), std::string::npos) << document.last_text();
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+}
+
+TEST(Paint, SpraysOverADisc) {
+  const std::vector<Vec3> places = sprayed(Vec3(1, 2, 3), 0.5, 200, 7);
+  ASSERT_EQ(places.size(), 200u);
+  double widest = 0;
+  for (const Vec3& place : places) {
+    EXPECT_EQ(place.z(), 3);
+    widest = std::max(widest, (place - Vec3(1, 2, 3)).norm());
+  }
+  EXPECT_LE(widest, 0.5);
+  EXPECT_GT(widest, 0.4);
+  EXPECT_EQ(sprayed(Vec3(1, 2, 3), 0.5, 200, 7), places);
+}
+
+TEST_F(Painting, PoursAPileWhileTheButtonIsDown) {
+  toolbox.options().paint_pile = true;
+  toolbox.options().paint_flow = 100;
+  const size_t steps = document->history().num_done;
+  hand.press(hand.px(Vec3(0.1, 0, 0)));
+  std::this_thread::sleep_for(std::chrono::milliseconds(120));
+  hand.release(hand.px(Vec3(0.1, 0, 0)));
+  document->wait_until_idle();
+  EXPECT_EQ(document->history().num_done, steps + 1) << document.last_text();
+  const std::vector<Pose> all = poses();
+  EXPECT_GE(all.size(), 8u) << document.last_text();
+  double highest = 0;
+  for (const Pose& pose : all) highest = std::max(highest, pose.translation.z());
+  EXPECT_GT(highest, 0.05) << "none lies on another one";
   EXPECT_EQ(wrong_with(*document->snapshot()), "");
 }
 

@@ -125,6 +125,51 @@ TEST_F(Remake, ScalesInItsPlace) {
   EXPECT_FALSE(document.object("new").placed);
 }
 
+// The small box on it would be inside of it.
+TEST_F(Remake, ScalesWithWhatLiesOnIt) {
+  const std::uint64_t before = fingerprint(*document->snapshot());
+  const size_t steps = document->history().num_done;
+  ASSERT_TRUE(document.done(document->rescale("box", 2, 0.01))) << document.last_text();
+  EXPECT_EQ(document->history().num_done, steps + 1);
+  EXPECT_EQ(document->history().steps.back(), "scale \"box\"");
+  EXPECT_NEAR(world_box(document.object("box")).upper.z(), 0.1, 1e-4);
+  EXPECT_NEAR(world_box(document.object("small")).lower.z(), 0.1, 1e-4);
+  EXPECT_EQ(document.object("small").state, ObjectState::Stable);
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+  ASSERT_TRUE(document.done(document->undo()));
+  EXPECT_EQ(fingerprint(*document->snapshot()), before);
+}
+
+TEST_F(Remake, MendsAWrongUnit) {
+  write_boxes(folder.file("big.obj"), {{{-50, -50, 0}, {50, 50, 120}}});
+  document.import(folder.file("big.obj"), "cup");
+  PutOperation put;
+  put.object = "cup";
+  put.start.translation = Vec3(200, 0, 1);  // metres: it was meant in millimetres
+  ASSERT_TRUE(document.done(document->perform(put))) << document.last_text();
+  ASSERT_TRUE(document.done(document->rescale("cup", 0.001, 0.01))) << document.last_text();
+  const Aabb box = world_box(document.object("cup"));
+  EXPECT_NEAR(box.upper.z() - box.lower.z(), 0.12, 1e-4);
+  EXPECT_NEAR(box.lower.z(), 0, 1e-3);
+  // And back, where it is larger than all around it.
+  ASSERT_TRUE(document.done(document->rescale("cup", 1, 0.01))) << document.last_text();
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+}
+
+TEST_F(Remake, GrowsAmongOthersFromAbove) {
+  put("beside", Vec3(0.16, 0, 0.03));
+  ASSERT_TRUE(document.done(document->rescale("beside", 2, 0.01))) << document.last_text();
+  EXPECT_EQ(document.object("beside").scale, 2);
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+}
+
+TEST_F(Remake, TakesAnotherAxisUp) {
+  ASSERT_TRUE(document.done(document->rescale("box", 1, UpAxis::Y, 0.01))) << document.last_text();
+  EXPECT_EQ(document.object("box").up, UpAxis::Y);
+  EXPECT_EQ(document.object("small").state, ObjectState::Stable);
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+}
+
 TEST_F(Remake, KeepsLookAndCollectionInAnotherScale) {
   const ObjectId before = document.id("small");
   Looks looks;

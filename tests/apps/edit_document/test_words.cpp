@@ -50,7 +50,7 @@ TEST(Words, PutPartsWhereTheLanguageHasThem) {
   OperationResult result;
   EXPECT_EQ(reason_in_words(result), "");
   result.refuse(crossing("cup"));
-  EXPECT_EQ(reason_in_words(result), "[Boden <- \"cup\"]");
+  EXPECT_EQ(reason_in_words(result), "Boden <- \"cup\"") << "not where it starts";
   EXPECT_EQ(result.reason(), "at its start position \"cup\" passes through the floor");
   PutOperation put;
   put.object = "cup";

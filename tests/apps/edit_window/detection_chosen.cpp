@@ -49,7 +49,7 @@ void check_says(MainWindow& window, User& user, const EditorDetection& choice,
                                  ". See Preferences.");
   const QString shown = label->text(),
                 elided = QString(QChar(0x2026));  // it is cut where it is long
-  QVERIFY2(answers.startsWith(shown.endsWith(elided) ? shown.chopped(1) : shown),
+  QVERIFY2(("Detection: " + answers).startsWith(shown.endsWith(elided) ? shown.chopped(1) : shown),
            qPrintable(shown));
   QVERIFY(shown.size() >= 4);
 }
@@ -113,7 +113,7 @@ void push_by_framebuffers_and_bvhs(Document& document, MainWindow& window, User&
   QVERIFY(answering_label(window)->toolTip().contains("Moves: z-lists: framebuffer, "));
   document.go_to_step(0);
   choose_in_preferences(document, window, user, kBvh);
-  check_says(window, user, kBvh, "BVHs");
+  check_says(window, user, kBvh, "CPU");
   push_teapot(document, window, user, false, by_bvhs);
   document.go_to_step(0);
   QVERIFY(user.wait());

@@ -26,6 +26,43 @@ def test_meshes_from_arrays_are_put(tmp_path):
     assert scene.check().ok
 
 
+def tub(half, height, wall):
+    """A box without a lid."""
+    parts = [(0, 0, half, half, wall), *((sx * half, sy * half, wall if sx else half + wall, wall if sy else half + wall, height)
+                                         for sx, sy in ((1, 0), (-1, 0), (0, 1), (0, -1)))]
+    vertices, faces = [], []
+    for x, y, half_x, half_y, top in parts:
+        corners, triangles = box_arrays(half_x, half_y, top / 2)
+        faces.append(triangles + 8 * len(vertices))
+        vertices.append(corners + [x, y, top / 2])
+    return trivet.Shape(np.concatenate(vertices), np.concatenate(faces))
+
+
+def poured(seed, turn="any"):
+    scene = trivet.Scene()
+    scene.add("tub", tub(0.1, 0.08, 0.005), pose=at(0, 0, 0.001), fixed=True)
+    dice = [scene.add(f"die_{k}", box(0.02, 0.02, 0.02)) for k in range(20)]
+    return scene, dice, scene.pour(dice, "tub", seed=seed, turn=turn)
+
+
+def test_pours_a_heap():
+    scene, dice, there = poured(1)
+    assert len(there) == 20 and all(die.at_rest for die in there) and scene.check().ok
+    low, high = scene["tub"].bounds
+    assert all((low[:2] < die.center_mass[:2]).all() and (die.center_mass[:2] < high[:2]).all() for die in there)
+    assert any(die.supports[0] in dice for die in there), "one lies on another"
+    assert poured(1)[0].fingerprint == scene.fingerprint != poured(2)[0].fingerprint
+    assert scene.undo() and not any(die.placed for die in dice), "it is one step"
+    flat, _, level = poured(1, "none")
+    assert level[0].matrix[2, 2] > 0.99
+    with pytest.raises(trivet.BadInputError, match="out of the scene"):
+        flat.pour(level[:1], "tub")
+    with pytest.raises(trivet.BadInputError, match='"none", "up" or "any"'):
+        flat.pour([], "tub", turn="round")
+    with pytest.raises(trivet.BadInputError, match="in the scene"):
+        flat.pour([], flat.add("bowl", box(1, 1, 1)))
+
+
 def test_arranges_by_relations():
     scene = trivet.Scene()
     scene.add("table", box(0.5, 0.4, 0.35), pose=at(0, 0, 0.36), fixed=True)
