@@ -89,7 +89,7 @@ class Scene:
     @staticmethod
     def empty(floor: bool, floor_material: Any, settle: SettleOptions) -> Scene: ...
     @staticmethod
-    def standing(objects: List[Tuple[str, Shape, _Floats, bool, Any]], floor: bool, floor_material: Any,
+    def standing(objects: List[Tuple[str, Shape, _Floats, bool, Any, Any]], floor: bool, floor_material: Any,
                  settle: SettleOptions) -> Scene: ...
     @staticmethod
     def open(path: str, importer: str, settle: SettleOptions, perfect_friction: Optional[bool],

@@ -1,0 +1,326 @@
+#include "core/io/foreign/mjcf/read_mjcf.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/base/bad_input.h"
+#include "core/io/foreign/mjcf/includes.h"
+#include "core/io/foreign/mjcf/model.h"
+
+namespace trivet {
+namespace {
+
+using mjcf::Assets;
+using mjcf::Body;
+using mjcf::Joint;
+using mjcf::Settings;
+using Qpos = std::vector<double>;
+
+/// The keyframe that the poses are of.
+struct Key {
+  const XmlNode* node = nullptr;  // null: the reference configuration
+  std::string name;
+  Qpos qpos;
+};
+
+std::vector<const XmlNode*> keys_of(const XmlNode& root) {
+  std::vector<const XmlNode*> out;
+  for (const XmlNode& section : root.children)
+    if (section.tag == "keyframe")
+      for (const XmlNode& key : section.children)
+        if (key.tag == "key") out.push_back(&key);
+  return out;
+}
+
+std::string name_of_key(const std::vector<const XmlNode*>& keys, size_t i) {
+  const std::string* const name = keys[i]->find("name");
+  return name ? *name : "key " + std::to_string(i);
+}
+
+Key key_of(const XmlNode& root, const mjcf::Model& model, const ForeignOptions& options,
+           ForeignScene& scene) {
+  if (options.key == "none") return {};
+  const std::vector<const XmlNode*> keys = keys_of(root);
+  std::string known;
+  for (size_t i = 0; i < keys.size(); ++i) {
+    const std::string name = name_of_key(keys, i);
+    known += (i ? ", " : "") + name;
+    if (options.key ? *options.key != name : i > 0) continue;
+    const std::string* const qpos = keys[i]->find("qpos");
+    if (!qpos) return {};
+    const XmlPlace place{scene.files, *keys[i]};
+    return {keys[i], name, numbers_in(*qpos, "qpos", place, model.num_numbers, model.num_numbers)};
+  }
+  if (options.key)
+    bad_file(scene.files[0].path, "has no keyframe \"%1\"; accepted: %2", *options.key,
+             known.empty() ? std::string("none, it has no keyframes") : known);
+  return {};
+}
+
+// The joint's displacement, applied to the pose of its body.
+Pose moved_by(const Joint& joint, const Pose& pose, const Qpos& qpos) {
+  const auto at = [&](size_t i) { return qpos[joint.first_number + i]; };
+  if (joint.kind == Joint::Kind::Free)
+    return {Rotation{at(3), at(4), at(5), at(6)}.normalized(), {at(0), at(1), at(2)}};
+  const Mat3 r = pose.rotation.matrix();
+  if (joint.kind == Joint::Kind::Slide)
+    return {pose.rotation, pose.translation + r * joint.axis * (at(0) - joint.reference)};
+  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  const Rotation turn = joint.kind == Joint::Kind::Ball
+                            ? Rotation{at(0), at(1), at(2), at(3)}.normalized()
+                            : turned(joint.axis, at(0) * kDegrees - joint.reference);
+  const Vec3 anchor = pose.translation + r * joint.anchor;
+  const Rotation rotation = pose.rotation * turn;
+  return {rotation, anchor - rotation.matrix() * joint.anchor};
+}
+
+std::vector<Pose> world_poses(const mjcf::Model& model, const Key& key) {
+  std::vector<Pose> out(model.bodies.size());
+  for (size_t i = 1; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    Pose pose = composed(out[static_cast<size_t>(body.parent)], body.local);
+    if (key.node)
+      for (const Joint& joint : body.joints) pose = moved_by(joint, pose, key.qpos);
+    out[i] = {pose.rotation.normalized(), pose.translation};
+  }
+  return out;
+}
+
+/// Rigid groups: bodies without joints between.
+class Groups {
+ public:
+  explicit Groups(const mjcf::Model& model) : m_model(model), m_weld(model.bodies.size(), 0) {
+    for (size_t i = 1; i < model.bodies.size(); ++i) {
+      const Body& body = model.bodies[i];
+      m_weld[i] =
+          body.joints.empty() ? m_weld[static_cast<size_t>(body.parent)] : static_cast<int>(i);
+    }
+    for (size_t i = 1; i < model.bodies.size(); ++i)
+      if (m_weld[i] == static_cast<int>(i)) m_has_links.insert(parent_weld(static_cast<int>(i)));
+  }
+  /// The first body of its group; 0: the world's.
+  int weld(size_t body) const { return m_weld[body]; }
+  int parent_weld(int weld) const {
+    return weld == 0 ? -1 : m_weld[static_cast<size_t>(m_model.bodies[weld].parent)];
+  }
+  /// A free joint and nothing that hangs on it by joints.
+  bool is_free(int weld) const {
+    const std::vector<Joint>& joints = m_model.bodies[weld].joints;
+    return weld != 0 && joints.size() == 1 && joints[0].kind == Joint::Kind::Free &&
+           !m_has_links.count(weld) && parent_weld(weld) == 0;
+  }
+
+ private:
+  const mjcf::Model& m_model;
+  std::vector<int> m_weld;
+  std::set<int> m_has_links;
+};
+
+std::string unique_name(std::string name, std::set<std::string>& taken) {
+  if (name == "floor") name = "floor (body)";
+  const std::string base = name;
+  for (int k = 2; !taken.insert(name).second; ++k) name = base + "_" + std::to_string(k);
+  return name;
+}
+
+class Assembler {
+ public:
+  Assembler(const XmlNode& root, const Settings& settings, const mjcf::Model& model, const Key& key,
+            ForeignScene& scene)
+      : m_root(root),
+        m_settings(settings),
+        m_model(model),
+        m_key(key),
+        m_poses(world_poses(model, key)),
+        m_groups(model),
+        m_scene(scene) {}
+
+  void assemble() {
+    std::map<int, size_t> index_of;  // of groups that move
+    std::set<std::string> taken;
+    for (size_t i = 0; i < m_model.bodies.size(); ++i) {
+      const int weld = m_groups.weld(i);
+      if (i == 0) {
+        m_name.push_back("");
+        add_world_geoms(taken);
+        continue;
+      }
+      m_name.push_back(unique_name(name_of(i), taken));
+      const auto known = weld == 0 ? index_of.end() : index_of.find(weld);
+      if (known == index_of.end()) {
+        if (weld != 0) index_of[weld] = m_scene.bodies.size();
+        m_scene.bodies.push_back(new_body(i, weld));
+      }
+      const size_t target = known == index_of.end() ? m_scene.bodies.size() - 1 : known->second;
+      add_content(i, m_scene.bodies[target]);
+    }
+    // Bodies may be empty: no colliders, and nothing to judge.
+    std::erase_if(m_scene.bodies, [](const ForeignBody& b) { return b.colliders.empty(); });
+    scale_masses();
+    for (const Body& body : m_model.bodies)
+      for (const Joint& joint : body.joints) m_scene.num_joints += joint.kind != Joint::Kind::Free;
+    read_excludes();
+  }
+
+ private:
+  std::string name_of(size_t i) const {
+    const std::string& name = m_model.bodies[i].name;
+    return name.empty() ? "body " + std::to_string(i) : name;
+  }
+
+  // What belongs to no body is a body each: a table, a wall, the floor.
+  void add_world_geoms(std::set<std::string>& taken) {
+    for (const mjcf::Geom& geom : m_model.bodies[0].geoms) {
+      ForeignBody body;
+      body.name = unique_name(geom.collider.name, taken);
+      body.fixed = true;
+      body.colliders = {geom.collider};
+      m_scene.bodies.push_back(std::move(body));
+    }
+  }
+
+  ForeignBody new_body(size_t i, int weld) const {
+    ForeignBody out;
+    out.name = m_name[i];
+    out.fixed = !m_groups.is_free(weld);
+    out.is_link = weld != 0 && out.fixed;
+    out.pose = m_poses[i];
+    out.weld = weld;
+    out.parent_weld = m_groups.parent_weld(weld) == 0 ? -1 : m_groups.parent_weld(weld);
+    if (!out.fixed) out.place = place_of(i);
+    return out;
+  }
+
+  PosePlace place_of(size_t i) const {
+    const Body& body = m_model.bodies[i];
+    PosePlace out;
+    if (!m_key.node && body.is_copy) {
+      out.why_not = Sentence("its tag makes several bodies");
+      return out;
+    }
+    const XmlNode& node = m_key.node ? *m_key.node : *body.node;
+    out.kind = m_key.node ? PosePlace::Kind::Key : PosePlace::Kind::Tag;
+    out.file = node.file;
+    out.begin = node.begin;
+    if (m_key.node)
+      out.number = body.joints[0].first_number;
+    else
+      out.world_from_place = composed(m_poses[static_cast<size_t>(body.parent)], body.frame);
+    return out;
+  }
+
+  void add_content(size_t i, ForeignBody& target) {
+    const Body& body = m_model.bodies[i];
+    const Pose in_target =
+        target.name == m_name[i] ? Pose{} : composed(inverse(target.pose), m_poses[i]);
+    for (const mjcf::Geom& geom : body.geoms) {
+      if (geom.is_plane && m_groups.weld(i) != 0) {
+        add_once(m_scene.unread, say("the plane of \"%1\", which moves, is not read", m_name[i]));
+        continue;
+      }
+      ForeignCollider collider = geom.collider;
+      collider.pose = composed(in_target, collider.pose);
+      target.colliders.push_back(std::move(collider));
+    }
+    if (const auto mass = mjcf::mass_of(body, m_settings)) add_mass(*mass, in_target, target);
+  }
+
+  // A group weighs what its bodies weigh.
+  void add_mass(const GivenMass& mass, const Pose& in_target, ForeignBody& target) {
+    if (!target.mass && in_target.translation.isZero(0) && in_target.rotation.w == 1) {
+      target.mass = mass;
+      return;
+    }
+    MassSum sum;
+    if (target.mass) sum.add(target.mass->kilograms, moments_of(*target.mass), Pose{});
+    sum.add(mass.kilograms, moments_of(mass), in_target);
+    target.mass = sum.total();
+  }
+
+  void scale_masses() {
+    const double total = m_settings.compiler_number("settotalmass", -1);
+    if (!(total > 0)) return;
+    double now = 0;
+    for (size_t i = 1; i < m_model.bodies.size(); ++i)
+      if (const auto mass = mjcf::mass_of(m_model.bodies[i], m_settings)) now += mass->kilograms;
+    if (!(now > 0)) return;
+    for (ForeignBody& body : m_scene.bodies)
+      if (body.mass) {
+        body.mass->kilograms *= total / now;
+        if (body.mass->inertia) *body.mass->inertia *= total / now;
+      }
+  }
+
+  void read_excludes() {
+    for (const XmlNode& section : m_root.children) {
+      if (section.tag == "contact") read_contacts(section);
+      if (section.tag == "equality" && !section.children.empty())
+        add_once(m_scene.notes, "constraints (equality) are not read: bodies stand as they are");
+      if (section.tag == "deformable" || section.tag == "extension")
+        add_once(m_scene.unread, say("%1: is not read", XmlPlace{m_scene.files, section}.text()));
+    }
+  }
+
+  void read_contacts(const XmlNode& section) {
+    for (const XmlNode& node : section.children) {
+      const std::string *const a = node.find("body1"), *const b = node.find("body2");
+      if (node.tag == "exclude" && a && b)
+        m_scene.excluded.emplace_back(group_of(*a), group_of(*b));
+      else if (node.tag == "pair")
+        add_once(m_scene.notes, "pairs (contact) are judged by the friction of their geoms");
+    }
+  }
+
+  // Name of the body in the scene that has the body of this name in it.
+  std::string group_of(const std::string& name) const {
+    for (size_t i = 0; i < m_model.bodies.size(); ++i)
+      if (m_model.bodies[i].name == name)
+        return m_groups.weld(i) == 0 ? m_name[i] : m_name[static_cast<size_t>(m_groups.weld(i))];
+    return name;
+  }
+
+  const XmlNode& m_root;
+  const Settings& m_settings;
+  const mjcf::Model& m_model;
+  const Key& m_key;
+  std::vector<Pose> m_poses;
+  Groups m_groups;
+  ForeignScene& m_scene;
+  std::vector<std::string> m_name;
+};
+
+void note_options(const XmlNode& root, ForeignScene& scene) {
+  for (const XmlNode& node : root.children) {
+    if (node.tag != "option") continue;
+    const std::string* const gravity = node.find("gravity");
+    if (!gravity) continue;
+    const Qpos g = numbers_in(*gravity, "gravity", {scene.files, node}, 3, 3);
+    if (g[0] != 0 || g[1] != 0 || !(g[2] < 0))
+      add_once(scene.unread, say("gravity is \"%1\"; judged as if it acted along -z", *gravity));
+  }
+}
+
+}  // namespace
+
+ForeignScene read_mjcf(const std::string& path, const ForeignOptions& options,
+                       const MeshSource& meshes) {
+  ForeignScene scene;
+  scene.format = "MJCF";
+  scene.friction_rule = FrictionRule::Larger;
+  const XmlNode root = mjcf::read_with_includes(path, options.limits, scene.files);
+  if (root.tag != "mujoco") bad_file(path, "begins with <%1>; accepted: <mujoco>", root.tag);
+  const Settings settings(root, scene.files);
+  if (settings.compiler("coordinate", "local") == "global")
+    bad_file(path, "has global coordinates, which MuJoCo no longer reads");
+  Assets assets(root, settings, meshes);
+  const mjcf::Model model = mjcf::read_bodies(root, settings, assets, options, scene);
+  const Key key = key_of(root, model, options, scene);
+  scene.key = key.name;
+  Assembler(root, settings, model, key, scene).assemble();
+  note_options(root, scene);
+  return scene;
+}
+
+}  // namespace trivet

@@ -1,0 +1,97 @@
+// Scenes of other programs as their engines see them: rigid bodies, what collides, masses, and
+// where the numbers of poses stand in the files. Start here.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/sentence.h"
+#include "core/io/foreign/xml_text.h"
+#include "core/mesh/given_mass.h"
+#include "core/mesh/mesh.h"
+#include "core/model/model.h"
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// First b, then a: pose of b's frame in the frame that `a` is in.
+Pose composed(const Pose& a, const Pose& b);
+Pose inverse(const Pose& pose);
+/// Angle of any size, degrees, about a unit axis.
+Rotation turned(const Vec3& axis, double degrees);
+
+/// Engine's rule for the friction of two surfaces.
+enum class FrictionRule { Larger, Smaller, Product };
+
+/// What decides whether and how a collider meets others.
+struct ContactBits {
+  std::uint32_t type = 1, affinity = 1;  // two collide if the one's type meets the other's affinity
+  double friction = 1;                   // Coulomb's coefficient
+  int priority = 0;                      // the higher one's friction counts alone
+  double margin = 0;                     // metres; two rest the sum of theirs apart
+
+  friend auto operator<=>(const ContactBits&, const ContactBits&) = default;
+};
+
+/// A piece of a body that collides.
+struct ForeignCollider {
+  std::string name;
+  Pose pose;                         // in the body's frame
+  std::shared_ptr<const Mesh> mesh;  // in its own frame, metres; null: the half-space z <= 0
+  ContactBits bits;
+};
+
+/// Where the pose of a body stands.
+struct PosePlace {
+  enum class Kind { Nowhere, Tag, Key, Element } kind = Kind::Nowhere;
+  size_t file = 0;                 // into ForeignScene::files
+  size_t begin = 0;                // byte of the start tag
+  size_t content = 0;              // Element: where a <pose> is put that is not there yet
+  std::optional<XmlNode> element;  // Element: its <pose>
+  size_t number = 0;               // Key: of the first of its seven numbers
+  Pose world_from_place;           // what the numbers are relative to
+  Sentence why_not;                // Nowhere: the reason
+};
+
+struct ForeignBody {
+  std::string name;  // unique
+  bool fixed = false;
+  bool is_link = false;  // fixed only because it hangs in a joint
+  Pose pose;             // of its frame, world
+  std::vector<ForeignCollider> colliders;
+  std::optional<GivenMass> mass;
+  PosePlace place;
+  int weld = 0;          // bodies of one number never collide with each other
+  int parent_weld = -1;  // nor with those of this number; -1: of the world, which they may meet
+};
+
+struct ForeignScene {
+  std::string format;          // "MJCF", "URDF", "SDF"
+  std::vector<XmlFile> files;  // the main one first
+  std::vector<ForeignBody> bodies;
+  std::vector<std::pair<std::string, std::string>> excluded;  // bodies that never collide
+  FrictionRule friction_rule = FrictionRule::Smaller;
+  std::string key;               // the keyframe that the poses are of; empty: none
+  std::vector<Sentence> notes;   // each once
+  std::vector<Sentence> unread;  // what matters to a verdict and was not read
+  size_t num_joints = 0;         // held as they are
+};
+
+/// Gives the model of that file. @throws Error (BadInput).
+using MeshSource = std::function<Model(const std::string& path)>;
+
+/// Choices for reading.
+struct ForeignOptions {
+  std::optional<std::string> key;  // keyframe by name; "none": the reference configuration
+  bool true_meshes = false;        // colliding meshes as they are, not their hulls
+  bool fixed_base = true;          // URDF: the root link does not move
+  XmlLimits limits;
+};
+
+/// Adds a note once.
+void add_once(std::vector<Sentence>& notes, Sentence note);
+
+}  // namespace trivet
