@@ -52,6 +52,12 @@ const std::map<std::string, std::string> kExamples = {
     {"mend",
      "trivet mend kitchen.xml -o mended.xml\n"
      "trivet mend kitchen.xml -o mended.xml --tolerance 0.005\n"},
+    {"joint",
+     "trivet joint kitchen.xml\n"
+     "trivet joint kitchen.xml drawer --to upper -o open.xml\n"},
+    {"intent",
+     "trivet intent kitchen.xml\n"
+     "trivet intent kitchen.xml --tolerance 0.005 --json\n"},
     {"export",
      "trivet export scene.glb -o scene.xml\n"
      "trivet export scene.glb -o objects.csv\n"},

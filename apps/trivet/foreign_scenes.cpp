@@ -17,6 +17,9 @@ void add_foreign_options(CLI::App& app, ForeignArguments& arguments) {
                  "are")
       ->check(one_of({"engine", "raw"}))
       ->group(group);
+  app.add_option("--root", arguments.roots,
+                 "Folders, besides that of the scene, whose files a scene may name")
+      ->group(group);
   app.add_option("--objects", arguments.rule,
                  "Nodes of glTF that are objects, as a layout's \"scene_objects\"")
       ->check(one_of({"roots", "groups", "meshes"}))
@@ -36,6 +39,7 @@ OpenOptions open_options(const ForeignArguments& arguments, const CommonOptions&
   if (!arguments.key.empty()) out.foreign.key = arguments.key;
   out.foreign.true_meshes = arguments.collide == "raw";
   out.foreign.fixed_base = !arguments.free_base;
+  out.foreign.roots = arguments.roots;
   out.fixed = arguments.fixed;
   out.floor = arguments.floor;
   out.no_floor = arguments.no_floor;

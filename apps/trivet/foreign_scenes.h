@@ -12,7 +12,7 @@ namespace trivet::apps {
 struct ForeignArguments {
   std::string key;
   std::string collide = "engine", rule = "roots";
-  std::vector<std::string> fixed;
+  std::vector<std::string> fixed, roots;
   std::optional<double> floor;
   bool no_floor = false, free_base = false;
 };

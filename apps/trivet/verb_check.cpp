@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "apps/trivet/check_many.h"
@@ -101,6 +102,9 @@ int check_one_of_ours(const CheckArguments& arguments, const CommonOptions& comm
 }
 
 int check(CheckArguments& arguments, const CommonOptions& common) {
+  // Scenes of a folder may name what is in that folder.
+  for (const std::string& path : arguments.files)
+    if (std::filesystem::is_directory(path)) arguments.foreign.roots.push_back(path);
   arguments.files = scene_files(arguments.files);
   if (arguments.files.empty())
     throw Error(Error::Kind::BadInput, "check: the folder has no scenes; accepted: %1", kScenes);

@@ -8,7 +8,7 @@
 #include "core/base/count_of.h"
 #include "core/base/error.h"
 #include "core/base/quoted.h"
-#include "ops/mend/mend.h"
+#include "ops/files/foreign/repair_json.h"
 
 namespace trivet::apps {
 namespace {
@@ -71,6 +71,13 @@ OpenedScene opened_for_repair(const RepairArguments& arguments, const CommonOpti
   return open_scene(arguments.file, open_options(arguments.foreign, common));
 }
 
+nlohmann::ordered_json repaired_json(const OpenedScene& opened, const SettledScene& settled) {
+  return settled_json(opened, settled);
+}
+nlohmann::ordered_json repaired_json(const OpenedScene& opened, const MendedScene& mended) {
+  return mended_json(opened, mended);
+}
+
 // @param repair  changes the scene, and tells.
 template <class Repair>
 int repair_file(const RepairArguments& arguments, const CommonOptions& common,
@@ -89,7 +96,9 @@ int repair_file(const RepairArguments& arguments, const CommonOptions& common,
   const SceneVerdict verdict = judge(opened, options);
   clear_progress_line(common);
   if (common.json) {
-    std::cout << verdict_json(verdict) << "\n";
+    nlohmann::ordered_json json = repaired_json(opened, repaired);
+    json["verdict"] = nlohmann::ordered_json::parse(verdict_json(verdict));
+    std::cout << json.dump() << "\n";
   } else if (!common.quiet) {
     tell_moves(opened.judged.scene, repaired);
     if constexpr (std::is_same_v<decltype(repaired), const MendedScene>) tell_relations(repaired);

@@ -18,6 +18,8 @@ OPERATIONS = '{"op": "push", "object": "mug", "direction": [1, 0], "distance": 0
 
 KITCHEN = """<mujoco><worldbody>
   <geom type="plane" size="1 1 1"/>
+  <body name="drawer" pos="0.5 0 0.2"><joint name="drawer" type="slide" axis="0 -1 0" range="0 0.3"/>
+    <geom type="box" size="0.2 0.2 0.02"/></body>
   <body name="pan" pos="0 0 0.05"><freejoint/><geom type="box" size="0.1 0.1 0.05"/></body>
 </worldbody></mujoco>
 """

@@ -33,7 +33,8 @@ class Files:
     @classmethod
     def from_poses(cls, names: Iterable[str], shapes: Iterable[Any], poses: Iterable[ArrayLike], *,
                    fixed: Iterable[str] = (), materials: Optional[Mapping[str, Material]] = None,
-                   masses: Optional[Mapping[str, Any]] = None, floor: bool = True, floor_material: Optional[Material] = None, clearance: float = 0.0, **options: Any) -> Scene:
+                   masses: Optional[Mapping[str, Any]] = None, floor: bool = True,
+                   floor_material: Optional[Material] = None, clearance: float = 0.0, **options: Any) -> Scene:
         """Objects exactly where they are said to be, whether they may or not: to be judged by `check`.
 
         Parameters

@@ -51,7 +51,7 @@ struct PosePlace {
   size_t begin = 0;                // byte of the start tag
   size_t content = 0;              // Element: where a <pose> is put that is not there yet
   std::optional<XmlNode> element;  // Element: its <pose>
-  size_t number = 0;               // Key: of the first of its seven numbers
+  size_t number = 0;               // MJCF: of the first of its seven numbers in a keyframe
   Pose world_from_place;           // what the numbers are relative to
   Sentence why_not;                // Nowhere: the reason
 };
@@ -68,6 +68,18 @@ struct ForeignBody {
   int parent_weld = -1;  // nor with those of this number; -1: of the world, which they may meet
 };
 
+/// A joint that slides or turns bodies. Where they are is where its value has them.
+struct ForeignJoint {
+  enum class Kind { Slide, Hinge } kind = Kind::Slide;
+  std::string name;
+  std::vector<std::string> moves;   // bodies: the one that hangs in it first, then all that follow
+  std::vector<std::string> frames;  // bodies that it hangs in; none: the world alone
+  Vec3 axis = Vec3::UnitZ(), anchor = Vec3::Zero();  // world
+  double value = 0;                                  // metres or degrees
+  double lower = -kInfinity, upper = kInfinity;      // limits of it
+  size_t number = 0;                                 // in ForeignScene::numbers
+};
+
 struct ForeignScene {
   std::string format;          // "MJCF", "URDF", "SDF"
   std::vector<XmlFile> files;  // the main one first
@@ -78,6 +90,13 @@ struct ForeignScene {
   std::vector<Sentence> notes;   // each once
   std::vector<Sentence> unread;  // what matters to a verdict and was not read
   size_t num_joints = 0;         // held as they are
+  std::vector<ForeignJoint> joints;
+  // MJCF: all numbers of a keyframe as they stand, and where a first keyframe would be put into the
+  // main file.
+  std::vector<double> numbers;
+  size_t key_file = 0, key_begin = 0;  // of the start tag of `key`
+  std::optional<size_t> new_key;
+  Sentence why_no_key;  // where there is no place for one
 };
 
 /// Gives the model of that file. @throws Error (BadInput).
@@ -88,6 +107,7 @@ struct ForeignOptions {
   std::optional<std::string> key;  // keyframe by name; "none": the reference configuration
   bool true_meshes = false;        // colliding meshes as they are, not their hulls
   bool fixed_base = true;          // URDF: the root link does not move
+  std::vector<std::string> roots;  // folders, besides its own, that the scene may read
   XmlLimits limits;
 };
 

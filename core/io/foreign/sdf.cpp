@@ -50,7 +50,7 @@ struct Frame {
 class SdfReader {
  public:
   SdfReader(const std::string& path, const ForeignOptions& options, const MeshSource& meshes)
-      : m_options(options), m_meshes(meshes) {
+      : m_options(options), m_meshes(meshes), m_allowed(path, options.roots) {
     m_scene.format = "SDF";
     m_scene.friction_rule = FrictionRule::Smaller;
     m_roots.push_back(
@@ -385,7 +385,7 @@ class SdfReader {
   // Gazebo collides the triangles.
   Mesh file_mesh(const XmlNode& shape) const {
     const std::string uri = child_text(shape, "uri", "");
-    Mesh mesh = mesh_in_metres(m_meshes(path_of_uri(uri, m_scene.files[shape.file].path)));
+    Mesh mesh = mesh_in_metres(m_meshes(path_of_uri(uri, m_scene.files[shape.file].path, m_allowed)));
     scale(vec3(shape, "scale", Vec3::Ones()), mesh);
     return mesh;
   }
@@ -401,7 +401,7 @@ class SdfReader {
     const std::string uri = child_text(include, "uri", "");
     try {
       if (m_scene.files.size() >= kMostSdfFiles) bad_input("more than %1 files", kMostSdfFiles);
-      const std::string path = sdf_in(path_of_uri(uri, m_scene.files[include.file].path));
+      const std::string path = sdf_in(path_of_uri(uri, m_scene.files[include.file].path, m_allowed));
       m_roots.push_back(std::make_unique<XmlNode>(
           read_xml_tree(path, m_scene.files.size(), m_options.limits, m_scene.files)));
       if (const XmlNode* const model = m_roots.back()->child("model")) return model;
@@ -420,6 +420,7 @@ class SdfReader {
 
   ForeignOptions m_options;
   const MeshSource& m_meshes;
+  SceneRoots m_allowed;
   ForeignScene m_scene;
   std::vector<std::unique_ptr<XmlNode>> m_roots;
   std::map<const XmlNode*, const XmlNode*> m_included;

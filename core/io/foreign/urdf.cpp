@@ -21,7 +21,7 @@ double degrees(double radians) { return radians * (180 / std::numbers::pi); }
 class UrdfReader {
  public:
   UrdfReader(const std::string& path, const ForeignOptions& options, const MeshSource& meshes)
-      : m_path(path), m_options(options), m_meshes(meshes) {
+      : m_path(path), m_options(options), m_meshes(meshes), m_roots(path, options.roots) {
     m_scene.format = "URDF";
     m_scene.friction_rule = FrictionRule::Product;
   }
@@ -264,7 +264,8 @@ class UrdfReader {
   }
 
   Mesh file_mesh(const XmlNode& shape) const {
-    Mesh mesh = mesh_in_metres(m_meshes(path_of_uri(attribute(shape, "filename"), m_path)));
+    Mesh mesh =
+        mesh_in_metres(m_meshes(path_of_uri(attribute(shape, "filename"), m_path, m_roots)));
     if (const std::string* const text = shape.find("scale")) {
       const std::vector<double> n = numbers_in(*text, "scale", place(shape), 3, 3);
       scale({n[0], n[1], n[2]}, mesh);
@@ -275,6 +276,7 @@ class UrdfReader {
   std::string m_path;
   const ForeignOptions& m_options;
   const MeshSource& m_meshes;
+  SceneRoots m_roots;
   ForeignScene m_scene;
   std::map<std::string, const XmlNode*> m_links;
   std::map<std::string, JointNode> m_joint_of;  // by child

@@ -21,16 +21,22 @@ std::string in_package(const std::string& name, const fs::path& folder) {
   return (folder / name).string();
 }
 
-}  // namespace
-
-std::string path_of_uri(const std::string& uri, const std::string& named_by) {
-  const fs::path folder = fs::absolute(named_by).parent_path();
+std::string path_of(const std::string& uri, const fs::path& folder) {
   for (const char* scheme : {"package://", "model://"})
     if (uri.starts_with(scheme)) return in_package(uri.substr(std::string(scheme).size()), folder);
   if (uri.starts_with("file://")) return uri.substr(7);
   if (uri.find("://") != std::string::npos)
     bad_input("\"%1\" is not fetched; accepted: files on this machine", uri);
   return (folder / with_slashes(uri)).lexically_normal().string();
+}
+
+}  // namespace
+
+std::string path_of_uri(const std::string& uri, const std::string& named_by,
+                        const SceneRoots& roots) {
+  const std::string path = path_of(uri, fs::absolute(named_by).parent_path());
+  roots.check(path, named_by);
+  return path;
 }
 
 Mesh mesh_in_metres(const Model& model) {

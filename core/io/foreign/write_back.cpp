@@ -124,9 +124,24 @@ struct Edit {
 
 class Editor {
  public:
-  explicit Editor(const ForeignScene& scene) : m_scene(scene), m_edits(scene.files.size()) {}
+  // @param values  of joints; without a keyframe they need a new one, which then has all poses.
+  Editor(const ForeignScene& scene, const JointNumbers& values)
+      : m_scene(scene),
+        m_edits(scene.files.size()),
+        m_has_new_key(!values.empty() && scene.key.empty()) {
+    if (values.empty()) return;
+    if (m_has_new_key && !scene.new_key)
+      bad_file(scene.files[0].path, "has no place for the value of a joint: %1",
+               scene.why_no_key.empty() ? say("%1 has none", scene.format) : scene.why_no_key);
+    if (m_has_new_key)
+      m_new_key = values;
+    else
+      m_keys[key_place()] = values;
+  }
 
   void edit(const ForeignBody& body, const Pose& pose) {
+    if (m_has_new_key && body.place.kind == PosePlace::Kind::Tag)
+      return set_numbers(body, pose, m_new_key);
     switch (body.place.kind) {
       case PosePlace::Kind::Nowhere:
         bad_input("\"%1\" has no place for a pose in %2: %3", body.name, m_scene.files[0].path,
@@ -142,6 +157,7 @@ class Editor {
 
   std::vector<std::string> take() {
     add_keys();
+    add_new_key();
     std::vector<std::string> out;
     for (size_t f = 0; f < m_edits.size(); ++f) {
       std::string bytes = m_scene.files[f].bytes;
@@ -156,12 +172,27 @@ class Editor {
  private:
   // One keyframe holds the numbers of all bodies.
   void edit_key(const ForeignBody& body, const Pose& pose) {
-    std::map<size_t, double>& numbers = m_keys[{body.place.file, body.place.begin}];
+    set_numbers(body, pose, m_keys[{body.place.file, body.place.begin}]);
+  }
+
+  static void set_numbers(const ForeignBody& body, const Pose& pose, JointNumbers& numbers) {
     const bool turned = !same_turn(pose.rotation, body.pose.rotation);
     const std::vector<double> p = numbers_of(pose.translation), r = numbers_of(pose.rotation);
     for (size_t i = 0; i < 3; ++i) numbers[body.place.number + i] = p[i];
     if (turned)
       for (size_t i = 0; i < 4; ++i) numbers[body.place.number + 3 + i] = r[i];
+  }
+
+  // The start tag of the keyframe that the poses are of.
+  std::pair<size_t, size_t> key_place() const { return {m_scene.key_file, m_scene.key_begin}; }
+
+  void add_new_key() {
+    if (!m_has_new_key) return;
+    std::vector<double> numbers = m_scene.numbers;
+    for (const auto& [i, value] : m_new_key) numbers.at(i) = value;
+    m_edits[0].push_back({*m_scene.new_key, *m_scene.new_key,
+                          "  <keyframe>\n    <key name=\"moved\" qpos=\"" +
+                              with_numbers("", numbers) + "\"/>\n  </keyframe>\n"});
   }
 
   void add_keys() {
@@ -253,7 +284,9 @@ class Editor {
 
   const ForeignScene& m_scene;
   std::vector<std::vector<Edit>> m_edits;  // by file
-  std::map<std::pair<size_t, size_t>, std::map<size_t, double>> m_keys;
+  std::map<std::pair<size_t, size_t>, JointNumbers> m_keys;
+  bool m_has_new_key;
+  JointNumbers m_new_key;
 };
 
 }  // namespace
@@ -292,8 +325,9 @@ std::string with_attributes(std::string tag,
 }
 
 std::vector<std::string> files_with_poses(const ForeignScene& scene,
-                                          const std::map<size_t, Pose>& poses) {
-  Editor editor(scene);
+                                          const std::map<size_t, Pose>& poses,
+                                          const JointNumbers& joints) {
+  Editor editor(scene, joints);
   for (const auto& [body, pose] : poses) editor.edit(scene.bodies.at(body), pose);
   return editor.take();
 }

@@ -17,12 +17,16 @@ std::string with_numbers(const std::string& old, const std::vector<double>& numb
 std::string with_attributes(std::string tag,
                             const std::vector<std::pair<std::string, std::string>>& changes);
 
+/// Numbers of joints by their place in a keyframe: metres, radians.
+using JointNumbers = std::map<size_t, double>;
+
 /// The scene's files with new poses of bodies, in the order of ForeignScene::files; those that do
 /// not change are equal byte for byte.
 /// @param poses  in the world of the file, by index into ForeignScene::bodies; of bodies that have
-/// a
-///   place. @throws Error (BadInput) naming a body without one.
+///   a place. @param joints  changed ones: they stand in the keyframe that the scene is of, or in a
+///   new one, which then has all poses. @throws Error (BadInput) naming a body without a place.
 std::vector<std::string> files_with_poses(const ForeignScene& scene,
-                                          const std::map<size_t, Pose>& poses);
+                                          const std::map<size_t, Pose>& poses,
+                                          const JointNumbers& joints = {});
 
 }  // namespace trivet

@@ -2,7 +2,7 @@
 
 #include <expat.h>
 
-#include <exception>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -20,6 +20,7 @@ std::string_view tag_without_prefix(std::string_view name) {
 /// Builds the tree while Expat reads. Exceptions must not pass through C: a trouble stops it.
 class TreeBuilder {
  public:
+  // @param limits  what is left of them.
   TreeBuilder(XML_Parser parser, size_t file, const XmlLimits& limits)
       : m_parser(parser), m_file(file), m_limits(limits) {
     m_open.push_back(&m_top);
@@ -51,6 +52,7 @@ class TreeBuilder {
     XML_StopParser(m_parser, XML_FALSE);
   }
   const char* trouble() const { return m_trouble; }
+  size_t num_elements() const { return m_num_elements; }
   XmlNode take() { return std::move(m_top.children.front()); }
 
  private:
@@ -85,8 +87,18 @@ std::string xml_bytes_of(const std::string& path, const XmlLimits& limits) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) bad_file(path, "is no file");
   auto bytes = file_bytes(path, limits.max_bytes);
-  if (!bytes) bad_file(path, "cannot be read, or is larger than %1 MB", limits.max_bytes >> 20);
+  if (!bytes)
+    bad_file(path, "cannot be read, or is larger than the %1 bytes left", limits.max_bytes);
   return std::move(*bytes);
+}
+
+// What the files that were read have left over.
+XmlLimits left_of(XmlLimits limits, const std::vector<XmlFile>& files) {
+  for (const XmlFile& file : files) {
+    limits.max_bytes -= std::min<std::uintmax_t>(limits.max_bytes, file.bytes.size());
+    limits.max_elements -= std::min(limits.max_elements, file.num_elements);
+  }
+  return limits;
 }
 
 }  // namespace
@@ -103,8 +115,9 @@ const XmlNode* XmlNode::child(std::string_view name) const {
   return nullptr;
 }
 
-XmlNode read_xml_tree(const std::string& path, size_t index, const XmlLimits& limits,
+XmlNode read_xml_tree(const std::string& path, size_t index, const XmlLimits& all_limits,
                       std::vector<XmlFile>& files) {
+  const XmlLimits limits = left_of(all_limits, files);
   std::string bytes = xml_bytes_of(path, limits);
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser(
       XML_ParserCreate("UTF-8"), XML_ParserFree);
@@ -118,14 +131,8 @@ XmlNode read_xml_tree(const std::string& path, size_t index, const XmlLimits& li
     bad_file(path, "line %1, column %2: %3", XML_GetCurrentLineNumber(parser.get()),
              XML_GetCurrentColumnNumber(parser.get()) + 1,
              std::string(XML_ErrorString(XML_GetErrorCode(parser.get()))));
-  files.push_back({path, std::move(bytes)});
+  files.push_back({path, std::move(bytes), tree.num_elements()});
   return tree.take();
-}
-
-size_t count_elements(const XmlNode& node) {
-  size_t count = 1;
-  for (const XmlNode& child : node.children) count += count_elements(child);
-  return count;
 }
 
 }  // namespace trivet

@@ -10,7 +10,7 @@
 
 namespace trivet {
 
-/// Limits for XML of others.
+/// Limits for XML of others: of all files of a scene together.
 struct XmlLimits {
   std::uintmax_t max_bytes = std::uintmax_t{256} << 20;
   size_t max_elements = 4'000'000;
@@ -21,6 +21,7 @@ struct XmlLimits {
 struct XmlFile {
   std::string path;
   std::string bytes;
+  size_t num_elements = 0;
 };
 
 struct XmlNode {
@@ -42,13 +43,10 @@ struct XmlNode {
 
 /// Reads one file into a tree.
 /// @param index  the number that its elements get as `file`.
-/// @throws Error (BadInput) naming the file and the line: missing, no regular file, not well
-/// formed,
-///   beyond the limits, entities of its own, an encoding other than UTF-8.
+/// @throws Error (BadInput) naming the file and the line: missing, no regular file, not
+///   well formed, beyond the limits together with `files`, entities of its own, an encoding other
+///   than UTF-8.
 XmlNode read_xml_tree(const std::string& path, size_t index, const XmlLimits& limits,
                       std::vector<XmlFile>& files);
-
-/// Number of elements, itself included.
-size_t count_elements(const XmlNode& node);
 
 }  // namespace trivet

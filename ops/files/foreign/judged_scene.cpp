@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/bad_input.h"
+#include "core/base/limits.h"
 #include "core/io/foreign/primitives.h"
 #include "core/io/mesh_model.h"
 #include "core/model/model.h"
@@ -55,7 +56,8 @@ class Builder {
 
   JudgedScene build() {
     choose_floor();
-    const PairTable table = pair_table(m_foreign, m_floor);
+    const PairTable table = pair_table(m_foreign, m_floor, false);
+    if (!m_foreign.joints.empty()) m_out.moving_links = pair_table(m_foreign, m_floor, true);
     m_out.scene.floor = m_floor != nullptr;
     m_out.scene.floor_kind = table.floor_kind;
     m_out.scene.pair_rules = table.rules;

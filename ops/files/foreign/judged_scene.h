@@ -8,6 +8,13 @@
 
 namespace trivet {
 
+/// Kinds of bodies and of the floor, and the rules between them.
+struct PairTable {
+  std::vector<PairKind> kinds;  // by body
+  PairKind floor_kind = 0;
+  std::shared_ptr<const PairRules> rules;
+};
+
 /// What of a foreign scene can be judged, and how to get back.
 struct JudgedScene {
   Scene scene;
@@ -15,6 +22,7 @@ struct JudgedScene {
   double lift = 0;       // metres; height in the scene = height in the file + lift
   double clearance = 0;  // metres that the file's margins ask for; 0: none
   std::vector<Sentence> notes;
+  std::optional<PairTable> moving_links;  // the rules while links move; nothing: there are none
 };
 
 /// Every body becomes an object, of all its colliders. The first horizontal plane becomes the

@@ -44,16 +44,20 @@ std::set<std::pair<size_t, size_t>> kept_apart(const ForeignScene& scene) {
     if (body.parent_weld >= 0 && family != of_weld.end())
       for (const size_t j : family->second) add(i, j);
   }
+  for (const ForeignJoint& joint : scene.joints)
+    for (const std::string& frame : joint.frames)
+      if (index_of.count(frame)) add(index_of.at(joint.moves[0]), index_of.at(frame));
   return out;
 }
 
-PairRule rule_between(const KindOfBody& a, const KindOfBody& b, FrictionRule friction) {
+PairRule rule_between(const KindOfBody& a, const KindOfBody& b, FrictionRule friction,
+                      bool fixed_pass) {
   PairRule out;
   std::optional<double> least;
   for (const ContactBits& x : a.bits)
     for (const ContactBits& y : b.bits)
       if (collide(x, y)) least = std::min(least.value_or(kInfinity), pair_friction(x, y, friction));
-  out.may_pass = !least || (a.fixed && b.fixed);
+  out.may_pass = !least || (fixed_pass && a.fixed && b.fixed);
   if (least) out.friction = std::clamp(*least, kMinFriction, kMaxFriction);
   return out;
 }
@@ -77,11 +81,11 @@ double pair_friction(const ContactBits& a, const ContactBits& b, FrictionRule ru
   return a.friction * b.friction;
 }
 
-PairTable pair_table(const ForeignScene& scene, const ForeignCollider* floor) {
+PairTable pair_table(const ForeignScene& scene, const ForeignCollider* floor, bool links_move) {
   const std::set<std::pair<size_t, size_t>> apart = kept_apart(scene);
   std::set<size_t> special;
   for (const auto& [a, b] : apart)
-    if (!scene.bodies[a].fixed || !scene.bodies[b].fixed) special.insert({a, b});
+    if (links_move || !scene.bodies[a].fixed || !scene.bodies[b].fixed) special.insert({a, b});
   PairTable out;
   std::map<KindOfBody, PairKind> kind_of;
   const auto kind = [&](KindOfBody body) {
@@ -97,7 +101,8 @@ PairTable pair_table(const ForeignScene& scene, const ForeignCollider* floor) {
   auto rules = std::make_shared<PairRules>();
   for (const auto& [a, kind_a] : kind_of)
     for (const auto& [b, kind_b] : kind_of)
-      if (kind_a <= kind_b) rules->set(kind_a, kind_b, rule_between(a, b, scene.friction_rule));
+      if (kind_a <= kind_b)
+        rules->set(kind_a, kind_b, rule_between(a, b, scene.friction_rule, !links_move));
   for (const auto& [a, b] : apart)
     if (special.count(a) && special.count(b)) rules->set(out.kinds[a], out.kinds[b], {true, {}});
   out.rules = std::move(rules);

@@ -2,19 +2,13 @@
 #pragma once
 
 #include "core/io/foreign/scene.h"
-#include "core/scene/scene.h"
+#include "ops/files/foreign/judged_scene.h"
 
 namespace trivet {
 
-/// Kinds of bodies and of the floor, and the rules between them.
-struct PairTable {
-  std::vector<PairKind> kinds;  // by body
-  PairKind floor_kind = 0;
-  std::shared_ptr<const PairRules> rules;
-};
-
 /// @param floor  the colliding plane that is the scene's floor; null: there is none.
-PairTable pair_table(const ForeignScene& scene, const ForeignCollider* floor);
+/// @param links_move  fixed bodies meet, but for links and what they hang in; else they pass.
+PairTable pair_table(const ForeignScene& scene, const ForeignCollider* floor, bool links_move);
 
 /// Whether two colliders meet, by their bits.
 bool collide(const ContactBits& a, const ContactBits& b);

@@ -90,8 +90,9 @@ const std::shared_ptr<const Mesh>& MeshAsset::hull() const {
   return m_hull;
 }
 
-Assets::Assets(const XmlNode& root, const Settings& settings, const MeshSource& source)
-    : m_settings(settings), m_source(source) {
+Assets::Assets(const XmlNode& root, const Settings& settings, const MeshSource& source,
+               const SceneRoots& roots)
+    : m_settings(settings), m_source(source), m_roots(roots) {
   for (const XmlNode& section : root.children) {
     if (section.tag != "asset") continue;
     for (const XmlNode& node : section.children) {
@@ -110,6 +111,7 @@ std::unique_ptr<MeshAsset> Assets::read(const XmlNode& node) const {
   Mesh mesh;
   try {
     const std::string path = m_settings.mesh_path(a.text("file"));
+    if (a.has("file")) m_roots.check(path, a.place().text());
     if (!a.has("file"))
       mesh = inline_mesh(a);
     else if (lower_extension(path) == ".msh")

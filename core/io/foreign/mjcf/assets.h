@@ -7,6 +7,7 @@
 
 #include "core/io/foreign/mass_sum.h"
 #include "core/io/foreign/mjcf/settings.h"
+#include "core/io/foreign/scene_roots.h"
 
 namespace trivet::mjcf {
 
@@ -26,7 +27,8 @@ struct MeshAsset {
 /// Reads meshes when geoms ask for them.
 class Assets {
  public:
-  Assets(const XmlNode& root, const Settings& settings, const MeshSource& source);
+  Assets(const XmlNode& root, const Settings& settings, const MeshSource& source,
+         const SceneRoots& roots);
 
   /// Null: no mesh has that name.
   const MeshAsset* find(const std::string& name);
@@ -40,6 +42,7 @@ class Assets {
 
   const Settings& m_settings;
   const MeshSource& m_source;
+  const SceneRoots& m_roots;
   std::map<std::string, Entry> m_entries;
 };
 

@@ -13,8 +13,8 @@ constexpr int kMostIncluded = 32;  // files within files
 
 class Includer {
  public:
-  Includer(const XmlLimits& limits, std::vector<XmlFile>& files)
-      : m_limits(limits), m_files(files) {}
+  Includer(const XmlLimits& limits, const SceneRoots& roots, std::vector<XmlFile>& files)
+      : m_limits(limits), m_roots(roots), m_files(files) {}
 
   void splice(XmlNode& node, int depth) {
     std::vector<XmlNode> children;
@@ -38,11 +38,9 @@ class Includer {
     if (!file) place.refuse("file", "", "the path of a file");
     if (depth >= kMostIncluded || m_files.size() >= kMostFiles)
       place.refuse("file", *file, say("%1 files, %2 within each other", kMostFiles, kMostIncluded));
-    XmlNode root = read_xml_tree(path_of(include, *file), m_files.size(), m_limits, m_files);
-    m_num_elements += count_elements(root);
-    if (m_num_elements > m_limits.max_elements)
-      bad_input("%1: too many elements; accepted: %2 in all", place.text(), m_limits.max_elements);
-    return root;
+    const std::string path = path_of(include, *file);
+    m_roots.check(path, place.text());
+    return read_xml_tree(path, m_files.size(), m_limits, m_files);
   }
 
   std::string path_of(const XmlNode& include, const std::string& file) const {
@@ -57,16 +55,16 @@ class Includer {
   }
 
   XmlLimits m_limits;
+  const SceneRoots& m_roots;
   std::vector<XmlFile>& m_files;
-  size_t m_num_elements = 0;
 };
 
 }  // namespace
 
 XmlNode read_with_includes(const std::string& path, const XmlLimits& limits,
-                           std::vector<XmlFile>& files) {
+                           const SceneRoots& roots, std::vector<XmlFile>& files) {
   XmlNode root = read_xml_tree(path, 0, limits, files);
-  Includer(limits, files).splice(root, 0);
+  Includer(limits, roots, files).splice(root, 0);
   return root;
 }
 

@@ -1,6 +1,7 @@
 // An MJCF model as a tree of bodies, before poses are computed. Private to the reader.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,10 @@ struct Joint {
   enum class Kind { Free, Ball, Slide, Hinge } kind = Kind::Hinge;
   Vec3 anchor = Vec3::Zero(), axis = Vec3::UnitZ();  // in the body's frame
   double reference = 0;                              // metres or degrees
-  size_t first_number = 0;                           // in a keyframe's qpos
+  double lower = -kInfinity, upper = kInfinity;      // the same
+  double friction = 0;                               // newtons or newton metres, that hold it
+  std::string name;
+  size_t first_number = 0;  // in a keyframe's qpos
   size_t num_numbers() const { return kind == Kind::Free ? 7 : kind == Kind::Ball ? 4 : 1; }
 };
 
@@ -43,6 +47,44 @@ struct Model {
   std::vector<Body> bodies;  // the world first, parents before their children
   size_t num_numbers = 0;    // of a keyframe's qpos
 };
+
+using Qpos = std::vector<double>;
+
+/// A joint's axis and anchor, world.
+struct PosedJoint {
+  Vec3 axis, anchor;
+};
+/// Where bodies and their joints are.
+struct Kinematics {
+  std::vector<Pose> bodies;
+  std::vector<std::vector<PosedJoint>> joints;  // by body
+};
+/// @param qpos  null: the reference configuration.
+Kinematics kinematics_of(const Model& model, const Qpos* qpos);
+/// The numbers of the reference configuration.
+Qpos reference_numbers(const Model& model);
+
+/// Rigid groups: bodies without joints between.
+class Groups {
+ public:
+  explicit Groups(const Model& model);
+  /// The first body of its group; 0: the world's.
+  int weld(size_t body) const { return m_weld[body]; }
+  /// Group that this one hangs in; -1: it is the world's.
+  int parent_weld(int weld) const;
+  /// A free joint and nothing that hangs on it by joints.
+  bool is_free(int weld) const;
+
+ private:
+  const Model& m_model;
+  std::vector<int> m_weld;
+  std::set<int> m_has_links;
+};
+
+/// Adds slides and hinges to the scene, and notes of those that gravity would move.
+/// @param names  of the bodies of the model; a group has that of its first.
+void add_joints(const XmlNode& root, const Model& model, const Groups& groups, const Kinematics& at,
+                const std::vector<std::string>& names, ForeignScene& scene);
 
 /// The bodies of <worldbody>. Adds to notes and unread of the scene.
 Model read_bodies(const XmlNode& root, const Settings& settings, Assets& assets,

@@ -14,9 +14,10 @@ namespace {
 
 using mjcf::Assets;
 using mjcf::Body;
+using mjcf::Groups;
 using mjcf::Joint;
+using mjcf::Qpos;
 using mjcf::Settings;
-using Qpos = std::vector<double>;
 
 /// The keyframe that the poses are of.
 struct Key {
@@ -59,65 +60,6 @@ Key key_of(const XmlNode& root, const mjcf::Model& model, const ForeignOptions& 
   return {};
 }
 
-// The joint's displacement, applied to the pose of its body.
-Pose moved_by(const Joint& joint, const Pose& pose, const Qpos& qpos) {
-  const auto at = [&](size_t i) { return qpos[joint.first_number + i]; };
-  if (joint.kind == Joint::Kind::Free)
-    return {Rotation{at(3), at(4), at(5), at(6)}.normalized(), {at(0), at(1), at(2)}};
-  const Mat3 r = pose.rotation.matrix();
-  if (joint.kind == Joint::Kind::Slide)
-    return {pose.rotation, pose.translation + r * joint.axis * (at(0) - joint.reference)};
-  constexpr double kDegrees = 180 / 3.14159265358979323846;
-  const Rotation turn = joint.kind == Joint::Kind::Ball
-                            ? Rotation{at(0), at(1), at(2), at(3)}.normalized()
-                            : turned(joint.axis, at(0) * kDegrees - joint.reference);
-  const Vec3 anchor = pose.translation + r * joint.anchor;
-  const Rotation rotation = pose.rotation * turn;
-  return {rotation, anchor - rotation.matrix() * joint.anchor};
-}
-
-std::vector<Pose> world_poses(const mjcf::Model& model, const Key& key) {
-  std::vector<Pose> out(model.bodies.size());
-  for (size_t i = 1; i < model.bodies.size(); ++i) {
-    const Body& body = model.bodies[i];
-    Pose pose = composed(out[static_cast<size_t>(body.parent)], body.local);
-    if (key.node)
-      for (const Joint& joint : body.joints) pose = moved_by(joint, pose, key.qpos);
-    out[i] = {pose.rotation.normalized(), pose.translation};
-  }
-  return out;
-}
-
-/// Rigid groups: bodies without joints between.
-class Groups {
- public:
-  explicit Groups(const mjcf::Model& model) : m_model(model), m_weld(model.bodies.size(), 0) {
-    for (size_t i = 1; i < model.bodies.size(); ++i) {
-      const Body& body = model.bodies[i];
-      m_weld[i] =
-          body.joints.empty() ? m_weld[static_cast<size_t>(body.parent)] : static_cast<int>(i);
-    }
-    for (size_t i = 1; i < model.bodies.size(); ++i)
-      if (m_weld[i] == static_cast<int>(i)) m_has_links.insert(parent_weld(static_cast<int>(i)));
-  }
-  /// The first body of its group; 0: the world's.
-  int weld(size_t body) const { return m_weld[body]; }
-  int parent_weld(int weld) const {
-    return weld == 0 ? -1 : m_weld[static_cast<size_t>(m_model.bodies[weld].parent)];
-  }
-  /// A free joint and nothing that hangs on it by joints.
-  bool is_free(int weld) const {
-    const std::vector<Joint>& joints = m_model.bodies[weld].joints;
-    return weld != 0 && joints.size() == 1 && joints[0].kind == Joint::Kind::Free &&
-           !m_has_links.count(weld) && parent_weld(weld) == 0;
-  }
-
- private:
-  const mjcf::Model& m_model;
-  std::vector<int> m_weld;
-  std::set<int> m_has_links;
-};
-
 std::string unique_name(std::string name, std::set<std::string>& taken) {
   if (name == "floor") name = "floor (body)";
   const std::string base = name;
@@ -133,7 +75,7 @@ class Assembler {
         m_settings(settings),
         m_model(model),
         m_key(key),
-        m_poses(world_poses(model, key)),
+        m_at(mjcf::kinematics_of(model, key.node ? &key.qpos : nullptr)),
         m_groups(model),
         m_scene(scene) {}
 
@@ -162,6 +104,8 @@ class Assembler {
     for (const Body& body : m_model.bodies)
       for (const Joint& joint : body.joints) m_scene.num_joints += joint.kind != Joint::Kind::Free;
     read_excludes();
+    note_numbers();
+    mjcf::add_joints(m_root, m_model, m_groups, m_at, m_name, m_scene);
   }
 
  private:
@@ -186,7 +130,7 @@ class Assembler {
     out.name = m_name[i];
     out.fixed = !m_groups.is_free(weld);
     out.is_link = weld != 0 && out.fixed;
-    out.pose = m_poses[i];
+    out.pose = m_at.bodies[i];
     out.weld = weld;
     out.parent_weld = m_groups.parent_weld(weld) == 0 ? -1 : m_groups.parent_weld(weld);
     if (!out.fixed) out.place = place_of(i);
@@ -204,17 +148,16 @@ class Assembler {
     out.kind = m_key.node ? PosePlace::Kind::Key : PosePlace::Kind::Tag;
     out.file = node.file;
     out.begin = node.begin;
-    if (m_key.node)
-      out.number = body.joints[0].first_number;
-    else
-      out.world_from_place = composed(m_poses[static_cast<size_t>(body.parent)], body.frame);
+    out.number = body.joints[0].first_number;
+    if (!m_key.node)
+      out.world_from_place = composed(m_at.bodies[static_cast<size_t>(body.parent)], body.frame);
     return out;
   }
 
   void add_content(size_t i, ForeignBody& target) {
     const Body& body = m_model.bodies[i];
     const Pose in_target =
-        target.name == m_name[i] ? Pose{} : composed(inverse(target.pose), m_poses[i]);
+        target.name == m_name[i] ? Pose{} : composed(inverse(target.pose), m_at.bodies[i]);
     for (const mjcf::Geom& geom : body.geoms) {
       if (geom.is_plane && m_groups.weld(i) != 0) {
         add_once(m_scene.unread, say("the plane of \"%1\", which moves, is not read", m_name[i]));
@@ -253,6 +196,19 @@ class Assembler {
       }
   }
 
+  // A keyframe has numbers for all joints.
+  void note_numbers() {
+    m_scene.numbers = m_key.node ? m_key.qpos : mjcf::reference_numbers(m_model);
+    if (m_key.node) return;
+    const auto is_copy = [](const Body& body) { return body.is_copy; };
+    if (!keys_of(m_root).empty())
+      m_scene.why_no_key = Sentence("its first keyframe has no positions");
+    else if (std::any_of(m_model.bodies.begin(), m_model.bodies.end(), is_copy))
+      m_scene.why_no_key = Sentence("MuJoCo reads no keyframe where a tag makes several bodies");
+    else
+      m_scene.new_key = m_root.end;
+  }
+
   void read_excludes() {
     for (const XmlNode& section : m_root.children) {
       if (section.tag == "contact") read_contacts(section);
@@ -285,7 +241,7 @@ class Assembler {
   const Settings& m_settings;
   const mjcf::Model& m_model;
   const Key& m_key;
-  std::vector<Pose> m_poses;
+  mjcf::Kinematics m_at;
   Groups m_groups;
   ForeignScene& m_scene;
   std::vector<std::string> m_name;
@@ -309,15 +265,17 @@ ForeignScene read_mjcf(const std::string& path, const ForeignOptions& options,
   ForeignScene scene;
   scene.format = "MJCF";
   scene.friction_rule = FrictionRule::Larger;
-  const XmlNode root = mjcf::read_with_includes(path, options.limits, scene.files);
+  const SceneRoots roots(path, options.roots);
+  const XmlNode root = mjcf::read_with_includes(path, options.limits, roots, scene.files);
   if (root.tag != "mujoco") bad_file(path, "begins with <%1>; accepted: <mujoco>", root.tag);
   const Settings settings(root, scene.files);
   if (settings.compiler("coordinate", "local") == "global")
     bad_file(path, "has global coordinates, which MuJoCo no longer reads");
-  Assets assets(root, settings, meshes);
+  Assets assets(root, settings, meshes, roots);
   const mjcf::Model model = mjcf::read_bodies(root, settings, assets, options, scene);
   const Key key = key_of(root, model, options, scene);
   scene.key = key.name;
+  if (key.node) scene.key_file = key.node->file, scene.key_begin = key.node->begin;
   Assembler(root, settings, model, key, scene).assemble();
   note_options(root, scene);
   return scene;

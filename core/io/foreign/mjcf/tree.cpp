@@ -178,8 +178,16 @@ class TreeReader {
     joint.anchor = frame.apply(a.vec3("pos", Vec3::Zero()));
     const Vec3 axis = a.vec3("axis", Vec3::UnitZ());
     if (axis.norm() > 1e-14) joint.axis = frame.apply_direction(axis.normalized());
-    const double reference = a.number("ref", 0);
-    joint.reference = joint.kind == Joint::Kind::Hinge ? m_settings.degrees(reference) : reference;
+    const auto own_unit = [&](double number) {
+      return joint.kind == Joint::Kind::Hinge ? m_settings.degrees(number) : number;
+    };
+    joint.reference = own_unit(a.number("ref", 0));
+    joint.friction = a.number("frictionloss", 0);
+    joint.name = a.text("name").empty() ? "" : a.text("name") + place.suffix;
+    if (a.has("range") && a.text("limited", "auto") != "false") {
+      const std::vector<double> range = a.numbers("range", 2, 2);
+      joint.lower = own_unit(range[0]), joint.upper = own_unit(range[1]);
+    }
     body.joints.push_back(joint);
   }
 
