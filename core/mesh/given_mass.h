@@ -11,7 +11,7 @@ namespace trivet {
 /// Accepted masses, kilograms.
 inline constexpr double kMinMass = 1e-9, kMaxMass = 1e12;
 
-/// What is not given follows from the geometry, at uniform density. Metres from the object's
+/// A value not given follows from the geometry, at uniform density. Metres from the object's
 /// origin, z up: the frame of its pose.
 struct GivenMass {
   double kilograms = 1;

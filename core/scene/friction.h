@@ -9,7 +9,7 @@ namespace trivet {
 /// Material of the partner of a contact: an object's or the floor's. Asserts that it is alive.
 const PhysicsMaterial& material_of(const Scene& scene, const Support& support);
 
-/// What the friction of an object depends on.
+/// The friction of an object depends on these.
 struct Surface {
   double friction = kDefaultFriction;  // of its material
   PairKind kind = 0;

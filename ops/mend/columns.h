@@ -9,7 +9,7 @@ namespace trivet {
 
 inline constexpr double kNoHeight = -kInfinity;
 
-/// What a line meets of another object. Heights, metres; kNoHeight: nothing.
+/// A line meets this of another object. Heights, metres; kNoHeight: nothing.
 struct MetObject {
   double highest_under = kNoHeight;  // of its faces that look up, not above the object's underside
                                      // by more than the tolerance

@@ -185,7 +185,7 @@ class IntentFinder {
            l.columns.width;
   }
 
-  // How far the underside is from the other's faces below it, about; nothing: none is below.
+  // Distance of the underside from the other's faces below it, about; nothing: none is below.
   static std::optional<double> distance_to(const Looked& l, ObjectId other) {
     const auto at = std::find(l.columns.others.begin(), l.columns.others.end(), other);
     if (at == l.columns.others.end()) return std::nullopt;
@@ -316,7 +316,7 @@ class IntentFinder {
     return body_of(m_scene.at(l.intent.id), l.intent.level).world_box.lower.z();
   }
 
-  // What is below first; a circle loses its weakest support.
+  // The lower ones first; a circle loses its weakest support.
   std::vector<ObjectIntent> in_order() {
     std::vector<ObjectIntent> out;
     std::set<std::uint32_t> done;
@@ -336,7 +336,7 @@ class IntentFinder {
         cut_weakest(left, waits_for);
         continue;
       }
-      // What leans comes after what stands.
+      // Leaning objects come after standing ones.
       std::stable_sort(ready.begin(), ready.end(), [&](const Looked* a, const Looked* b) {
         if (a->intent.is_level != b->intent.is_level) return a->intent.is_level;
         return lowest(*a) < lowest(*b);

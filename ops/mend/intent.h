@@ -1,4 +1,4 @@
-// What was meant by poses that interpenetrate and float: what stands on what, and in what.
+// Intent: what was meant by poses that interpenetrate and float: what stands on what, and in what.
 #pragma once
 
 #include <optional>

@@ -19,7 +19,7 @@ constexpr int kPartings = 8;        // shifts until an object is free
 constexpr double kLiftsInTolerances[] = {0, 0.06, 0.25, 0.7, 1.5, 3, 8};
 constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
 constexpr double kRingLifts[] = {0, 0.7, 2};
-// Of an object's size: a lost support, attitude or height, and a support too many.
+// Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
@@ -127,7 +127,7 @@ class Mender {
     if (!below || !was_moved(scene, support)) return pose;
     const Pose now = m_scene.at(support).pose;
     Pose from = below->level;
-    // What stands level is shifted; a turn of its support about the vertical does not concern it.
+    // A level object is shifted; a turn of its support about the vertical does not concern it.
     if (m_object->is_level) {
       pose.translation += middle_of(support, now) - middle_of(support, from);
       return pose;

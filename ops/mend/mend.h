@@ -18,7 +18,7 @@ struct MendOptions : SettleSceneOptions {
   int most_tries = 120;  // starts of one object
 };
 
-/// What became of an object's supports.
+/// A change of an object's supports.
 struct ChangedRelation {
   std::string object;
   std::vector<std::string> lost, gained;  // names; "floor"
@@ -30,7 +30,7 @@ struct MendedScene : SettledScene {
   std::vector<ChangedRelation> relations;  // of objects whose supports are not those meant
 };
 
-/// What is true stays, to the bit, unless what carries it moves. Every other free object goes to
+/// A true object stays, to the bit, unless what carries it moves. Every other free object goes to
 /// the nearest place found where it passes through nothing, rests, and is carried by what its pose
 /// was meant to be carried by. Objects without a place stay where they were.
 MendedScene mend_scene(Scene& scene, const MendOptions& options);

@@ -34,7 +34,7 @@ class Rearrangement {
   }
   void give_up(ObjectId id, Sentence why) { m_out.unable.push_back({id, std::move(why)}); }
 
-  /// Those that were given up stand where they were; what has moved, and how far.
+  /// Objects that were given up stand where they were; what has moved, and how far.
   SettledScene finish();
 
  private:

@@ -47,7 +47,7 @@ void let_down(Rearrangement& scene, ObjectId id) {
   scene.give_up(id, std::move(why));
 }
 
-// Those, and what they hold, and what that holds.
+// The slots, and what they hold, and what that holds.
 Slots and_their_loads(const Scene& scene, Slots slots) {
   std::map<std::uint32_t, std::vector<ObjectId>> loads;
   for (const LoadSupport::Entry& e : load_support(scene).entries) loads[e.object.index] = e.loads;

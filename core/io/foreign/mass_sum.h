@@ -20,7 +20,7 @@ SolidMoments ellipsoid_moments(const Vec3& radii);
 SolidMoments cylinder_moments(double radius, double half);
 SolidMoments capsule_moments(double radius, double half);
 
-/// How a mesh weighs: Exact by signed tetrahedra; Legacy, MuJoCo's default, by their magnitudes,
+/// The way a mesh weighs: Exact by signed tetrahedra; Legacy, MuJoCo's default, by their magnitudes,
 /// about the middle of the surface and then about the centre that comes out; Shell by area.
 enum class MeshMass { Exact, Legacy, Shell };
 SolidMoments mesh_moments(const Mesh& mesh, MeshMass rule);
@@ -34,7 +34,7 @@ class MassSum {
   /// @param pose  of the part's frame in the body's.
   void add(double kilograms, const SolidMoments& part, const Pose& pose);
   double kilograms() const { return m_kilograms; }
-  /// Nothing without mass.
+  /// There is none without mass.
   std::optional<GivenMass> total() const;
 
  private:

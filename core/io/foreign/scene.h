@@ -26,7 +26,7 @@ Rotation turned(const Vec3& axis, double degrees);
 /// Engine's rule for the friction of two surfaces.
 enum class FrictionRule { Larger, Smaller, Product };
 
-/// What decides whether and how a collider meets others.
+/// These decide whether and how a collider meets others.
 struct ContactBits {
   std::uint32_t type = 1, affinity = 1;  // two collide if the one's type meets the other's affinity
   double friction = 1;                   // Coulomb's coefficient

@@ -92,7 +92,7 @@ std::string xml_bytes_of(const std::string& path, const XmlLimits& limits) {
   return std::move(*bytes);
 }
 
-// What the files that were read have left over.
+// The limits less the files that were read.
 XmlLimits left_of(XmlLimits limits, const std::vector<XmlFile>& files) {
   for (const XmlFile& file : files) {
     limits.max_bytes -= std::min<std::uintmax_t>(limits.max_bytes, file.bytes.size());

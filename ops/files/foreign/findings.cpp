@@ -54,7 +54,7 @@ class FindingCollector {
     for (const std::string& name : {a, b}) m_told.insert(name);
   }
 
-  // What passes through others has that to be said of it, and no more.
+  // An object that passes through others has one finding.
   void add_floating(const SceneCheck::Hovering& h) {
     if (m_told.insert(h.name).second)
       m_out.findings.push_back({Kind::Floats, h.name, h.above, h.height, Vec3::Zero(), ""});

@@ -1,4 +1,4 @@
-// What is wrong with a scene, for people and programs.
+// Findings: what is wrong with a scene, for people and programs.
 #pragma once
 
 #include <string>

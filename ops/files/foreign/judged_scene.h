@@ -15,7 +15,7 @@ struct PairTable {
   std::shared_ptr<const PairRules> rules;
 };
 
-/// What of a foreign scene can be judged, and how to get back.
+/// The part of a foreign scene that can be judged, and how to get back.
 struct JudgedScene {
   Scene scene;
   std::vector<std::optional<ObjectId>> ids;  // by body; nothing: it is the floor

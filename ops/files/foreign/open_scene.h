@@ -18,7 +18,7 @@ namespace trivet {
 struct OpenOptions {
   ForeignOptions foreign;
   ImportLimits limits;
-  // Of scenes that state neither a floor nor what is fixed (glTF):
+  // For scenes that state neither a floor nor what is fixed (glTF):
   SceneRule rule = SceneRule::Roots;
   std::vector<std::string> fixed;  // names; unknown ones are an error
   std::optional<double> floor;     // its height, metres; nothing: that of the lowest point

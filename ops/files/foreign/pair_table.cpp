@@ -10,7 +10,7 @@
 namespace trivet {
 namespace {
 
-/// What all bodies of a kind have in common.
+/// All bodies of a kind have this in common.
 struct KindOfBody {
   bool fixed = false;
   std::vector<ContactBits> bits;  // sorted, each once

@@ -10,7 +10,7 @@ namespace trivet {
 /// @param links_move  fixed bodies meet, but for links and what they hang in; else they pass.
 PairTable pair_table(const ForeignScene& scene, const ForeignCollider* floor, bool links_move);
 
-/// Whether two colliders meet, by their bits.
+/// True if two colliders meet, by their bits.
 bool collide(const ContactBits& a, const ContactBits& b);
 double pair_friction(const ContactBits& a, const ContactBits& b, FrictionRule rule);
 

@@ -1,4 +1,4 @@
-// What was changed in an opened scene, and what its poses mean, as JSON.
+// Changes in an opened scene, and what its poses mean, as JSON.
 #pragma once
 
 #include "core/io/json.h"

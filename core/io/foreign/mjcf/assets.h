@@ -17,7 +17,7 @@ struct MeshAsset {
   MeshMass rule = MeshMass::Legacy;
   Sentence trouble;  // why there is no mesh; empty: there is one
 
-  /// What MuJoCo collides; without faces: the mesh is flat. Made when first asked for.
+  /// The shape that MuJoCo collides; without faces: the mesh is flat. Made when first asked for.
   const std::shared_ptr<const Mesh>& hull() const;
 
  private:

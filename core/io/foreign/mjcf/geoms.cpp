@@ -48,7 +48,7 @@ void check_size(const Attributes& a, const Vec3& size, int least) {
     if (!(size[i] > 0)) a.place().refuse("size", a.text("size"), say("%1 positive numbers", least));
 }
 
-// Nothing: it is no primitive of this kind. Without its mesh where that does not collide.
+// Empty: it is no primitive of this kind. Without its mesh where that does not collide.
 std::optional<Solid> primitive(const Attributes& a, const Extent& e, bool collides) {
   const auto made = [&](const auto& make_mesh, const SolidMoments& moments) {
     return Solid{collides ? std::make_shared<const Mesh>(make_mesh()) : nullptr, moments};

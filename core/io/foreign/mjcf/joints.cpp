@@ -73,7 +73,7 @@ class JointAdder {
     return weld == body;
   }
 
-  // What the world holds is one body each: all of the same piece of furniture.
+  // Bodies that the world holds are one each: all of the same piece of furniture.
   void add_frames(size_t body, ForeignJoint& out) const {
     const auto parent = static_cast<size_t>(m_model.bodies[body].parent);
     const int weld = m_groups.weld(parent);

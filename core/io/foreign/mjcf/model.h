@@ -94,7 +94,7 @@ Model read_bodies(const XmlNode& root, const Settings& settings, Assets& assets,
 void read_geom(const Attributes& a, const Pose& frame, const Settings& settings, Assets& assets,
                const ForeignOptions& options, Body& body, ForeignScene& scene);
 
-/// What a body weighs by the rules of <compiler>.
+/// The mass of a body by the rules of <compiler>.
 std::optional<GivenMass> mass_of(const Body& body, const Settings& settings);
 
 }  // namespace trivet::mjcf

@@ -114,7 +114,7 @@ class Assembler {
     return name.empty() ? "body " + std::to_string(i) : name;
   }
 
-  // What belongs to no body is a body each: a table, a wall, the floor.
+  // A geom that belongs to no body is a body: a table, a wall, the floor.
   void add_world_geoms(std::set<std::string>& taken) {
     for (const mjcf::Geom& geom : m_model.bodies[0].geoms) {
       ForeignBody body;

@@ -42,7 +42,7 @@ class Settings {
   Rotation orientation(const Attributes& a) const;
   /// An angle of the file in degrees.
   double degrees(double angle) const;
-  /// Of the element <compiler>.
+  /// An attribute of <compiler>.
   std::string compiler(const std::string& name, const std::string& otherwise) const;
   double compiler_number(const std::string& name, double otherwise) const;
   /// Path of a mesh file.

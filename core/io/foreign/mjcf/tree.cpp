@@ -57,7 +57,7 @@ class TreeReader {
   }
 
  private:
-  // What belongs to the body itself comes before the bodies in it.
+  // Leaves of the body itself come before the bodies in it.
   void read_leaves(const XmlNode& node, const Place& place) {
     for (const XmlNode& child : node.children) {
       if (child.tag == "frame") {

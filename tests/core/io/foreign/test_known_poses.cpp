@@ -38,7 +38,7 @@ void expect_pose(const Pose& pose, const json& j, double close, const std::strin
   EXPECT_LT((pose.rotation.matrix() - turn_of(j[1])).cwiseAbs().maxCoeff(), close) << what;
 }
 
-// What MuJoCo has as several bodies without joints between, we have as one.
+// MuJoCo has these as several bodies without joints between, we as one.
 const std::map<std::string, std::vector<std::string>> kWelded = {{"turned", {"turned", "axes"}}};
 
 void expect_mass(const ForeignBody& body, const json& want) {

@@ -17,7 +17,7 @@ using namespace trivet::test;
 
 constexpr double kSeconds = 2;
 
-// How far a body's centre of mass goes from the start state, metres; with free joints alone.
+// The way that a body's centre of mass goes from the start state, metres; with free joints alone.
 double moved_in_mujoco(const std::string& path, const std::string& body) {
   char error[1000] = "";
   mjModel* const model = mj_loadXML(path.c_str(), nullptr, error, sizeof error);
