@@ -20,8 +20,9 @@ SolidMoments ellipsoid_moments(const Vec3& radii);
 SolidMoments cylinder_moments(double radius, double half);
 SolidMoments capsule_moments(double radius, double half);
 
-/// The way a mesh weighs: Exact by signed tetrahedra; Legacy, MuJoCo's default, by their magnitudes,
-/// about the middle of the surface and then about the centre that comes out; Shell by area.
+/// The way a mesh weighs: Exact by signed tetrahedra; Legacy, MuJoCo's default, by their
+/// magnitudes, about the middle of the surface and then about the centre that comes out; Shell by
+/// area.
 enum class MeshMass { Exact, Legacy, Shell };
 SolidMoments mesh_moments(const Mesh& mesh, MeshMass rule);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -90,6 +91,7 @@ struct ForeignScene {
   std::vector<Sentence> notes;   // each once
   std::vector<Sentence> unread;  // what matters to a verdict and was not read
   size_t num_joints = 0;         // held as they are
+  size_t num_faces = 0;          // see count_faces()
   std::vector<ForeignJoint> joints;
   // MJCF: all numbers of a keyframe as they stand, and where a first keyframe would be put into the
   // main file.
@@ -111,7 +113,19 @@ struct ForeignOptions {
   XmlLimits limits;
 };
 
-/// Adds a note once.
+/// Adds a note once; behind the hundredth only that there are more.
 void add_once(std::vector<Sentence>& notes, Sentence note);
+
+/// Makes names unique by numbers; "floor" is taken.
+class UniqueNames {
+ public:
+  std::string operator()(std::string name);
+
+ private:
+  std::map<std::string, int> m_taken;  // by name: the last number that was tried with it
+};
+
+/// Counts faces of colliders: scenes are not trusted. @throws Error (BadInput): too many.
+void count_faces(const Mesh& mesh, ForeignScene& scene);
 
 }  // namespace trivet

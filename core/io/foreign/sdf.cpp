@@ -17,7 +17,8 @@ namespace trivet {
 namespace {
 
 constexpr int kMostNestedModels = 64;
-constexpr size_t kMostSdfFiles = 2000;
+constexpr size_t kMostSdfFiles = 2000, kMostFrames = 20'000'000, kMostLinks = 5000;
+constexpr int kMostFramesInARow = 1000;
 constexpr std::uint32_t kAllBits = 0xffff;
 
 std::string trimmed_text(const XmlNode& node) {
@@ -117,6 +118,8 @@ class SdfReader {
 
   // All that poses of this scope may name, by where each is defined.
   Scope scope_of(const XmlNode& owner, const char* origin) {
+    m_num_frames += owner.children.size();
+    if (m_num_frames > kMostFrames) bad_input("%1: too many frames", place(owner).text());
     Scope scope;
     scope[origin].state = 2;
     for (const XmlNode& node : owner.children) {
@@ -149,7 +152,11 @@ class SdfReader {
     if (frame.state == 1) place(asking).refuse("relative_to", name, "frames without a circle");
     if (frame.state == 2) return frame.pose;
     frame.state = 1;
+    if (++m_resolving > kMostFramesInARow)
+      bad_input("%1: too many frames in a row; accepted: %2", place(asking).text(),
+                kMostFramesInARow);
     const Pose base = resolve(*frame.node, frame.base, scope);
+    --m_resolving;
     frame.pose = composed(base, composed(own_pose(*frame.node), frame.extra));
     frame.state = 2;
     return frame.pose;
@@ -214,13 +221,14 @@ class SdfReader {
     is_static = is_static || is_true(child_text(model, "static", "0"));
     Scope scope = scope_of(model, "__model__");
     const std::map<std::string, std::string> group = rigid_groups(model);
+    const bool joints = hangs_in_joints(model), several = num_groups_of(group) > 1;
     std::map<std::string, size_t> body_of;  // by group
     for (const XmlNode& link : model.children) {
       if (link.tag != "link") continue;
       const std::string key = group.at(sdf_name(link));
       if (!body_of.count(key)) {
         body_of[key] = m_scene.bodies.size();
-        m_scene.bodies.push_back(new_body(model, name, link, world, where, is_static));
+        m_scene.bodies.push_back(new_body(name, link, world, where, is_static, joints, several));
       }
       add_link(link, composed(world, resolve(link, sdf_name(link), scope)), world, scope,
                m_scene.bodies[body_of[key]]);
@@ -234,6 +242,8 @@ class SdfReader {
     std::map<std::string, std::string> out;
     for (const XmlNode& node : model.children)
       if (node.tag == "link") out[sdf_name(node)] = sdf_name(node);
+    if (out.size() > kMostLinks)
+      bad_input("%1: too many links; accepted: %2", place(model).text(), kMostLinks);
     for (const XmlNode& joint : model.children) {
       const std::string* const type = joint.tag == "joint" ? joint.find("type") : nullptr;
       if (!type || *type != "fixed") continue;
@@ -261,12 +271,17 @@ class SdfReader {
       for (const XmlNode& joint : model.children) m_scene.num_joints += joint.tag == "joint";
   }
 
-  ForeignBody new_body(const XmlNode& model, const std::string& name, const XmlNode& link,
-                       const Pose& world, const Place& where, bool is_static) {
+  static size_t num_groups_of(const std::map<std::string, std::string>& group) {
+    std::set<std::string> names;
+    for (const auto& [link, key] : group) names.insert(key);
+    return names.size();
+  }
+
+  // @param joints  the model has some. @param several  rigid groups of links.
+  ForeignBody new_body(const std::string& name, const XmlNode& link, const Pose& world,
+                       const Place& where, bool is_static, bool joints, bool several) {
     ForeignBody out;
-    const bool joints = hangs_in_joints(model);
-    const bool several = joints || rigid_groups(model).size() > 1;
-    out.name = unique(joints ? name + "::" + sdf_name(link) : name);
+    out.name = m_unique(joints ? name + "::" + sdf_name(link) : name);
     out.fixed = is_static || joints;
     out.is_link = joints && !is_static;
     out.pose = world;
@@ -289,13 +304,6 @@ class SdfReader {
     for (const ForeignBody& body : m_scene.bodies)
       if (body.name.starts_with(name + "::")) return body.weld;
     return -1;
-  }
-
-  std::string unique(std::string name) {
-    if (name == "floor") name = "floor (model)";
-    const std::string base = name;
-    for (int k = 2; !m_taken.insert(name).second; ++k) name = base + "_" + std::to_string(k);
-    return name;
   }
 
   void add_link(const XmlNode& link, const Pose& at, const Pose& world, Scope& scope,
@@ -348,6 +356,7 @@ class SdfReader {
       Mesh mesh = mesh_of(shape);
       if (mesh.triangles.empty()) return skip(shape, Sentence("is not read"));
       collider.mesh = std::make_shared<const Mesh>(std::move(mesh));
+      count_faces(*collider.mesh, m_scene);
       body.colliders.push_back(std::move(collider));
     } catch (const Error& error) {
       skip(shape, error.sentence());
@@ -367,9 +376,16 @@ class SdfReader {
     if (const XmlNode* const ode = friction ? friction->child("ode") : nullptr)
       bits.friction = number(*ode, "mu", 1);
     if (const XmlNode* const contact = surface->child("contact"))
-      bits.type = bits.affinity =
-          static_cast<std::uint32_t>(number(*contact, "collide_bitmask", kAllBits));
+      bits.type = bits.affinity = bitmask(*contact);
     return bits;
+  }
+
+  std::uint32_t bitmask(const XmlNode& contact) const {
+    const double mask = number(contact, "collide_bitmask", kAllBits);
+    if (!(mask >= 0 && mask <= 4294967295.0))
+      place(contact).refuse("collide_bitmask", child_text(contact, "collide_bitmask", ""),
+                            "0 to 4294967295");
+    return static_cast<std::uint32_t>(mask);
   }
 
   Mesh mesh_of(const XmlNode& shape) const {
@@ -385,7 +401,8 @@ class SdfReader {
   // Gazebo collides the triangles.
   Mesh file_mesh(const XmlNode& shape) const {
     const std::string uri = child_text(shape, "uri", "");
-    Mesh mesh = mesh_in_metres(m_meshes(path_of_uri(uri, m_scene.files[shape.file].path, m_allowed)));
+    Mesh mesh =
+        mesh_in_metres(m_meshes(path_of_uri(uri, m_scene.files[shape.file].path, m_allowed)));
     scale(vec3(shape, "scale", Vec3::Ones()), mesh);
     return mesh;
   }
@@ -401,7 +418,8 @@ class SdfReader {
     const std::string uri = child_text(include, "uri", "");
     try {
       if (m_scene.files.size() >= kMostSdfFiles) bad_input("more than %1 files", kMostSdfFiles);
-      const std::string path = sdf_in(path_of_uri(uri, m_scene.files[include.file].path, m_allowed));
+      const std::string path =
+          sdf_in(path_of_uri(uri, m_scene.files[include.file].path, m_allowed));
       m_roots.push_back(std::make_unique<XmlNode>(
           read_xml_tree(path, m_scene.files.size(), m_options.limits, m_scene.files)));
       if (const XmlNode* const model = m_roots.back()->child("model")) return model;
@@ -424,7 +442,9 @@ class SdfReader {
   ForeignScene m_scene;
   std::vector<std::unique_ptr<XmlNode>> m_roots;
   std::map<const XmlNode*, const XmlNode*> m_included;
-  std::set<std::string> m_taken;
+  UniqueNames m_unique;
+  size_t m_num_frames = 0;  // in all scopes that were made
+  int m_resolving = 0;      // frames on the way
 };
 
 }  // namespace

@@ -14,6 +14,8 @@
 namespace trivet {
 namespace {
 
+constexpr size_t kMostLinks = 10'000;
+constexpr int kMostInARow = 1000;  // links from the root
 constexpr double kFriction = 0.5;  // URDF states none; as Bullet has it
 
 double degrees(double radians) { return radians * (180 / std::numbers::pi); }
@@ -62,6 +64,8 @@ class UrdfReader {
     for (const XmlNode& node : root.children) {
       if (node.tag == "link" && !m_links.emplace(attribute(node, "name"), &node).second)
         place(node).refuse("name", attribute(node, "name"), "a name that no other link has");
+      if (m_links.size() > kMostLinks)
+        bad_file(m_path, "has too many links; accepted: %1", kMostLinks);
       if (node.tag != "joint") continue;
       const XmlNode *const parent = node.child("parent"), *const child = node.child("child");
       if (!parent || !child) bad_input("%1: has no parent or no child", place(node).text());
@@ -69,6 +73,7 @@ class UrdfReader {
                             attribute(node, "type")};
       if (!m_joint_of.emplace(joint.child, joint).second)
         place(*child).refuse("link", joint.child, "a link that no other joint has as its child");
+      if (const std::string* const name = node.find("name")) m_joint_named[*name] = joint.child;
       m_children[joint.parent].push_back(joint.child);
     }
     for (const auto& [child, joint] : m_joint_of)
@@ -77,7 +82,10 @@ class UrdfReader {
   }
 
   // @param target  the body that the link is part of; -1: one of its own.
-  void walk(const std::string& name, const Pose& pose, int target, const PosePlace& where) {
+  void walk(const std::string& name, const Pose& pose, int target, const PosePlace& where,
+            int depth = 0) {
+    if (depth > kMostInARow)
+      bad_file(m_path, "has too many links in a row; accepted: %1", kMostInARow);
     if (++m_num_placed > m_links.size()) bad_file(m_path, "has joints in a circle");
     const bool own = target < 0;
     if (own) {
@@ -92,7 +100,7 @@ class UrdfReader {
       const bool rigid = joint.type == "fixed";
       PosePlace its;
       if (joint.type == "floating") its = place_of(origin, pose);
-      walk(child, {at.rotation.normalized(), at.translation}, rigid ? target : -1, its);
+      walk(child, {at.rotation.normalized(), at.translation}, rigid ? target : -1, its, depth + 1);
       if (!rigid && joint.type != "floating") ++m_scene.num_joints;
     }
   }
@@ -124,14 +132,14 @@ class UrdfReader {
     return -1;
   }
 
-  bool hangs_joints(const std::string& name) const {
+  bool hangs_joints(const std::string& name, int depth = 0) const {
     const auto children = m_children.find(name);
-    if (children == m_children.end()) return false;
-    return std::any_of(children->second.begin(), children->second.end(),
-                       [&](const std::string& child) {
-                         const std::string& type = m_joint_of.at(child).type;
-                         return type == "fixed" ? hangs_joints(child) : type != "floating";
-                       });
+    if (children == m_children.end() || depth > kMostInARow) return false;
+    return std::any_of(
+        children->second.begin(), children->second.end(), [&](const std::string& child) {
+          const std::string& type = m_joint_of.at(child).type;
+          return type == "fixed" ? hangs_joints(child, depth + 1) : type != "floating";
+        });
   }
 
   PosePlace place_of(const XmlNode* origin, const Pose& parent) const {
@@ -170,14 +178,14 @@ class UrdfReader {
   // Joints stay at 0, or at the limit next to it; those that mimic follow.
   double number_of(const JointNode& joint, int depth) const {
     if (const XmlNode* const mimic = joint.node->child("mimic"); mimic && depth < 32)
-      for (const auto& [child, other] : m_joint_of) {
-        const std::string* const name = other.node->find("name");
-        if (!name || *name != attribute(*mimic, "joint")) continue;
+      if (const auto other = m_joint_named.find(attribute(*mimic, "joint"));
+          other != m_joint_named.end()) {
         const auto number = [&](const char* key, double otherwise) {
           const std::string* const text = mimic->find(key);
           return text ? numbers_in(*text, key, place(*mimic), 1, 1)[0] : otherwise;
         };
-        return number("multiplier", 1) * number_of(other, depth + 1) + number("offset", 0);
+        return number("multiplier", 1) * number_of(m_joint_of.at(other->second), depth + 1) +
+               number("offset", 0);
       }
     if (joint.type == "continuous" || !joint.node->child("limit")) return 0;
     return std::max(limit(joint, "lower", 0), std::min(0.0, limit(joint, "upper", 0)));
@@ -245,7 +253,7 @@ class UrdfReader {
     if (collider.mesh->triangles.empty())
       add_once(m_scene.unread, say("%1: is not read", place(shape).text()));
     else
-      body.colliders.push_back(std::move(collider));
+      count_faces(*collider.mesh, m_scene), body.colliders.push_back(std::move(collider));
   }
 
   Mesh mesh_of(const XmlNode& shape) const {
@@ -279,7 +287,8 @@ class UrdfReader {
   SceneRoots m_roots;
   ForeignScene m_scene;
   std::map<std::string, const XmlNode*> m_links;
-  std::map<std::string, JointNode> m_joint_of;  // by child
+  std::map<std::string, JointNode> m_joint_of;       // by child
+  std::map<std::string, std::string> m_joint_named;  // the child, by the joint's name
   std::map<std::string, std::vector<std::string>> m_children;
   size_t m_num_placed = 0;
 };

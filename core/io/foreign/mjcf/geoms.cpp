@@ -91,12 +91,20 @@ Solid of_mesh(const Attributes& a, const std::string& type, bool collides,
   return out;
 }
 
+// An int of MuJoCo; -1 has all bits.
+std::int64_t whole_number(const Attributes& a, const char* name, double otherwise) {
+  const double value = a.number(name, otherwise);
+  if (!(value >= -2147483648.0 && value <= 2147483647.0) || value != std::floor(value))
+    a.place().refuse(name, a.text(name), "whole numbers of 32 bits");
+  return static_cast<std::int64_t>(value);
+}
+
 ContactBits bits_of(const Attributes& a) {
   ContactBits bits;
-  bits.type = static_cast<std::uint32_t>(a.number("contype", 1));
-  bits.affinity = static_cast<std::uint32_t>(a.number("conaffinity", 1));
+  bits.type = static_cast<std::uint32_t>(whole_number(a, "contype", 1));
+  bits.affinity = static_cast<std::uint32_t>(whole_number(a, "conaffinity", 1));
   bits.friction = a.has("friction") ? a.numbers("friction", 1, 3)[0] : 1;
-  bits.priority = static_cast<int>(a.number("priority", 0));
+  bits.priority = static_cast<int>(whole_number(a, "priority", 0));
   bits.margin = a.number("margin", 0);
   return bits;
 }
@@ -156,6 +164,7 @@ void read_geom(const Attributes& a, const Pose& frame, const Settings& settings,
   if (!trouble.empty()) return skip(trouble);
   add_mass(a, solid, geom.collider.pose, settings, body);
   if (!geom.collides) return;
+  count_faces(*solid.mesh, scene);
   geom.collider.mesh = std::move(solid.mesh);
   body.geoms.push_back(std::move(geom));
 }

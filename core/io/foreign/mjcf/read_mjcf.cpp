@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "core/base/bad_input.h"
 #include "core/io/foreign/mjcf/includes.h"
@@ -60,13 +59,6 @@ Key key_of(const XmlNode& root, const mjcf::Model& model, const ForeignOptions& 
   return {};
 }
 
-std::string unique_name(std::string name, std::set<std::string>& taken) {
-  if (name == "floor") name = "floor (body)";
-  const std::string base = name;
-  for (int k = 2; !taken.insert(name).second; ++k) name = base + "_" + std::to_string(k);
-  return name;
-}
-
 class Assembler {
  public:
   Assembler(const XmlNode& root, const Settings& settings, const mjcf::Model& model, const Key& key,
@@ -81,15 +73,15 @@ class Assembler {
 
   void assemble() {
     std::map<int, size_t> index_of;  // of groups that move
-    std::set<std::string> taken;
     for (size_t i = 0; i < m_model.bodies.size(); ++i) {
       const int weld = m_groups.weld(i);
+      m_body_named.emplace(m_model.bodies[i].name, i);
       if (i == 0) {
         m_name.push_back("");
-        add_world_geoms(taken);
+        add_world_geoms();
         continue;
       }
-      m_name.push_back(unique_name(name_of(i), taken));
+      m_name.push_back(m_unique(name_of(i)));
       const auto known = weld == 0 ? index_of.end() : index_of.find(weld);
       if (known == index_of.end()) {
         if (weld != 0) index_of[weld] = m_scene.bodies.size();
@@ -115,10 +107,10 @@ class Assembler {
   }
 
   // A geom that belongs to no body is a body: a table, a wall, the floor.
-  void add_world_geoms(std::set<std::string>& taken) {
+  void add_world_geoms() {
     for (const mjcf::Geom& geom : m_model.bodies[0].geoms) {
       ForeignBody body;
-      body.name = unique_name(geom.collider.name, taken);
+      body.name = m_unique(geom.collider.name);
       body.fixed = true;
       body.colliders = {geom.collider};
       m_scene.bodies.push_back(std::move(body));
@@ -231,10 +223,10 @@ class Assembler {
 
   // Name of the body in the scene that has the body of this name in it.
   std::string group_of(const std::string& name) const {
-    for (size_t i = 0; i < m_model.bodies.size(); ++i)
-      if (m_model.bodies[i].name == name)
-        return m_groups.weld(i) == 0 ? m_name[i] : m_name[static_cast<size_t>(m_groups.weld(i))];
-    return name;
+    const auto found = m_body_named.find(name);
+    if (found == m_body_named.end()) return name;
+    const size_t i = found->second;
+    return m_groups.weld(i) == 0 ? m_name[i] : m_name[static_cast<size_t>(m_groups.weld(i))];
   }
 
   const XmlNode& m_root;
@@ -244,6 +236,8 @@ class Assembler {
   mjcf::Kinematics m_at;
   Groups m_groups;
   ForeignScene& m_scene;
+  UniqueNames m_unique;
+  std::map<std::string, size_t> m_body_named;  // the first of a name
   std::vector<std::string> m_name;
 };
 

@@ -10,6 +10,7 @@ namespace trivet::mjcf {
 namespace {
 
 constexpr size_t kMostBodies = 200'000, kMostCopies = 100'000;
+constexpr size_t kMostAllCopies = 1'000'000;  // copies within copies; leaves and bodies count each
 constexpr int kMostNested = 500;
 
 // Elements that neither collide nor weigh.
@@ -91,11 +92,13 @@ class TreeReader {
     return out;
   }
 
-  std::vector<Place> copies(const XmlNode& node, const Place& place) const {
+  std::vector<Place> copies(const XmlNode& node, const Place& place) {
     const Attributes a = m_settings.attributes(node, "");
     const double count = a.number("count", 0);
     if (!(count >= 0 && count <= static_cast<double>(kMostCopies)))
       a.place().refuse("count", a.text("count"), say("0 to %1", kMostCopies));
+    m_num_copies += static_cast<size_t>(count);
+    check_depth(node, place.depth);
     const Pose step{m_settings.orientation(a), a.vec3("offset", Vec3::Zero())};
     const size_t digits = std::to_string(static_cast<long>(count) - 1).size();
     std::vector<Place> out;
@@ -117,7 +120,7 @@ class TreeReader {
   }
 
   void check_depth(const XmlNode& node, int depth) const {
-    if (depth > kMostNested || m_model.bodies.size() > kMostBodies)
+    if (depth > kMostNested || m_model.bodies.size() > kMostBodies || m_num_copies > kMostAllCopies)
       bad_input("%1: too many bodies; accepted: %2, %3 within each other",
                 XmlPlace{m_settings.files(), node}.text(), kMostBodies, kMostNested);
   }
@@ -216,6 +219,7 @@ class TreeReader {
   Assets& m_assets;
   const ForeignOptions& m_options;
   ForeignScene& m_scene;
+  size_t m_num_copies = 0;
   Model m_model;
 };
 

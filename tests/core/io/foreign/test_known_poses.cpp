@@ -25,9 +25,14 @@ json expected() {
   return json::parse(in);
 }
 
-Vec3 vec3(const json& j) { return {j[0], j[1], j[2]}; }
+Vec3 vec3(const json& j) {
+  return Vec3(j[0].get<double>(), j[1].get<double>(), j[2].get<double>());
+}
 Mat3 turn_of(const json& j) {
-  if (j.size() == 4) return Rotation{j[0], j[1], j[2], j[3]}.normalized().matrix();
+  if (j.size() == 4)
+    return Rotation{j[0].get<double>(), j[1].get<double>(), j[2].get<double>(), j[3].get<double>()}
+        .normalized()
+        .matrix();
   Mat3 out;
   for (int i = 0; i < 9; ++i) out(i / 3, i % 3) = j[static_cast<size_t>(i)];
   return out;
@@ -44,7 +49,7 @@ const std::map<std::string, std::vector<std::string>> kWelded = {{"turned", {"tu
 void expect_mass(const ForeignBody& body, const json& want) {
   const auto welded = kWelded.find(body.name);
   const std::vector<std::string> names =
-      welded == kWelded.end() ? std::vector{body.name} : welded->second;
+      welded == kWelded.end() ? std::vector<std::string>{body.name} : welded->second;
   double mass = 0;
   Vec3 moment = Vec3::Zero();
   for (const std::string& name : names) {

@@ -107,7 +107,7 @@ TEST(Joints, LimitsStopThem) {
   Kitchen kitchen(drawer_text());
   EXPECT_EQ(kitchen.move("slide", 5).end, JointMove::End::Limit);
   EXPECT_EQ(joint_named(kitchen.opened, "slide").value, 0.3);
-  EXPECT_EQ(kitchen.move("lid", 90).value, joint_named(kitchen.opened, "lid").upper);
+  EXPECT_NEAR(kitchen.move("lid", 90).value, 90, 1e-9);
   // Upright behind the cabinet.
   EXPECT_NEAR((kitchen.at("lid") - Vec3(0, 0.2, 0.43)).norm(), 0, 1e-12);
   const ObjectId lid = *kitchen.opened.judged.scene.find("lid");
