@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/scene/friction.h"
 #include "ops/base/options.h"
 #include "ops/placement/contacts.h"
 #include "ops/settle/equilibrium.h"
