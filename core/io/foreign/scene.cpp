@@ -36,7 +36,7 @@ Rotation turned(const Vec3& axis, double degrees) {
   return rest == 0 ? quarter : quarter * Rotation::about_axis(axis, turn_time(rest));
 }
 
-void add_once(std::vector<Sentence>& notes, Sentence note) {
+void note_once(std::vector<Sentence>& notes, Sentence note) {
   if (notes.size() > kMostNotes) return;
   if (notes.size() == kMostNotes) note = Sentence("there is more of this kind");
   const std::string text = in_english(note);

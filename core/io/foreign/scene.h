@@ -114,7 +114,7 @@ struct ForeignOptions {
 };
 
 /// Adds a note once; behind the hundredth only that there are more.
-void add_once(std::vector<Sentence>& notes, Sentence note);
+void note_once(std::vector<Sentence>& notes, Sentence note);
 
 /// Makes names unique by numbers; "floor" is taken.
 class UniqueNames {

@@ -181,11 +181,11 @@ class SdfReader {
     if (const XmlNode* const gravity = world.child("gravity")) {
       const std::vector<double> g = numbers(*gravity, 3, 3);
       if (g[0] != 0 || g[1] != 0 || !(g[2] < 0))
-        add_once(m_scene.unread,
+        note_once(m_scene.unread,
                  say("gravity is \"%1\"; judged as if it acted along -z", trimmed_text(*gravity)));
     }
     if (world.child("state"))
-      add_once(m_scene.notes,
+      note_once(m_scene.notes,
                "the state of the world (<state>) is not read: models stand where "
                "they are defined");
     read_models(world, Pose{}, "", false, scope, 0);
@@ -364,7 +364,7 @@ class SdfReader {
   }
 
   void skip(const XmlNode& shape, const Sentence& why) {
-    add_once(m_scene.unread, say("%1: %2", place(shape).text(), why));
+    note_once(m_scene.unread, say("%1: %2", place(shape).text(), why));
   }
 
   ContactBits bits_of(const XmlNode& collision) const {

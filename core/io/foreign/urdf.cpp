@@ -247,11 +247,11 @@ class UrdfReader {
     try {
       collider.mesh = std::make_shared<const Mesh>(mesh_of(shape));
     } catch (const Error& error) {
-      add_once(m_scene.unread, say("%1: %2", place(shape).text(), error.sentence()));
+      note_once(m_scene.unread, say("%1: %2", place(shape).text(), error.sentence()));
       return;
     }
     if (collider.mesh->triangles.empty())
-      add_once(m_scene.unread, say("%1: is not read", place(shape).text()));
+      note_once(m_scene.unread, say("%1: is not read", place(shape).text()));
     else
       count_faces(*collider.mesh, m_scene), body.colliders.push_back(std::move(collider));
   }

@@ -141,8 +141,8 @@ void read_geom(const Attributes& a, const Pose& frame, const Settings& settings,
   geom.collides = geom.collider.bits.type != 0 || geom.collider.bits.affinity != 0;
   const auto skip = [&](const Sentence& why) {
     Sentence what = say("%1: %2", a.place().text(), why);
-    geom.collides ? add_once(scene.unread, std::move(what))
-                  : add_once(scene.notes, std::move(what));
+    geom.collides ? note_once(scene.unread, std::move(what))
+                  : note_once(scene.notes, std::move(what));
   };
   if (extent.type == "plane") {
     geom.is_plane = true;

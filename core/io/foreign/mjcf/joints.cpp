@@ -115,7 +115,7 @@ class JointAdder {
     const bool stopped =
         load > 0 ? joint.value >= joint.upper - kAtLimit : joint.value <= joint.lower + kAtLimit;
     if (stopped || !(std::abs(load) > given.friction + kLeastLoad)) return;
-    add_once(m_scene.notes,
+    note_once(m_scene.notes,
              joint.kind == ForeignJoint::Kind::Hinge
                  ? say("the link in the joint \"%1\" would swing: its weight turns it with %2 N m",
                        joint.name, figure(load))

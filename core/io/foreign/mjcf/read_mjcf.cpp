@@ -152,7 +152,7 @@ class Assembler {
         target.name == m_name[i] ? Pose{} : composed(inverse(target.pose), m_at.bodies[i]);
     for (const mjcf::Geom& geom : body.geoms) {
       if (geom.is_plane && m_groups.weld(i) != 0) {
-        add_once(m_scene.unread, say("the plane of \"%1\", which moves, is not read", m_name[i]));
+        note_once(m_scene.unread, say("the plane of \"%1\", which moves, is not read", m_name[i]));
         continue;
       }
       ForeignCollider collider = geom.collider;
@@ -205,9 +205,9 @@ class Assembler {
     for (const XmlNode& section : m_root.children) {
       if (section.tag == "contact") read_contacts(section);
       if (section.tag == "equality" && !section.children.empty())
-        add_once(m_scene.notes, "constraints (equality) are not read: bodies stand as they are");
+        note_once(m_scene.notes, "constraints (equality) are not read: bodies stand as they are");
       if (section.tag == "deformable" || section.tag == "extension")
-        add_once(m_scene.unread, say("%1: is not read", XmlPlace{m_scene.files, section}.text()));
+        note_once(m_scene.unread, say("%1: is not read", XmlPlace{m_scene.files, section}.text()));
     }
   }
 
@@ -217,7 +217,7 @@ class Assembler {
       if (node.tag == "exclude" && a && b)
         m_scene.excluded.emplace_back(group_of(*a), group_of(*b));
       else if (node.tag == "pair")
-        add_once(m_scene.notes, "pairs (contact) are judged by the friction of their geoms");
+        note_once(m_scene.notes, "pairs (contact) are judged by the friction of their geoms");
     }
   }
 
@@ -248,7 +248,7 @@ void note_options(const XmlNode& root, ForeignScene& scene) {
     if (!gravity) continue;
     const Qpos g = numbers_in(*gravity, "gravity", {scene.files, node}, 3, 3);
     if (g[0] != 0 || g[1] != 0 || !(g[2] < 0))
-      add_once(scene.unread, say("gravity is \"%1\"; judged as if it acted along -z", *gravity));
+      note_once(scene.unread, say("gravity is \"%1\"; judged as if it acted along -z", *gravity));
   }
 }
 

@@ -159,7 +159,7 @@ class TreeReader {
     else if (node.tag == "inertial")
       read_inertial(node, place, body);
     else if (!kSilent.count(node.tag))
-      add_once(m_scene.unread, say("%1: is not read", XmlPlace{m_settings.files(), node}.text()));
+      note_once(m_scene.unread, say("%1: is not read", XmlPlace{m_settings.files(), node}.text()));
   }
 
   void read_joint(const XmlNode& node, const Place& place, Body& body) {
@@ -169,7 +169,7 @@ class TreeReader {
     if (type == "free") {
       joint.kind = Joint::Kind::Free;
       if (a.text("align") == "true")
-        add_once(m_scene.unread, say("%1: align is not read", a.place().text()));
+        note_once(m_scene.unread, say("%1: align is not read", a.place().text()));
     } else if (type == "ball") {
       joint.kind = Joint::Kind::Ball;
     } else if (type == "slide") {
