@@ -182,12 +182,12 @@ class SdfReader {
       const std::vector<double> g = numbers(*gravity, 3, 3);
       if (g[0] != 0 || g[1] != 0 || !(g[2] < 0))
         note_once(m_scene.unread,
-                 say("gravity is \"%1\"; judged as if it acted along -z", trimmed_text(*gravity)));
+                  say("gravity is \"%1\"; judged as if it acted along -z", trimmed_text(*gravity)));
     }
     if (world.child("state"))
       note_once(m_scene.notes,
-               "the state of the world (<state>) is not read: models stand where "
-               "they are defined");
+                "the state of the world (<state>) is not read: models stand where "
+                "they are defined");
     read_models(world, Pose{}, "", false, scope, 0);
   }
 

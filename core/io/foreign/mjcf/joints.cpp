@@ -116,11 +116,11 @@ class JointAdder {
         load > 0 ? joint.value >= joint.upper - kAtLimit : joint.value <= joint.lower + kAtLimit;
     if (stopped || !(std::abs(load) > given.friction + kLeastLoad)) return;
     note_once(m_scene.notes,
-             joint.kind == ForeignJoint::Kind::Hinge
-                 ? say("the link in the joint \"%1\" would swing: its weight turns it with %2 N m",
-                       joint.name, figure(load))
-                 : say("the link in the joint \"%1\" would slide: its weight pulls it with %2 N",
-                       joint.name, figure(load)));
+              joint.kind == ForeignJoint::Kind::Hinge
+                  ? say("the link in the joint \"%1\" would swing: its weight turns it with %2 N m",
+                        joint.name, figure(load))
+                  : say("the link in the joint \"%1\" would slide: its weight pulls it with %2 N",
+                        joint.name, figure(load)));
   }
 
   const Model& m_model;
