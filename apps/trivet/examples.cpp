@@ -44,7 +44,20 @@ const std::map<std::string, std::string> kExamples = {
      "trivet material scene.glb mug --friction 0.3 --density 2700 -o heavy.glb\n"},
     {"check",
      "trivet check scene.glb\n"
-     "trivet check scene.glb --friction 0.3 --object mug --json\n"},
+     "trivet check scene.glb --friction 0.3 --object mug --json\n"
+     "trivet check kitchen.xml --report verdicts.jsonl\n"},
+    {"settle",
+     "trivet settle kitchen.xml -o settled.xml\n"
+     "trivet settle kitchen.xml -o settled.xml --only pan --lift 0.05\n"},
+    {"mend",
+     "trivet mend kitchen.xml -o mended.xml\n"
+     "trivet mend kitchen.xml -o mended.xml --tolerance 0.005\n"},
+    {"joint",
+     "trivet joint kitchen.xml\n"
+     "trivet joint kitchen.xml drawer --to upper -o open.xml\n"},
+    {"intent",
+     "trivet intent kitchen.xml\n"
+     "trivet intent kitchen.xml --tolerance 0.005 --json\n"},
     {"export",
      "trivet export scene.glb -o scene.xml\n"
      "trivet export scene.glb -o objects.csv\n"},

@@ -44,9 +44,9 @@ std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
   std::vector<Verb> verbs;
   for (const auto add : {add_info, add_run, add_put}) verbs.push_back(add(app, common));
   for (Verb& verb : add_operations(app, common)) verbs.push_back(std::move(verb));
-  for (const auto add :
-       {add_check, add_export, add_render, add_zlist, add_arrange, add_demo, add_session, add_serve,
-        add_replay, add_backends, add_batch, add_doctor, add_report, add_schema})
+  for (const auto add : {add_check, add_settle, add_mend, add_joint, add_intent, add_export,
+                         add_render, add_zlist, add_arrange, add_demo, add_session, add_serve,
+                         add_replay, add_backends, add_batch, add_doctor, add_report, add_schema})
     verbs.push_back(add(app, common));
   const std::set<std::string> read_none = {"backends", "doctor", "schema"};
   for (const Verb& verb : verbs) {

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
+#include "apps/trivet/check_many.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
@@ -13,8 +15,12 @@
 namespace trivet::apps {
 namespace {
 
+constexpr const char* kScenes = "files .xml, .mjcf, .urdf, .sdf, .world, .glb and .gltf";
+
 struct CheckArguments {
-  std::string file, report, object;
+  std::vector<std::string> files;
+  std::string file, report, object;  // file: if it is one
+  ForeignArguments foreign;
   SettleArguments settle;
   StabilityOptions stability;
 };
@@ -73,7 +79,7 @@ int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
   return run.ok() && run.stability.status != Stability::Status::Unstable ? 0 : 1;
 }
 
-int check(const CheckArguments& arguments, const CommonOptions& common) {
+int check_one_of_ours(const CheckArguments& arguments, const CommonOptions& common) {
   const bool layout = lower_extension(arguments.file) == ".json";
   check_outputs({"", arguments.report, ""}, {arguments.file});
   const std::unique_ptr<Detector> detector = make_detector(common);
@@ -95,18 +101,42 @@ int check(const CheckArguments& arguments, const CommonOptions& common) {
   return run.ok() && run.stability.status != Stability::Status::Unstable ? 0 : 1;
 }
 
+int check(CheckArguments& arguments, const CommonOptions& common) {
+  // Scenes of a folder may name what is in that folder.
+  for (const std::string& path : arguments.files)
+    if (std::filesystem::is_directory(path)) arguments.foreign.roots.push_back(path);
+  arguments.files = scene_files(arguments.files);
+  if (arguments.files.empty())
+    throw Error(Error::Kind::BadInput, "check: the folder has no scenes; accepted: %1", kScenes);
+  if (arguments.files.size() == 1 && !is_of_others(arguments.files[0])) {
+    arguments.file = arguments.files[0];
+    return check_one_of_ours(arguments, common);
+  }
+  if (!arguments.object.empty())
+    throw Error(Error::Kind::BadInput, "--object: is for one scene that Trivet wrote, or a layout");
+  const std::unique_ptr<Detector> detector = make_detector(common);
+  return check_many({arguments.files, arguments.report, arguments.foreign,
+                     options_of(arguments, common, *detector)},
+                    common);
+}
+
 }  // namespace
 
 Verb add_check(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb =
-      app.add_subcommand("check",
-                         "Judge a scene from its poses, or a layout: the objects "
-                         "placed from the start, then its operations");
+  CLI::App* const verb = app.add_subcommand(
+      "check",
+      "Judge scenes of any program from their poses: what interpenetrates and how "
+      "deep, what floats, what would topple; or a layout: the objects placed "
+      "from the start, then its operations");
   const auto arguments = std::make_shared<CheckArguments>();
-  verb->add_option("file", arguments->file, "A scene written by trivet, or a layout")
+  verb->add_option("files", arguments->files,
+                   "Scenes (MJCF, URDF, SDF, glTF, or written by trivet), a layout, or folders of "
+                   "scenes")
       ->required()
-      ->type_name("SCENE.glb|LAYOUT.json");
-  verb->add_option("--report", arguments->report, "Write the report, JSON");
+      ->type_name("SCENE...");
+  verb->add_option(
+      "--report", arguments->report,
+      "Write the report, JSON; of scenes of other programs and of several, a line of JSON each");
   verb->add_option("--object", arguments->object,
                    "Report on this object: its supports, its loads, whether it is stable, by what "
                    "margin");
@@ -116,6 +146,7 @@ Verb add_check(CLI::App& app, const CommonOptions& common) {
           "whole; "
           "default: of each pair the smaller of its materials', which are 0.5 where none is given")
       ->check(number_from(0, 1e3));
+  add_foreign_options(*verb, arguments->foreign);
   add_settle_options(*verb, arguments->settle);
   return {verb, [arguments, &common] { return check(*arguments, common); }};
 }

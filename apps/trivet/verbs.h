@@ -21,6 +21,10 @@ Verb add_put(CLI::App& app, const CommonOptions& common);
 /// push, turn, fix, ...
 std::vector<Verb> add_operations(CLI::App& app, const CommonOptions& common);
 Verb add_check(CLI::App& app, const CommonOptions& common);
+Verb add_settle(CLI::App& app, const CommonOptions& common);
+Verb add_mend(CLI::App& app, const CommonOptions& common);
+Verb add_joint(CLI::App& app, const CommonOptions& common);
+Verb add_intent(CLI::App& app, const CommonOptions& common);
 Verb add_export(CLI::App& app, const CommonOptions& common);
 Verb add_render(CLI::App& app, const CommonOptions& common);
 Verb add_demo(CLI::App& app, const CommonOptions& common);

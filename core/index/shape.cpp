@@ -13,10 +13,25 @@ const Bvh& Shape::bvh() const {
 
 bool Shape::has_bvh() const { return index->bvh.is_made(); }
 
+namespace {
+
+std::uint64_t next_id() {
+  static std::atomic<std::uint64_t> next = 1;
+  return next++;
+}
+
+}  // namespace
+
+std::shared_ptr<const Shape> with_mass(const Shape& shape, const MassProperties& mass) {
+  auto out = std::make_shared<Shape>(shape);
+  out->id = next_id();
+  out->mass = mass;
+  return out;
+}
+
 std::shared_ptr<const Shape> make_shape(Mesh mesh) {
-  static std::atomic<std::uint64_t> next_id = 1;
   auto shape = std::make_shared<Shape>();
-  shape->id = next_id++;
+  shape->id = next_id();
   shape->mesh = std::move(mesh);
   shape->box = shape->mesh.box();
   shape->adjacency = make_adjacency(shape->mesh);

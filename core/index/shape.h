@@ -30,6 +30,9 @@ struct Shape {
   bool has_bvh() const;
 };
 
+/// The same geometry, with its index, and other mass properties.
+std::shared_ptr<const Shape> with_mass(const Shape& shape, const MassProperties& mass);
+
 /// Without the BVH.
 std::shared_ptr<const Shape> make_shape(Mesh mesh);
 

@@ -41,6 +41,26 @@ void add_to(Hash& hash, const PhysicsMaterial& material) {
   hash.add(material.name).add(material.friction).add(material.density).add(material.restitution);
 }
 
+// A mass that is not given adds nothing: journals of earlier versions know none.
+void add_to(Hash& hash, const std::optional<GivenMass>& mass) {
+  if (!mass) return;
+  hash.add(mass->kilograms);
+  if (mass->centre) add_to(hash, *mass->centre);
+  if (mass->inertia)
+    for (int i = 0; i < 9; ++i) hash.add((*mass->inertia)(i / 3, i % 3));
+}
+
+void add_to(Hash& hash, const Scene& scene) {
+  hash.add(std::uint64_t{scene.floor});
+  add_to(hash, scene.floor_material);
+  if (!scene.pair_rules) return;
+  hash.add(static_cast<std::uint64_t>(scene.floor_kind));
+  for (const auto& [kinds, rule] : scene.pair_rules->all()) {
+    hash.add(static_cast<std::uint64_t>(kinds.first)).add(static_cast<std::uint64_t>(kinds.second));
+    hash.add(std::uint64_t{rule.may_pass}).add(rule.friction.value_or(-1));
+  }
+}
+
 }  // namespace
 
 void add_to(Hash& hash, const Object& object) {
@@ -50,6 +70,8 @@ void add_to(Hash& hash, const Object& object) {
   hash.add(std::uint64_t{object.fixed} | std::uint64_t{object.placed} << 1 |
            std::uint64_t{object.locked} << 2);
   add_to(hash, object.material);
+  add_to(hash, object.given_mass);
+  if (object.pair_kind != 0) hash.add(static_cast<std::uint64_t>(object.pair_kind));
   const Rotation& r = object.pose.rotation;
   hash.add(r.w).add(r.x).add(r.y).add(r.z);
   add_to(hash, object.pose.translation);
@@ -73,8 +95,7 @@ std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids) {
 
 std::uint64_t fingerprint(const Scene& scene) {
   Hash hash(fingerprint(scene, scene.ids()));
-  hash.add(std::uint64_t{scene.floor});
-  add_to(hash, scene.floor_material);
+  add_to(hash, scene);
   return hash.value();
 }
 
@@ -100,8 +121,8 @@ void SceneState::update(const Scene& scene, std::span<const ObjectId> changed) {
 
 std::uint64_t SceneState::value(const Scene& scene) const {
   Hash hash(m_sum);
-  hash.add(std::uint64_t{scene.num_objects()}).add(std::uint64_t{scene.floor});
-  add_to(hash, scene.floor_material);
+  hash.add(std::uint64_t{scene.num_objects()});
+  add_to(hash, scene);
   return hash.value();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "core/index/shape.h"
 #include "core/model/model.h"
 #include "core/motion/pose.h"
+#include "core/scene/given_mass.h"
+#include "core/scene/pair_rules.h"
 #include "core/scene/physics_material.h"
 #include "core/scene/support.h"
 
@@ -44,6 +47,8 @@ struct Object {
   UpAxis up = UpAxis::Z;
   double scale = 1;  // metres per file unit
   PhysicsMaterial material;
+  std::optional<GivenMass> given_mass = {};  // by give_mass(); nothing: density times volume
+  PairKind pair_kind = 0;                    // of Scene::pair_rules
   bool fixed = false;
   bool placed = false;
   Pose pose;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,8 @@ class Scene {
  public:
   bool floor = true;
   PhysicsMaterial floor_material;
+  PairKind floor_kind = 0;
+  std::shared_ptr<const PairRules> pair_rules;  // of kinds of objects and the floor; null: none
 
   /// Strong guarantee. @throws Error (BadInput) when the name is empty or taken.
   ObjectId add(Object object);

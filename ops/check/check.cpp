@@ -7,6 +7,7 @@
 #include "core/base/in_parallel.h"
 #include "core/base/tunables.h"
 #include "core/model/exported_floats.h"
+#include "core/scene/friction.h"
 #include "core/scene/transaction.h"
 #include "ops/operations/commit.h"
 #include "ops/placement/clearance.h"
@@ -56,7 +57,8 @@ std::vector<PairToCheck> near_pairs(const Scene& scene, const std::vector<Placed
   for (size_t i = 0; i < objects.size(); ++i)
     for (const ObjectId id : scene.near(objects[i].world.box, slack)) {
       const size_t j = index_of[id.index];
-      if (j > i && overlaps(objects[i].world.box, objects[j].world.box))
+      if (j > i && overlaps(objects[i].world.box, objects[j].world.box) &&
+          !may_pass(scene, objects[i].object(), objects[j].object()))
         out.push_back({i, j, {}, {}});
     }
   return out;
@@ -69,8 +71,11 @@ Finding finding(const std::string& a, const std::string& b, std::int64_t count,
   return {a, b, count, depth.metres, depth.point};
 }
 
+bool reaches_floor(const Scene& scene, const PlacedObject& o) {
+  return scene.floor && o.world.box.lower.z() < 0 && !may_pass_floor(scene, o.object());
+}
+
 void add_floor_findings(const PlacedObject& o, double clearance, SceneCheck& check) {
-  if (o.world.box.lower.z() >= 0) return;
   const auto crossings = num_below_floor(o.world), floats = num_floats_below_floor(o.world);
   if (!crossings && !floats) return;
   const Depth depth = depth_below_floor(o.world);
@@ -100,12 +105,13 @@ void add_pair_findings(const PlacedObject& a, const PlacedObject& b, const PairT
 }
 
 // Partners of each object that it passes through: these do not hold it. What it only touches does.
-std::vector<std::vector<Support>> crossed_by(const std::vector<PlacedObject>& objects,
+std::vector<std::vector<Support>> crossed_by(const Scene& scene,
+                                             const std::vector<PlacedObject>& objects,
                                              const std::vector<PairToCheck>& pairs,
                                              double clearance) {
   std::vector<std::vector<Support>> out(objects.size());
   for (size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].world.box.lower.z() < 0 &&
+    if (reaches_floor(scene, objects[i]) &&
         !only_touches(depth_below_floor(objects[i].world), clearance))
       out[i].push_back(Support::floor());
   for (const PairToCheck& p : pairs)
@@ -186,10 +192,11 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
     p.verdict = verify_pair(a, b, true, std::numeric_limits<std::int64_t>::max());
     if (!p.verdict.clear()) p.depth = depth_of(a, b);
   });
-  const std::vector<std::vector<Support>> crossed = crossed_by(objects, pairs, rules.clearance);
+  const std::vector<std::vector<Support>> crossed =
+      crossed_by(scene, objects, pairs, rules.clearance);
   SceneCheck check;
   for (size_t i = 0; i < objects.size(); ++i) {
-    if (scene.floor) add_floor_findings(objects[i], rules.clearance, check);
+    if (reaches_floor(scene, objects[i])) add_floor_findings(objects[i], rules.clearance, check);
     Neighbourhood holders(scene, objects[i].id);
     holders.leave_out(crossed[i]);
     add_rest_findings(objects[i], holders, rules, check);

@@ -250,13 +250,13 @@ SettleOutcome MovingGroup::settle(SettleProblem problem, bool loads_weigh) {
   const double weight = weight_of(object());
   for (size_t i = 1; i < m_ids.size(); ++i) {
     const Object& load = m_scene->at(m_ids[i]);
-    carried.push_back({load.shape.get(), load.up, load.scale, m_poses[i], load.material.friction,
+    carried.push_back({load.shape.get(), load.up, load.scale, m_poses[i], surface_of(load),
                        loads_weigh ? weight_of(load) / weight : 0});
   }
   problem.shape = object().shape.get();
   problem.up = object().up;
   problem.scale = object().scale;
-  problem.friction = object().material.friction;
+  problem.surface = surface_of(object());
   problem.start = m_poses[0];
   problem.others = &m_outside;
   problem.clearance = m_clearance;

@@ -10,6 +10,7 @@
 #include "core/contact/triangle_distance.h"
 #include "core/exact/near_faces.h"
 #include "core/exact/predicates.h"
+#include "core/scene/friction.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet {
@@ -175,7 +176,7 @@ InterferingFaces crossing_faces(const Scene& scene, std::span<const Placement> m
   for (const Placement& placement : moved) {
     const Object& object = scene.at(placement.id);
     const ObjectInWorld here = in_world(object, placement.pose, origin);
-    if (scene.floor) add_crossing_floor(placement.id, here, out);
+    if (scene.floor && !may_pass_floor(scene, object)) add_crossing_floor(placement.id, here, out);
     bool any = false;
     std::vector<std::pair<ObjectId, ObjectInWorld>> others;
     for (const ObjectId id : outside.ids_near(here.box, here.floats.slack)) {

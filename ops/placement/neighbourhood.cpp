@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scene/friction.h"
 #include "ops/detect/detector.h"
 #include "ops/placement/slot_order.h"
 
@@ -35,6 +36,9 @@ double size_of(const Object& object) { return object.scale * object.shape->box.d
 Neighbourhood::Neighbourhood(const Scene& scene, std::span<const ObjectId> without)
     : m_scene(&scene), m_without(without.begin(), without.end()), m_floor(scene.floor) {
   std::sort(m_without.begin(), m_without.end(), by_slot);
+  if (!scene.pair_rules) return;
+  for (const ObjectId id : m_without) m_passing.push_back(scene.at(id).pair_kind);
+  if (may_be_passed(scene.floor_kind)) m_floor = false;
 }
 
 Neighbourhood::Neighbourhood(const Scene& scene, ObjectId without)
@@ -49,8 +53,15 @@ void Neighbourhood::leave_out(std::span<const Support> left_out) {
   std::sort(m_without.begin(), m_without.end(), by_slot);
 }
 
+bool Neighbourhood::may_be_passed(PairKind kind) const {
+  return !m_passing.empty() &&
+         std::all_of(m_passing.begin(), m_passing.end(),
+                     [&](PairKind moving) { return may_pass(*m_scene, moving, kind); });
+}
+
 bool Neighbourhood::excludes(ObjectId id) const {
-  return std::binary_search(m_without.begin(), m_without.end(), id, by_slot);
+  return std::binary_search(m_without.begin(), m_without.end(), id, by_slot) ||
+         may_be_passed(m_scene->at(id).pair_kind);
 }
 
 std::vector<ObjectId> Neighbourhood::ids_near(const Aabb& box, double margin) const {

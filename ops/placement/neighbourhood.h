@@ -30,7 +30,8 @@ Body body_of(const Object& object);
 /// Diagonal of the object's own box, metres.
 double size_of(const Object& object);
 
-/// All placed objects of a scene but some, and its floor. Refers to the scene.
+/// All placed objects of a scene but some, and its floor. What a rule lets all that is left out
+/// pass through is no neighbour. Refers to the scene.
 class Neighbourhood {
  public:
   Neighbourhood(const Scene& scene, std::span<const ObjectId> without);
@@ -50,8 +51,11 @@ class Neighbourhood {
   bool excludes(ObjectId id) const;
 
  private:
+  bool may_be_passed(PairKind kind) const;
+
   const Scene* m_scene;
   std::vector<ObjectId> m_without;  // sorted by slot
+  std::vector<PairKind> m_passing;  // kinds of those left out at first; empty: no rules
   bool m_floor;
 };
 

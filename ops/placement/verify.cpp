@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/model/exported_floats.h"
+#include "core/scene/friction.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet {
@@ -44,12 +45,13 @@ Named name_of(const Scene& scene, ObjectId id) { return named(scene, Support(id)
 void find_interpenetrations(const Scene& scene, ObjectId id, const ObjectInWorld& here,
                             std::span<const ObjectId> others, bool floats, size_t limit,
                             std::vector<Interpenetration>& out) {
-  if (scene.floor && out.size() < limit)
+  if (scene.floor && !may_pass_floor(scene, scene.at(id)) && out.size() < limit)
     if (const auto why = refuse_below_floor(name_of(scene, id), here, floats))
       out.push_back({id, Support::floor(), *why});
   for (const ObjectId other_id : others) {
     if (out.size() >= limit) return;
     const Object& other = scene.at(other_id);
+    if (may_pass(scene, scene.at(id), other)) continue;
     const PairVerdict v = verify_pair(here, in_world(other, other.pose, here.origin), floats, 1);
     if (!v.clear())
       out.push_back({id, other_id, refusal_of(v, name_of(scene, id), name_of(scene, other_id))});
@@ -71,7 +73,8 @@ std::optional<Refusal> refuse_float_contact(const Scene& scene, std::span<const 
   for (const Placement& p : moved) here.push_back(in_world(scene.at(p.id), p.pose, origin));
   for (size_t i = 0; i < here.size(); ++i)
     for (size_t j = i + 1; j < here.size(); ++j)
-      if (floats_touch(here[i], here[j])) return float_contact(scene, moved[i].id, moved[j].id);
+      if (!may_pass(scene, *here[i].object, *here[j].object) && floats_touch(here[i], here[j]))
+        return float_contact(scene, moved[i].id, moved[j].id);
   return std::nullopt;
 }
 
@@ -84,11 +87,14 @@ std::optional<Refusal> refuse_new_origin(const Scene& scene, std::span<const Pla
   for (const ObjectId id : staying.ids_near(scene.box(), 0)) {
     if (is_invalid(scene, id)) continue;
     const ObjectInWorld here = in_world(scene.at(id), scene.at(id).pose, origin);
-    if (scene.floor && here.box.lower.z() < 0 && num_floats_below_floor(here))
+    if (scene.floor && !may_pass_floor(scene, *here.object) && here.box.lower.z() < 0 &&
+        num_floats_below_floor(here))
       return Refusal{Cause::Float32BelowFloor, {name_of(scene, id)}};
     for (const ObjectId other_id : staying.ids_near(here.box, here.floats.slack)) {
       const Object& other = scene.at(other_id);
-      if (other_id.index <= id.index || is_invalid(scene, other_id)) continue;
+      if (other_id.index <= id.index || is_invalid(scene, other_id) ||
+          may_pass(scene, *here.object, other))
+        continue;
       if (floats_touch(here, in_world(other, other.pose, origin)))
         return float_contact(scene, id, other_id);
     }

@@ -42,6 +42,7 @@ Layout layout_as_it_is(const Scene& scene, const Layout& layout) {
     out.objects.back().pose = object.placed ? std::optional(object.pose) : std::nullopt;
     out.objects.back().fixed = object.fixed;
     out.objects.back().material = object.material;
+    out.objects.back().mass = object.given_mass;
   }
   return out;
 }

@@ -30,7 +30,7 @@ SettleProblem problem_at(const Object& object, const Pose& pose, const Neighbour
   problem.shape = object.shape.get();
   problem.up = object.up;
   problem.scale = object.scale;
-  problem.friction = object.material.friction;
+  problem.surface = surface_of(object);
   problem.start = pose;
   problem.others = &others;
   problem.clearance = rules.clearance;
@@ -52,12 +52,12 @@ bool is_stuck(SettleProblem problem, const Vec3& centre_of_shape) {
 
 }  // namespace
 
-std::vector<FrictionContact> friction_contacts(const Scene& scene, double friction,
+std::vector<FrictionContact> friction_contacts(const Scene& scene, const Surface& surface,
                                                const std::vector<ContactsWith>& contacts,
                                                double distance) {
   std::vector<FrictionContact> out;
   for (const ContactsWith& c : contacts) {
-    const double of_pair = std::min(friction, material_of(scene, c.with).friction);
+    const double of_pair = friction_between(scene, surface, c.with);
     for (const ContactPoint& p : merged(c.points, distance)) out.push_back({p, of_pair});
   }
   return out;
@@ -67,8 +67,7 @@ double tipping_margin(const Scene& scene, const Object& object, const Vec3& cent
                       const std::vector<ContactsWith>& contacts, const RestRules& rules) {
   const double distance = kContactTolerance * rules.clearance;
   if (rules.perfect_friction) return carrying_margin(all_points(contacts, distance), centre);
-  return friction_margin(friction_contacts(scene, object.material.friction, contacts, distance),
-                         centre);
+  return friction_margin(friction_contacts(scene, surface_of(object), contacts, distance), centre);
 }
 
 RestRules rest_rules(const SettleOptions& options, double clearance) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/scene/friction.h"
 #include "ops/base/options.h"
 #include "ops/placement/contacts.h"
 #include "ops/settle/equilibrium.h"
@@ -30,9 +31,9 @@ ObjectState state_at(const Object& object, const Pose& pose, const Neighbourhood
 /// Neighbours that may hold an object where the scene has it: all but those that it passes through.
 Neighbourhood holders(const Scene& scene, ObjectId id);
 
-/// Contacts of an object of this coefficient, each with that of the pair; those at one place are
-/// one.
-std::vector<FrictionContact> friction_contacts(const Scene& scene, double friction,
+/// Contacts of an object of this surface, each with the friction of the pair; those at one place
+/// are one.
+std::vector<FrictionContact> friction_contacts(const Scene& scene, const Surface& surface,
                                                const std::vector<ContactsWith>& contacts,
                                                double distance);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/motion/pose.h"
+#include "core/scene/friction.h"
 #include "ops/base/interrupt.h"
 #include "ops/base/options.h"
 #include "ops/placement/contacts.h"
@@ -17,7 +18,7 @@ struct CarriedShape {
   UpAxis up = UpAxis::Z;
   double scale = 1;
   Pose start;
-  double friction = kDefaultFriction;  // of its material
+  Surface surface;
   /// In parts of the object's. 0: it collides, but weighs nothing: the object is judged as if it
   /// were alone.
   double mass = 0;
@@ -27,8 +28,8 @@ struct SettleProblem {
   const Shape* shape = nullptr;
   UpAxis up = UpAxis::Z;
   double scale = 1;
-  double friction = kDefaultFriction;  // of its material; SettleOptions::perfect_friction: unused
-  Pose start;                          // free of interpenetration
+  Surface surface;  // SettleOptions::perfect_friction: unused
+  Pose start;       // free of interpenetration
   const Neighbourhood* others = nullptr;
   double clearance = 0;  // metres, > 0
   SettleOptions options;

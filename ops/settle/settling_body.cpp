@@ -120,19 +120,19 @@ std::vector<ContactPoint> SettlingBody::points(double num_clearances) const {
   return out;
 }
 
-double SettlingBody::own_friction(Index body) const {
-  return body == 0 ? m_problem.friction : m_problem.carried[body - 1].friction;
+const Surface& SettlingBody::surface_of_body(Index body) const {
+  return body == 0 ? m_problem.surface : m_problem.carried[body - 1].surface;
 }
 
 double SettlingBody::friction_with(Index body, const Support& with) const {
-  return std::min(own_friction(body), material_of(m_problem.others->scene(), with).friction);
+  return friction_between(m_problem.others->scene(), surface_of_body(body), with);
 }
 
 std::vector<FrictionContact> SettlingBody::friction_points(double num_clearances) const {
   std::vector<FrictionContact> out;
   for (size_t i = 0; i < m_bodies.size(); ++i) {
     const auto more =
-        friction_contacts(m_problem.others->scene(), own_friction(static_cast<Index>(i)),
+        friction_contacts(m_problem.others->scene(), surface_of_body(static_cast<Index>(i)),
                           contacts_of(i, num_clearances), num_clearances * clearance());
     out.insert(out.end(), more.begin(), more.end());
   }

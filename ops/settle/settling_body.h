@@ -72,7 +72,7 @@ class SettlingBody {
   std::optional<ObstacleContact> foreseen(const Motion& motion) const;
   std::vector<ContactsWith> contacts_of(size_t body, double num_clearances) const;
   bool is_lower_than_seen() const;
-  double own_friction(Index body) const;
+  const Surface& surface_of_body(Index body) const;
   double mass_of(size_t body) const { return body == 0 ? 1 : m_problem.carried[body - 1].mass; }
   Vec3 centre_of(size_t body) const;
   void weigh();

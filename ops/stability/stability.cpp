@@ -263,6 +263,7 @@ std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& st
 }
 
 double weight_of(const Object& object, double density) {
+  if (object.given_mass) return kGravity * object.given_mass->kilograms;
   const MassProperties& mass = object.shape->mass;
   const double wall = kWallThickness * object.shape->box.diagonal();
   const double volume = mass.volume != 0 ? std::abs(mass.volume) : mass.area * wall;

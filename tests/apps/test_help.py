@@ -16,6 +16,15 @@ PROBLEM = {"trivet": 1, "objects": [SLAB, {"name": "mug", "model": "mug.obj"}],
 OPERATIONS = '{"op": "push", "object": "mug", "direction": [1, 0], "distance": 0.1}\n{"query": "mug"}\n'
 
 
+KITCHEN = """<mujoco><worldbody>
+  <geom type="plane" size="1 1 1"/>
+  <body name="drawer" pos="0.5 0 0.2"><joint name="drawer" type="slide" axis="0 -1 0" range="0 0.3"/>
+    <geom type="box" size="0.2 0.2 0.02"/></body>
+  <body name="pan" pos="0 0 0.05"><freejoint/><geom type="box" size="0.1 0.1 0.05"/></body>
+</worldbody></mujoco>
+"""
+
+
 class HelpCase(Case):
     def help(self, *verb):
         text, err = self.trivet(*verb, "--help")
@@ -74,6 +83,7 @@ class Examples(HelpCase):
         self.write("recipe.json", json.dumps(RECIPE))
         self.write("problem.json", json.dumps(PROBLEM))
         self.write("operations.jsonl", OPERATIONS)
+        self.write("kitchen.xml", KITCHEN)
         self.environment = {**os.environ, "PATH": os.path.dirname(PROGRAM) + ":" + os.environ["PATH"],
                             "XDG_CACHE_HOME": self.path("cache")}
         self.trivet("run", "layout.json", "-o", "scene.glb", "--report", "first.json")

@@ -17,7 +17,7 @@ ROOMS = {
     "core": ["base", "mesh", "motion", "index", "contact", "exact", "candidates", "model", "scene",
              "convex", "io", "picture"],
     "ops": ["base", "detect", "placement", "settle", "stability", "free_places", "operations",
-            "check", "arrange", "files", "session", "simulation"],
+            "check", "arrange", "mend", "files", "session", "simulation"],
 }
 # Geometry is for every system: no header of POSIX.
 PORTABLE = {"base", "mesh", "motion", "index", "contact", "exact", "candidates", "model", "scene"}

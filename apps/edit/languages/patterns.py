@@ -8,6 +8,7 @@ import re
 import sys
 
 kSources = ["apps/demo", "apps/edit", "core", "gpu", "ops", "raster"]
+kNotShown = ["core/io/foreign", "ops/files/foreign", "ops/mend"]  # the editor opens no scenes of other programs
 kLiteral = re.compile(r'"((?:[^"\\]|\\.)*)"')
 kParameters = r"\(((?:[^()]|\([^()]*\))*(?:\bSentence(?:&|&&)?\s+\w+|\bSentence>? \w+|const char\* pattern\b)(?:[^()]|\([^()]*\))*)\)"
 kFunction = re.compile(r"^([ \t]*)[^\n;(){}=]*?\b(\w+)" + kParameters, re.M)
@@ -137,7 +138,8 @@ def patterns_of(text, free, members):
 def sources(root):
     for source in kSources:
         for file in sorted((root / source).rglob("*")):
-            if file.suffix in (".h", ".cpp"):
+            shown = not any(file.is_relative_to(root / folder) for folder in kNotShown)
+            if shown and file.suffix in (".h", ".cpp"):
                 yield file, without_comments(file.read_text())
 
 

@@ -259,6 +259,26 @@
 <context>
     <name>refusal</name>
     <message>
+        <source>%1 kg; accepted: %2 to %3 kg</source>
+        <translation>%1 kg; erlaubt: %2 bis %3 kg</translation>
+    </message>
+    <message>
+        <source>a centre beyond %1 m; accepted: coordinates up to that</source>
+        <translation>ein Mittelpunkt jenseits von %1 m; erlaubt: Koordinaten bis dahin</translation>
+    </message>
+    <message>
+        <source>an inertia that no rigid body has; accepted: symmetric, positive, no principal moment larger than the sum of the two others</source>
+        <translation>ein Trägheitstensor, den kein starrer Körper hat; erlaubt: symmetrisch, positiv, kein Hauptmoment größer als die Summe der beiden anderen</translation>
+    </message>
+    <message>
+        <source>two names, of which one may be &quot;floor&quot;</source>
+        <translation>zwei Namen, von denen einer „floor“ sein darf</translation>
+    </message>
+    <message>
+        <source>the name of another object</source>
+        <translation>der Name eines anderen Objekts</translation>
+    </message>
+    <message>
         <source>the floor</source>
         <translation>der Boden</translation>
     </message>

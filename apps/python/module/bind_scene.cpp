@@ -13,6 +13,7 @@
 #include "core/scene/materials.h"
 #include "ops/base/names.h"
 #include "ops/check/check.h"
+#include "ops/files/json/mass_json.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet::python {
@@ -44,6 +45,12 @@ ScenePointer make(bool floor, const py::object& floor_material, const SettleOpti
   return scene_of(empty_scene(floor, floor_material), settle);
 }
 
+GivenMass mass_of(const py::object& value, const std::string& name) {
+  const std::string what = "mass of \"" + name + "\"";
+  const nlohmann::json json = json_of(value, what);
+  return read_mass(JsonPlace(json, what));
+}
+
 // Objects as they are said to be, whether they may or not: to be judged.
 ScenePointer standing(const py::list& entries, bool floor, const py::object& floor_material,
                       const SettleOptions& settle) {
@@ -63,6 +70,7 @@ ScenePointer standing(const py::list& entries, bool floor, const py::object& flo
     object.scale = place.scale;
     object.fixed = values[3].cast<bool>();
     if (const auto material = material_of(values[4])) object.material = *material;
+    if (!values[5].is_none()) give_mass(mass_of(values[5], object.name), object);
     object.placed = true;
     scene.add(std::move(object));
   }

@@ -16,6 +16,7 @@ from ._drag import Drag
 from ._errors import (BadInputError, Cancelled, EnvironmentFailure, NoSuchObject, NotDone, OutOfTime, Refused, SceneBusy,
                       TrivetError)
 from ._film import Film
+from ._foreign_scene import Foreign
 from ._geometry import Interpenetration, first_contact, interpenetrations, random_rotation
 from ._labels import FLOOR, Labels
 from ._object import Object
@@ -30,7 +31,7 @@ from ._zlists import ZList, ZLists
 
 __all__ = [
     "BadInputError", "CAUSES", "Camera", "Cancelled", "Check", "Contacts", "Crossing", "Drag", "EnvironmentFailure",
-    "Export", "FLOOR", "Film", "FirstContact", "GaveWay", "Interpenetration", "Labels", "NoSuchObject", "NotDone", "Object",
+    "Export", "FLOOR", "Film", "FirstContact", "Foreign", "GaveWay", "Interpenetration", "Labels", "NoSuchObject", "NotDone", "Object",
     "OutOfTime", "Overlap", "Refused", "Result", "Scene", "SceneBusy", "Settle", "Shape", "Snapshot", "SupportGraph",
     "TrivetError", "TrivetWarning", "View", "ZList", "ZLists",
     "__version__", "encode_png", "first_contact", "interpenetrations", "materials", "random_rotation",

@@ -32,7 +32,8 @@ class Files:
 
     @classmethod
     def from_poses(cls, names: Iterable[str], shapes: Iterable[Any], poses: Iterable[ArrayLike], *,
-                   fixed: Iterable[str] = (), materials: Optional[Mapping[str, Material]] = None, floor: bool = True,
+                   fixed: Iterable[str] = (), materials: Optional[Mapping[str, Material]] = None,
+                   masses: Optional[Mapping[str, Any]] = None, floor: bool = True,
                    floor_material: Optional[Material] = None, clearance: float = 0.0, **options: Any) -> Scene:
         """Objects exactly where they are said to be, whether they may or not: to be judged by `check`.
 
@@ -45,6 +46,9 @@ class Files:
             Of those that never move.
         materials : dict
             As `Object.material`, by names; of others the default.
+        masses : dict
+            Kilograms by names, or a dict with ``kilograms`` and, where they are known, ``centre`` (3,), metres in the
+            object's frame, and ``inertia`` (6,) about it, kg m^2: xx, yy, zz, xy, xz, yz. Of others density times volume.
         floor, floor_material, clearance, **options
             As for `Scene`.
 
@@ -57,7 +61,8 @@ class Files:
         BadInputError
             Not one of each, names twice, a pose that is sheared, mirrored or unequally scaled.
         """
-        entries = _foreign.entries(names, shapes, poses, fixed, {} if materials is None else materials)
+        entries = _foreign.entries(names, shapes, poses, fixed, {} if materials is None else materials,
+                                   {} if masses is None else masses)
         return cls._of(_trivet.Scene.standing(entries, _arrays.flag("floor", floor), material_of(floor_material),
                                               settings(clearance, options)))
 

@@ -17,24 +17,32 @@ from ._shape import Shape
 if TYPE_CHECKING:
     from ._scene import Scene
 
-Entry = tuple[str, _trivet.Shape, NDArray[np.float64], bool, Any]
+Entry = tuple[str, _trivet.Shape, NDArray[np.float64], bool, Any, Any]
+
+
+def _mass(value: Any) -> Any:
+    """Kilograms, or a dict of plain numbers."""
+    if isinstance(value, Mapping):
+        return {key: np.asarray(one, float).tolist() for key, one in value.items()}
+    return _arrays.number("mass", value)
 
 
 def entries(names: Iterable[str], shapes: Iterable[Any], poses: Iterable[ArrayLike], fixed: Iterable[str],
-            materials: Mapping[str, Material]) -> list[Entry]:
-    """Name, shape, pose, fixed and material of each object; a mesh that comes twice is one shape."""
+            materials: Mapping[str, Material], masses: Mapping[str, Any]) -> list[Entry]:
+    """Name, shape, pose, fixed, material and mass of each object; a mesh that comes twice is one shape."""
     out: list[Entry] = []
     fixed_names = set(names_of("fixed", fixed))
     material = {name: material_of(one) for name, one in _arrays.mapping("materials", materials, "a dict by names").items()}
+    mass = {name: _mass(one) for name, one in _arrays.mapping("masses", masses, "a dict by names").items()}
     of_mesh: dict[int, Shape] = {}
     for name, mesh, pose in _zipped(names, shapes, poses):
         if not isinstance(mesh, Shape) and id(mesh) not in of_mesh:
             of_mesh[id(mesh)] = Shape(mesh)
         shape = mesh if isinstance(mesh, Shape) else of_mesh[id(mesh)]
         out.append((name, shape._shape, _arrays.matrix(f'pose of "{name}"', pose), name in fixed_names,
-                    material.get(name)))
+                    material.get(name), mass.get(name)))
     known = {one[0] for one in out}
-    for what, given in (("fixed", fixed_names), ("materials", set(material))):
+    for what, given in (("fixed", fixed_names), ("materials", set(material)), ("masses", set(mass))):
         if not given <= known:
             raise _arrays.refuse(what, repr(sorted(given - known, key=str)), "names of the objects")
     return out

@@ -10,6 +10,7 @@
 #include "core/base/tunables.h"
 #include "core/exact/interpenetration.h"
 #include "core/model/exported_floats.h"
+#include "ops/files/json/mass_json.h"
 #include "ops/files/json/text.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/verify.h"
@@ -94,11 +95,15 @@ Scene make_scene(const Layout& layout, const GltfScene& source,
     object.up = UpAxis::Y;
     object.fixed = pick == picked.end() || pick->second->fixed;
     object.material = layout.material;
-    if (pick != picked.end() && pick->second->material) object.material = *pick->second->material;
+    if (pick != picked.end()) {
+      object.material = pick->second->material.value_or(layout.material);
+      if (pick->second->mass) give_mass(*pick->second->mass, object);
+    }
     object.pose = source.objects()[i].pose;
     object.placed = true;
     scene.add(std::move(object));
   }
+  set_pair_rules(layout.pairs, scene);
   return scene;
 }
 

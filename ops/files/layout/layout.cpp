@@ -9,6 +9,7 @@
 #include "ops/files/arrange/operation.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/looks_json.h"
+#include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
 #include "ops/files/json/settle_json.h"
@@ -43,22 +44,27 @@ void write_labels(const LayoutObject& object, nlohmann::ordered_json& json) {
     json["attributes"] = nlohmann::ordered_json::parse(object.attributes);
 }
 
+void read_matter(const JsonPlace& place, LayoutObject& object) {
+  if (const auto material = place.find("material")) object.material = read_material(*material);
+  if (const auto mass = place.find("mass")) object.mass = read_mass(*mass);
+}
+
 // One that the scene has, where the scene has it.
 LayoutObject read_scene_object(const JsonPlace& place) {
-  place.expect_object({"name"}, {"fixed", "material", "class", "attributes"});
+  place.expect_object({"name"}, {"fixed", "material", "mass", "class", "attributes"});
   LayoutObject object;
   object.name = read_name(place.at("name"));
   read_labels(place, object);
   if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
-  if (const auto material = place.find("material")) object.material = read_material(*material);
+  read_matter(place, object);
   return object;
 }
 
 // Its marks for the section "arrange" go there.
 LayoutObject read_object(const JsonPlace& place) {
-  place.expect_object({"name", "model"},
-                      {"scale", "up", "fixed", "material", "chord", "facet_angle_deg", "position",
-                       "rotation", "class", "attributes", "front", "zones", "surfaces"});
+  place.expect_object({"name", "model"}, {"scale", "up", "fixed", "material", "mass", "chord",
+                                          "facet_angle_deg", "position", "rotation", "class",
+                                          "attributes", "front", "zones", "surfaces"});
   LayoutObject object;
   read_labels(place, object);
   object.name = read_name(place.at("name"));
@@ -66,7 +72,7 @@ LayoutObject read_object(const JsonPlace& place) {
   if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
   if (const auto up = place.find("up")) object.up = read_up(*up);
   if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
-  if (const auto material = place.find("material")) object.material = read_material(*material);
+  read_matter(place, object);
   object.tessellation = read_tessellation(place, object.model);
   if (place.find("position")) object.pose = read_pose(place);
   if (const auto rotation = place.find("rotation"); rotation && !object.pose)
@@ -140,8 +146,8 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
   root.expect_object({"trivet", "objects"},
-                     {"floor", "material", "floor_material", "settle", "scene", "scene_objects",
-                      "operations", "looks", "arrange"});
+                     {"floor", "material", "floor_material", "pairs", "settle", "scene",
+                      "scene_objects", "operations", "looks", "arrange"});
   const JsonPlace version = root.at("trivet");
   if (!version.value().is_number() || version.value() != kLayoutVersion)
     version.refuse(say("%1, the version of the layout format", kLayoutVersion));
@@ -157,6 +163,7 @@ Layout parse_layout(const std::string& text, const std::string& file) {
   if (const auto material = root.find("material")) layout.material = read_material(*material);
   if (const auto material = root.find("floor_material"))
     layout.floor_material = read_material(*material);
+  if (const auto pairs = root.find("pairs")) layout.pairs = read_pair_rules(*pairs);
   if (const auto settle = root.find("settle")) {
     settle->expect_object({}, {"perfect_friction", "whole_at_rest", "literal_paper_rules"});
     layout.settle = read_settle_rules(*settle);
@@ -183,6 +190,7 @@ std::string write_layout(const Layout& layout) {
   Json json = {{"trivet", kLayoutVersion}, {"floor", layout.floor}};
   write_material("material", layout.material, json);
   if (layout.floor_material) json["floor_material"] = material_json(*layout.floor_material);
+  if (!layout.pairs.empty()) json["pairs"] = pair_rules_json(layout.pairs);
   if (const Json settle = settle_rules_json(layout.settle); !settle.empty())
     json["settle"] = settle;
   if (!layout.scene.empty()) {
@@ -198,6 +206,7 @@ std::string write_layout(const Layout& layout) {
     if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
     if (o.fixed) entry["fixed"] = true;
     if (o.material) entry["material"] = material_json(*o.material);
+    if (o.mass) entry["mass"] = mass_json(*o.mass);
     write_tessellation(o.tessellation, entry);
     if (o.pose) write_pose(*o.pose, entry);
     write_labels(o, entry);

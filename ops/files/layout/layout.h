@@ -10,8 +10,10 @@
 #include "core/base/limits.h"
 #include "core/model/tessellation.h"
 #include "core/motion/pose.h"
+#include "core/scene/given_mass.h"
 #include "core/scene/physics_material.h"
 #include "ops/base/options.h"
+#include "ops/files/json/pair_rule.h"
 #include "ops/files/layout/scene_looks.h"
 #include "ops/operations/operations.h"
 
@@ -34,6 +36,7 @@ struct LayoutObject {
       pose;  // stands there from the start; nothing: out of the scene until it is put
   Tessellation tessellation = {};                // of a model with curved surfaces
   std::optional<PhysicsMaterial> material = {};  // nothing: the layout's
+  std::optional<GivenMass> mass = {};            // nothing: density times volume
   // For labelled images.
   std::string class_name = {};  // empty: the name of the model's file
   std::string attributes = {};  // text of a JSON object; empty: none
@@ -46,6 +49,7 @@ struct Layout {
   SettleRules settle;                             // of the operations; stated, they are obeyed
   PhysicsMaterial material;                       // of what has none of its own
   std::optional<PhysicsMaterial> floor_material;  // nothing: the same
+  std::vector<NamedPairRule> pairs;
   std::vector<LayoutObject> objects;
   std::vector<Operation> operations;  // on objects of these names
   SceneLooks looks;                   // how editors show the result

@@ -71,7 +71,7 @@ void load_model(const Scene& scene, const ModelSource& models, AppendOperation& 
   if (operation.shape) return;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
-    if (object.model->path != operation.model ||
+    if (object.given_mass || object.model->path != operation.model ||
         object.model->tessellation != operation.tessellation)
       continue;
     operation.model_data = object.model;

@@ -10,6 +10,7 @@
 #include "core/contact/contact_memory.h"
 #include "core/model/unit.h"
 #include "core/scene/transaction.h"
+#include "ops/files/json/mass_json.h"
 #include "ops/files/json/text.h"
 #include "ops/files/layout/scene_of_layout.h"
 #include "ops/files/layout/watched_run.h"
@@ -202,8 +203,10 @@ Scene make_scene(const Layout& layout, const LoadedModels& models, const std::st
     object.scale = scale;
     object.fixed = wanted.fixed;
     object.material = wanted.material.value_or(layout.material);
+    if (wanted.mass) give_mass(*wanted.mass, object);
     scene.add(std::move(object));
   }
+  set_pair_rules(layout.pairs, scene);
   return scene;
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/extension.h"
 #include "core/io/json.h"
 #include "core/model/exported_floats.h"
+#include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
 #include "ops/files/json/text.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int kExtrasVersion = 1;
 constexpr double kMaxCount = 1e15;
+constexpr double kMostKinds = 1e9;
 
 // True for files that may have more digits than float32, whoever gave the model.
 bool is_text_format(const std::string& path) {
@@ -53,6 +55,8 @@ OrderedJson stored_object_json(const Object& object, size_t model) {
   if (object.locked) json["locked"] = true;
   if (!object.group.empty()) json["group"] = object.group;
   write_material("material", object.material, json);
+  if (object.given_mass) json["mass"] = mass_json(*object.given_mass);
+  if (object.pair_kind != 0) json["pair_kind"] = object.pair_kind;
   if (!object.placed) return json;
   const Rotation& r = object.pose.rotation;
   json["position"] = to_json(object.pose.translation);
@@ -115,10 +119,38 @@ ObjectState read_object_state(const JsonPlace& place) {
       "\"unplaced\", \"fixed\", \"stable\", \"wedged\", \"held\", \"unsupported\" or \"invalid\"");
 }
 
+PairKind read_kind(const JsonPlace& place) {
+  return static_cast<PairKind>(place.number(0, kMostKinds));
+}
+
+std::shared_ptr<const PairRules> read_kind_rules(const JsonPlace& place) {
+  auto out = std::make_shared<PairRules>();
+  for (const JsonPlace& item : place.items()) {
+    item.expect_object({"kinds"}, {"may_pass", "friction"});
+    const std::vector<double> kinds = item.at("kinds").numbers(2, 0, kMostKinds);
+    PairRule rule;
+    if (const auto may = item.find("may_pass")) rule.may_pass = may->boolean();
+    if (const auto mu = item.find("friction"))
+      rule.friction = mu->number(kMinFriction, kMaxFriction);
+    out->set(static_cast<PairKind>(kinds[0]), static_cast<PairKind>(kinds[1]), rule);
+  }
+  return out;
+}
+
+OrderedJson kind_rules_json(const PairRules& rules) {
+  OrderedJson json = OrderedJson::array();
+  for (const auto& [kinds, rule] : rules.all()) {
+    json.push_back({{"kinds", {kinds.first, kinds.second}}});
+    if (rule.may_pass) json.back()["may_pass"] = true;
+    if (rule.friction) json.back()["friction"] = *rule.friction;
+  }
+  return json;
+}
+
 // Poses come from Trivet and are taken as they are: no bit may change.
 ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   place.expect_object({"name", "model", "up", "scale", "fixed", "state"},
-                      {"position", "rotation", "locked", "group", "material"});
+                      {"position", "rotation", "locked", "group", "material", "mass", "pair_kind"});
   ExtrasObject object;
   object.name = place.at("name").text();
   const double last_model = static_cast<double>(num_models) - 1;
@@ -130,6 +162,8 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   if (const auto locked = place.find("locked")) object.locked = locked->boolean();
   if (const auto group = place.find("group")) object.group = group->text();
   if (const auto material = place.find("material")) object.material = read_material(*material);
+  if (const auto mass = place.find("mass")) object.mass = read_mass(*mass);
+  if (const auto kind = place.find("pair_kind")) object.pair_kind = read_kind(*kind);
   if (!place.find("position")) return object;
   const std::vector<double> r = place.at("rotation").numbers(4, -2, 2);
   object.pose = Pose{{r[0], r[1], r[2], r[3]}, read_position(place.at("position"))};
@@ -157,6 +191,10 @@ std::string scene_extras(const Scene& scene, const Layout& layout,
                       {"floor", scene.floor},
                       {"clearance", options.clearance}};
   write_material("floor_material", scene.floor_material, json);
+  if (scene.pair_rules) {
+    json["pair_rules"] = kind_rules_json(*scene.pair_rules);
+    json["floor_kind"] = scene.floor_kind;
+  }
   json["models"] = std::move(models);
   json["objects"] = std::move(objects);
   json["load_support"] = load_support_json(scene);
@@ -179,7 +217,7 @@ TrivetExtras parse_scene_extras(const std::string& text, const std::string& file
     JsonPlace(document, file).fail("has no data of Trivet; accepted: scenes that Trivet wrote");
   const JsonPlace& root = *found;
   root.expect_object({"trivet", "version", "floor", "clearance", "models", "objects", "layout"},
-                     {"load_support", "origin", "floor_material"});
+                     {"load_support", "origin", "floor_material", "pair_rules", "floor_kind"});
   if (root.at("trivet").value() != kExtrasVersion)
     root.at("trivet").refuse(std::to_string(kExtrasVersion));
 
@@ -187,6 +225,8 @@ TrivetExtras parse_scene_extras(const std::string& text, const std::string& file
   extras.floor = root.at("floor").boolean();
   if (const auto material = root.find("floor_material"))
     extras.floor_material = read_material(*material);
+  if (const auto rules = root.find("pair_rules")) extras.pair_rules = read_kind_rules(*rules);
+  if (const auto kind = root.find("floor_kind")) extras.floor_kind = read_kind(*kind);
   extras.clearance = root.at("clearance").number(0, kMaxLength);
   if (const auto place = root.find("origin")) extras.origin = read_position(*place);
   for (const JsonPlace& item : root.at("models").items())

@@ -7,7 +7,9 @@
 //                  "mesh"}],                             see stored_mesh.h; no path: of no file
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
 //                  "position", "rotation",               no position: out of the scene
-//                  "locked", "group", "material"}],      if it is, has
+//                  "locked", "group", "material", "mass",    if it is, has
+//                  "pair_kind"}],                        of "pair_rules"
+//     "pair_rules": [{"kinds": [kind, kind], "may_pass", "friction"}], "floor_kind"   if any
 //     "load_support": [{"object", "supports", "loads"}], "floor" is the floor
 //     "origin": [x, y, z],                              what the nodes' poses are relative to, z
 //     up;
@@ -47,6 +49,8 @@ struct ExtrasObject {
   bool locked = false;
   std::string group;
   PhysicsMaterial material;
+  std::optional<GivenMass> mass;
+  PairKind pair_kind = 0;
   ObjectState state = ObjectState::Unplaced;
   std::optional<Pose> pose;
 };
@@ -54,6 +58,8 @@ struct ExtrasObject {
 struct TrivetExtras {
   bool floor = true;
   PhysicsMaterial floor_material;
+  PairKind floor_kind = 0;
+  std::shared_ptr<const PairRules> pair_rules;
   double clearance = 0;
   Vec3 origin = Vec3::Zero();
   std::vector<ExtrasModel> models;

@@ -1,5 +1,6 @@
 #include "ops/files/report/json_parts.h"
 
+#include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/report/verdict.h"
 
@@ -145,6 +146,7 @@ OrderedJson object_json(const Scene& scene, const Object& object, const LoadSupp
   json["centre_of_mass"] = placed ? to_json(object.centre_of_mass()) : OrderedJson();
   json["mass_rule"] = to_string(object.shape->mass.rule);
   json["material"] = whole_material_json(object.material);
+  if (object.given_mass) json["mass"] = mass_json(*object.given_mass);
   json["state"] = to_string(object.state);
   json["supported_by"] = entry ? supports_json(scene, *entry) : OrderedJson::array();
   if (entry)

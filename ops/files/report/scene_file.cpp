@@ -68,6 +68,8 @@ class SceneReader {
     read_models();
     m_file.scene.floor = m_extras.floor;
     m_file.scene.floor_material = m_extras.floor_material;
+    m_file.scene.floor_kind = m_extras.floor_kind;
+    m_file.scene.pair_rules = m_extras.pair_rules;
     for (const ExtrasObject& object : m_extras.objects) add_object(object);
     check_poses();
     m_file.layout = std::move(m_extras.layout);
@@ -155,6 +157,8 @@ class SceneReader {
     object.state = entry.state;
     object.locked = entry.locked, object.group = entry.group;
     object.material = entry.material;
+    object.pair_kind = entry.pair_kind;
+    if (entry.mass) give_mass(*entry.mass, object);
     m_file.scene.add(std::move(object));
   }
 

@@ -1,0 +1,99 @@
+#include "apps/trivet/check_many.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "apps/trivet/outputs.h"
+#include "core/base/error.h"
+#include "core/io/atomic_file.h"
+#include "ops/base/stopwatch.h"
+#include "ops/files/report/scene_file.h"
+
+namespace trivet::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+SceneVerdict verdict_on_ours(const std::string& path, const RunOptions& given,
+                             const CommonOptions& common) {
+  SceneFile file = read_scene_file(path, common.limits());
+  const Stopwatch watch;
+  RunOptions options = given;
+  if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
+  options.settle = settle_options(options, file.layout.settle);
+  LayoutRun run;
+  run.scene = std::move(file.scene);
+  run.settle = options.settle;
+  finish_run(options, run);
+  SceneVerdict out = verdict_of(run, 0);
+  out.path = path;
+  out.format = "Trivet";
+  out.notes = file.notes;
+  out.milliseconds = watch.milliseconds();
+  return out;
+}
+
+SceneVerdict verdict_on(const std::string& path, const CheckManyArguments& arguments,
+                        const CommonOptions& common) {
+  try {
+    if (!is_of_others(path)) return verdict_on_ours(path, arguments.options, common);
+    OpenedScene opened = open_scene(path, open_options(arguments.foreign, common));
+    return judge(opened, arguments.options);
+  } catch (const Error& error) {
+    if (error.kind() != Error::Kind::BadInput) throw;
+    SceneVerdict out;
+    out.path = path;
+    out.error = error.sentence();
+    return out;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> scene_files(const std::vector<std::string>& paths) {
+  std::vector<std::string> out;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      out.push_back(path);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry :
+         fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied))
+      if (entry.is_regular_file(error) && is_scene_of_others(entry.path().string()))
+        found.push_back(entry.path().string());
+    std::sort(found.begin(), found.end());
+    out.insert(out.end(), found.begin(), found.end());
+  }
+  return out;
+}
+
+int check_many(const CheckManyArguments& arguments, const CommonOptions& common) {
+  check_files({arguments.report}, arguments.files);
+  std::vector<SceneVerdict> verdicts;
+  std::string lines;
+  const ProgressCallback progress = terminal_progress(common);
+  for (const std::string& file : arguments.files) {
+    if (progress && arguments.files.size() > 1)
+      progress({"check", file, verdicts.size(), arguments.files.size()});
+    verdicts.push_back(verdict_on(file, arguments, common));
+    const std::string line = verdict_json(verdicts.back()) + "\n";
+    if (!arguments.report.empty()) lines += line;
+    if (common.json) std::cout << line << std::flush;
+  }
+  clear_progress_line(common);
+  if (!arguments.report.empty()) write_file_atomically(arguments.report, lines);
+  if (verdicts.size() == 1 && !verdicts[0].error.empty())
+    throw Error(Error::Kind::BadInput, verdicts[0].error);
+  if (!common.json && !common.quiet)
+    std::cout << (verdicts.size() == 1 ? verdict_text(verdicts[0]) : verdict_table(verdicts));
+  const auto any = [&](const auto& what) {
+    return std::any_of(verdicts.begin(), verdicts.end(), what);
+  };
+  if (any([](const SceneVerdict& v) { return !v.error.empty(); })) return 2;
+  return any([](const SceneVerdict& v) { return !v.ok(); }) ? 1 : 0;
+}
+
+}  // namespace trivet::apps

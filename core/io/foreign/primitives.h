@@ -1,0 +1,27 @@
+// Meshes of the primitives that engines collide.
+#pragma once
+
+#include <span>
+
+#include "core/mesh/mesh.h"
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// Boxes are exact; of round ones the vertices lie on the surface, and no edge of a circle is
+/// farther from it than kRoundChord of its radius (of spheres and capsules kBallChord). Poles and
+/// flat ends are exact. Metres, z the axis.
+inline constexpr double kRoundChord = 3e-5, kBallChord = 3e-4;
+
+Mesh box_mesh(const Vec3& half);
+Mesh ellipsoid_mesh(const Vec3& radii);
+/// @param half  of the length, without the caps of a capsule.
+Mesh cylinder_mesh(double radius, double half);
+Mesh capsule_mesh(double radius, double half);
+/// The hull of points, seen from outside. Empty if they have no solid hull.
+Mesh hull_mesh(std::span<const Vec3> points);
+
+/// Vertices moved into the frame that `pose` is in.
+void append(const Mesh& mesh, const Pose& pose, Mesh& out);
+
+}  // namespace trivet

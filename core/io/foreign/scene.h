@@ -1,0 +1,131 @@
+// Scenes of other programs as their engines see them: rigid bodies, what collides, masses, and
+// where the numbers of poses stand in the files. Start here.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/sentence.h"
+#include "core/io/foreign/xml_text.h"
+#include "core/mesh/given_mass.h"
+#include "core/mesh/mesh.h"
+#include "core/model/model.h"
+#include "core/motion/pose.h"
+
+namespace trivet {
+
+/// First b, then a: pose of b's frame in the frame that `a` is in.
+Pose composed(const Pose& a, const Pose& b);
+Pose inverse(const Pose& pose);
+/// Angle of any size, degrees, about a unit axis.
+Rotation turned(const Vec3& axis, double degrees);
+
+/// Engine's rule for the friction of two surfaces.
+enum class FrictionRule { Larger, Smaller, Product };
+
+/// These decide whether and how a collider meets others.
+struct ContactBits {
+  std::uint32_t type = 1, affinity = 1;  // two collide if the one's type meets the other's affinity
+  double friction = 1;                   // Coulomb's coefficient
+  int priority = 0;                      // the higher one's friction counts alone
+  double margin = 0;                     // metres; two rest the sum of theirs apart
+
+  friend auto operator<=>(const ContactBits&, const ContactBits&) = default;
+};
+
+/// A piece of a body that collides.
+struct ForeignCollider {
+  std::string name;
+  Pose pose;                         // in the body's frame
+  std::shared_ptr<const Mesh> mesh;  // in its own frame, metres; null: the half-space z <= 0
+  ContactBits bits;
+};
+
+/// Where the pose of a body stands.
+struct PosePlace {
+  enum class Kind { Nowhere, Tag, Key, Element } kind = Kind::Nowhere;
+  size_t file = 0;                 // into ForeignScene::files
+  size_t begin = 0;                // byte of the start tag
+  size_t content = 0;              // Element: where a <pose> is put that is not there yet
+  std::optional<XmlNode> element;  // Element: its <pose>
+  size_t number = 0;               // MJCF: of the first of its seven numbers in a keyframe
+  Pose world_from_place;           // what the numbers are relative to
+  Sentence why_not;                // Nowhere: the reason
+};
+
+struct ForeignBody {
+  std::string name;  // unique
+  bool fixed = false;
+  bool is_link = false;  // fixed only because it hangs in a joint
+  Pose pose;             // of its frame, world
+  std::vector<ForeignCollider> colliders;
+  std::optional<GivenMass> mass;
+  PosePlace place;
+  int weld = 0;          // bodies of one number never collide with each other
+  int parent_weld = -1;  // nor with those of this number; -1: of the world, which they may meet
+};
+
+/// A joint that slides or turns bodies. Where they are is where its value has them.
+struct ForeignJoint {
+  enum class Kind { Slide, Hinge } kind = Kind::Slide;
+  std::string name;
+  std::vector<std::string> moves;   // bodies: the one that hangs in it first, then all that follow
+  std::vector<std::string> frames;  // bodies that it hangs in; none: the world alone
+  Vec3 axis = Vec3::UnitZ(), anchor = Vec3::Zero();  // world
+  double value = 0;                                  // metres or degrees
+  double lower = -kInfinity, upper = kInfinity;      // limits of it
+  size_t number = 0;                                 // in ForeignScene::numbers
+};
+
+struct ForeignScene {
+  std::string format;          // "MJCF", "URDF", "SDF"
+  std::vector<XmlFile> files;  // the main one first
+  std::vector<ForeignBody> bodies;
+  std::vector<std::pair<std::string, std::string>> excluded;  // bodies that never collide
+  FrictionRule friction_rule = FrictionRule::Smaller;
+  std::string key;               // the keyframe that the poses are of; empty: none
+  std::vector<Sentence> notes;   // each once
+  std::vector<Sentence> unread;  // what matters to a verdict and was not read
+  size_t num_joints = 0;         // held as they are
+  size_t num_faces = 0;          // see count_faces()
+  std::vector<ForeignJoint> joints;
+  // MJCF: all numbers of a keyframe as they stand, and where a first keyframe would be put into the
+  // main file.
+  std::vector<double> numbers;
+  size_t key_file = 0, key_begin = 0;  // of the start tag of `key`
+  std::optional<size_t> new_key;
+  Sentence why_no_key;  // where there is no place for one
+};
+
+/// Gives the model of that file. @throws Error (BadInput).
+using MeshSource = std::function<Model(const std::string& path)>;
+
+/// Choices for reading.
+struct ForeignOptions {
+  std::optional<std::string> key;  // keyframe by name; "none": the reference configuration
+  bool true_meshes = false;        // colliding meshes as they are, not their hulls
+  bool fixed_base = true;          // URDF: the root link does not move
+  std::vector<std::string> roots;  // folders, besides its own, that the scene may read
+  XmlLimits limits;
+};
+
+/// Adds a note once; behind the hundredth only that there are more.
+void note_once(std::vector<Sentence>& notes, Sentence note);
+
+/// Makes names unique by numbers; "floor" is taken.
+class UniqueNames {
+ public:
+  std::string operator()(std::string name);
+
+ private:
+  std::map<std::string, int> m_taken;  // by name: the last number that was tried with it
+};
+
+/// Counts faces of colliders: scenes are not trusted. @throws Error (BadInput): too many.
+void count_faces(const Mesh& mesh, ForeignScene& scene);
+
+}  // namespace trivet

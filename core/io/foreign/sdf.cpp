@@ -1,0 +1,457 @@
+#include "core/io/foreign/sdf.h"
+
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "core/base/bad_input.h"
+#include "core/io/foreign/mass_sum.h"
+#include "core/io/foreign/mjcf/settings.h"
+#include "core/io/foreign/numbers.h"
+#include "core/io/foreign/primitives.h"
+#include "core/io/foreign/uri.h"
+#include "core/io/text/words.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kMostNestedModels = 64;
+constexpr size_t kMostSdfFiles = 2000, kMostFrames = 20'000'000, kMostLinks = 5000;
+constexpr int kMostFramesInARow = 1000;
+constexpr std::uint32_t kAllBits = 0xffff;
+
+std::string trimmed_text(const XmlNode& node) {
+  std::string text = node.text;
+  std::replace_if(text.begin(), text.end(), is_line_end, ' ');
+  return std::string(trimmed(text));
+}
+
+std::string child_text(const XmlNode& node, const char* child, const std::string& otherwise) {
+  const XmlNode* const found = node.child(child);
+  return found ? trimmed_text(*found) : otherwise;
+}
+
+bool is_true(const std::string& text) { return text == "1" || text == "true"; }
+
+std::string sdf_name(const XmlNode& node) {
+  const std::string* const name = node.find("name");
+  return name ? *name : node.tag;
+}
+
+/// Names that poses may be relative to, inside a model or a world.
+struct Frame {
+  const XmlNode* node = nullptr;  // null: the origin of the scope
+  std::string base;               // that its pose counts from; empty: the origin
+  Pose extra;                     // of the model that an <include> brings, where it gives none
+  int state = 0;                  // 0: not computed, 1: on the way, 2: done
+  Pose pose;                      // in the scope
+};
+
+class SdfReader {
+ public:
+  SdfReader(const std::string& path, const ForeignOptions& options, const MeshSource& meshes)
+      : m_options(options), m_meshes(meshes), m_allowed(path, options.roots) {
+    m_scene.format = "SDF";
+    m_scene.friction_rule = FrictionRule::Smaller;
+    m_roots.push_back(
+        std::make_unique<XmlNode>(read_xml_tree(path, 0, options.limits, m_scene.files)));
+  }
+
+  ForeignScene read() {
+    const XmlNode& root = *m_roots[0];
+    if (root.tag != "sdf")
+      bad_file(m_scene.files[0].path, "begins with <%1>; accepted: <sdf>", root.tag);
+    for (const XmlNode& node : root.children) {
+      if (node.tag == "world") read_world(node);
+      if (node.tag == "model") read_model_in(node, Pose{}, "", {&node, Pose{}, {}}, 0);
+    }
+    std::erase_if(m_scene.bodies, [](const ForeignBody& b) { return b.colliders.empty(); });
+    return std::move(m_scene);
+  }
+
+ private:
+  using Scope = std::map<std::string, Frame>;
+  /// Where the pose of a model stands.
+  struct Place {
+    const XmlNode* node = nullptr;  // the element that has or gets <pose>
+    Pose base;                      // world pose that it counts from
+    Sentence why_not;
+  };
+
+  XmlPlace place(const XmlNode& node) const { return {m_scene.files, node}; }
+
+  std::vector<double> numbers(const XmlNode& node, size_t least, size_t most) const {
+    return numbers_in(node.text, node.tag, place(node), least, most);
+  }
+  double number(const XmlNode& node, const char* child, double otherwise) const {
+    const XmlNode* const found = node.child(child);
+    return found ? numbers(*found, 1, 1)[0] : otherwise;
+  }
+  Vec3 vec3(const XmlNode& node, const char* child, const Vec3& otherwise) const {
+    const XmlNode* const found = node.child(child);
+    if (!found) return otherwise;
+    const std::vector<double> n = numbers(*found, 3, 3);
+    return {n[0], n[1], n[2]};
+  }
+
+  Pose own_pose(const XmlNode& node) const {
+    const XmlNode* const pose = node.child("pose");
+    if (!pose || trimmed_text(*pose).empty()) return {};
+    const std::string* const format = pose->find("rotation_format");
+    const std::string* const in_degrees = pose->find("degrees");
+    const bool quaternion = format && *format == "quat_xyzw";
+    const std::vector<double> n = quaternion ? numbers(*pose, 7, 7) : numbers(*pose, 6, 6);
+    const Vec3 at(n[0], n[1], n[2]);
+    if (quaternion) return {Rotation{n[6], n[3], n[4], n[5]}.normalized(), at};
+    const double unit = in_degrees && is_true(*in_degrees) ? 1 : 180 / std::numbers::pi;
+    const Rotation r = turned(Vec3::UnitZ(), n[5] * unit) * turned(Vec3::UnitY(), n[4] * unit) *
+                       turned(Vec3::UnitX(), n[3] * unit);
+    return {r.normalized(), at};
+  }
+
+  std::string relative_to(const XmlNode& node) const {
+    const XmlNode* const pose = node.child("pose");
+    const std::string* const name = pose ? pose->find("relative_to") : nullptr;
+    return name ? *name : "";
+  }
+
+  // All that poses of this scope may name, by where each is defined.
+  Scope scope_of(const XmlNode& owner, const char* origin) {
+    m_num_frames += owner.children.size();
+    if (m_num_frames > kMostFrames) bad_input("%1: too many frames", place(owner).text());
+    Scope scope;
+    scope[origin].state = 2;
+    for (const XmlNode& node : owner.children) {
+      const bool frame = node.tag == "frame";
+      if (!frame && node.tag != "link" && node.tag != "model" && node.tag != "include" &&
+          node.tag != "joint")
+        continue;
+      Frame entry;
+      entry.node = &node;
+      entry.base = relative_to(node);
+      if (frame && entry.base.empty())
+        if (const std::string* const attached = node.find("attached_to")) entry.base = *attached;
+      if (node.tag == "joint" && entry.base.empty()) entry.base = child_text(node, "child", "");
+      if (node.tag == "include") {
+        const XmlNode* const model = included(node);
+        if (model && !node.child("pose")) entry.extra = own_pose(*model);
+        scope[child_text(node, "name", model ? sdf_name(*model) : "")] = entry;
+      } else {
+        scope[sdf_name(node)] = entry;
+      }
+    }
+    return scope;
+  }
+
+  Pose resolve(const XmlNode& asking, const std::string& name, Scope& scope) {
+    if (name.empty()) return {};
+    const auto it = scope.find(name);
+    if (it == scope.end()) return scoped(asking, name, scope);
+    Frame& frame = it->second;
+    if (frame.state == 1) place(asking).refuse("relative_to", name, "frames without a circle");
+    if (frame.state == 2) return frame.pose;
+    frame.state = 1;
+    if (++m_resolving > kMostFramesInARow)
+      bad_input("%1: too many frames in a row; accepted: %2", place(asking).text(),
+                kMostFramesInARow);
+    const Pose base = resolve(*frame.node, frame.base, scope);
+    --m_resolving;
+    frame.pose = composed(base, composed(own_pose(*frame.node), frame.extra));
+    frame.state = 2;
+    return frame.pose;
+  }
+
+  // "model::link": the pose inside a nested model.
+  Pose scoped(const XmlNode& asking, const std::string& name, Scope& scope) {
+    const size_t colons = name.find("::");
+    const auto it = colons == name.npos ? scope.end() : scope.find(name.substr(0, colons));
+    if (it == scope.end() || !it->second.node)
+      place(asking).refuse("relative_to", name, "the name of a frame, a link or a model");
+    const XmlNode* const inner =
+        it->second.node->tag == "include" ? included(*it->second.node) : it->second.node;
+    if (!inner) return {};
+    Scope inside = scope_of(*inner, "__model__");
+    return composed(resolve(asking, it->first, scope),
+                    resolve(asking, name.substr(colons + 2), inside));
+  }
+
+  void read_world(const XmlNode& world) {
+    Scope scope = scope_of(world, "world");
+    if (const XmlNode* const gravity = world.child("gravity")) {
+      const std::vector<double> g = numbers(*gravity, 3, 3);
+      if (g[0] != 0 || g[1] != 0 || !(g[2] < 0))
+        note_once(m_scene.unread,
+                  say("gravity is \"%1\"; judged as if it acted along -z", trimmed_text(*gravity)));
+    }
+    if (world.child("state"))
+      note_once(m_scene.notes,
+                "the state of the world (<state>) is not read: models stand where "
+                "they are defined");
+    read_models(world, Pose{}, "", false, scope, 0);
+  }
+
+  // @param is_static  what they are in is.
+  void read_models(const XmlNode& owner, const Pose& world, const std::string& prefix,
+                   bool is_static, Scope& scope, int depth) {
+    for (const XmlNode& node : owner.children) {
+      if (node.tag != "model" && node.tag != "include") continue;
+      const XmlNode* const model = node.tag == "include" ? included(node) : &node;
+      if (!model) continue;
+      std::string name = sdf_name(*model);
+      if (node.tag == "include") name = child_text(node, "name", name);
+      const Pose base = composed(world, resolve(node, relative_to(node), scope));
+      const Pose at = composed(world, resolve(node, name, scope));
+      Place where{&node, base, {}};
+      if (depth > 0) where = {nullptr, {}, Sentence("it is part of another model")};
+      if (node.tag == "include" && !node.child("pose"))
+        where.why_not = Sentence("its <include> has no <pose>");
+      const bool fixed = is_static || is_true(child_text(*model, "static", "0")) ||
+                         (node.tag == "include" && is_true(child_text(node, "static", "0")));
+      read_model_in(*model, at, prefix + name, where, depth, fixed);
+    }
+  }
+
+  void read_model_in(const XmlNode& model, const Pose& given, const std::string& given_name,
+                     const Place& where, int depth, bool is_static = false) {
+    if (depth > kMostNestedModels) bad_input("%1: nested too deeply", place(model).text());
+    const bool top = given_name.empty();
+    const Pose world = top ? own_pose(model) : given;
+    const std::string name = top ? sdf_name(model) : given_name;
+    is_static = is_static || is_true(child_text(model, "static", "0"));
+    Scope scope = scope_of(model, "__model__");
+    const std::map<std::string, std::string> group = rigid_groups(model);
+    const bool joints = hangs_in_joints(model), several = num_groups_of(group) > 1;
+    std::map<std::string, size_t> body_of;  // by group
+    for (const XmlNode& link : model.children) {
+      if (link.tag != "link") continue;
+      const std::string key = group.at(sdf_name(link));
+      if (!body_of.count(key)) {
+        body_of[key] = m_scene.bodies.size();
+        m_scene.bodies.push_back(new_body(name, link, world, where, is_static, joints, several));
+      }
+      add_link(link, composed(world, resolve(link, sdf_name(link), scope)), world, scope,
+               m_scene.bodies[body_of[key]]);
+    }
+    note_joints(model, body_of.size());
+    read_models(model, world, name + "::", is_static, scope, depth + 1);
+  }
+
+  // Links that fixed joints connect have one name; several groups hang in joints.
+  std::map<std::string, std::string> rigid_groups(const XmlNode& model) const {
+    std::map<std::string, std::string> out;
+    for (const XmlNode& node : model.children)
+      if (node.tag == "link") out[sdf_name(node)] = sdf_name(node);
+    if (out.size() > kMostLinks)
+      bad_input("%1: too many links; accepted: %2", place(model).text(), kMostLinks);
+    for (const XmlNode& joint : model.children) {
+      const std::string* const type = joint.tag == "joint" ? joint.find("type") : nullptr;
+      if (!type || *type != "fixed") continue;
+      const auto a = out.find(child_text(joint, "parent", "")),
+                 b = out.find(child_text(joint, "child", ""));
+      if (a == out.end() || b == out.end()) continue;
+      const std::string from = b->second, to = a->second;
+      for (auto& [link, key] : out)
+        if (key == from) key = to;
+    }
+    return out;
+  }
+
+  bool hangs_in_joints(const XmlNode& model) const {
+    for (const XmlNode& joint : model.children) {
+      if (joint.tag != "joint") continue;
+      const std::string* const type = joint.find("type");
+      if (!type || *type != "fixed" || child_text(joint, "parent", "") == "world") return true;
+    }
+    return false;
+  }
+
+  void note_joints(const XmlNode& model, size_t num_groups) {
+    if (num_groups > 1)
+      for (const XmlNode& joint : model.children) m_scene.num_joints += joint.tag == "joint";
+  }
+
+  static size_t num_groups_of(const std::map<std::string, std::string>& group) {
+    std::set<std::string> names;
+    for (const auto& [link, key] : group) names.insert(key);
+    return names.size();
+  }
+
+  // @param joints  the model has some. @param several  rigid groups of links.
+  ForeignBody new_body(const std::string& name, const XmlNode& link, const Pose& world,
+                       const Place& where, bool is_static, bool joints, bool several) {
+    ForeignBody out;
+    out.name = m_unique(joints ? name + "::" + sdf_name(link) : name);
+    out.fixed = is_static || joints;
+    out.is_link = joints && !is_static;
+    out.pose = world;
+    out.weld = static_cast<int>(m_scene.bodies.size()) + 1;
+    if (joints && several) out.parent_weld = weld_of_first(name);
+    if (out.fixed || !where.node || !where.why_not.empty()) {
+      out.place.why_not = where.why_not.empty() ? Sentence("it does not move") : where.why_not;
+      return out;
+    }
+    out.place.kind = PosePlace::Kind::Element;
+    out.place.file = where.node->file;
+    out.place.begin = where.node->begin;
+    out.place.world_from_place = where.base;
+    if (const XmlNode* const pose = where.node->child("pose")) out.place.element = *pose;
+    out.place.content = where.node->content;
+    return out;
+  }
+
+  int weld_of_first(const std::string& name) const {
+    for (const ForeignBody& body : m_scene.bodies)
+      if (body.name.starts_with(name + "::")) return body.weld;
+    return -1;
+  }
+
+  void add_link(const XmlNode& link, const Pose& at, const Pose& world, Scope& scope,
+                ForeignBody& body) {
+    const Pose in_body = composed(inverse(world), at);
+    for (const XmlNode& node : link.children) {
+      if (node.tag != "collision") continue;
+      const std::string base = relative_to(node);
+      const Pose from = base.empty() ? in_body : resolve(node, base, scope);
+      add_collision(node, composed(from, own_pose(node)), body);
+    }
+    if (!body.fixed) add_mass(link, in_body, body);
+  }
+
+  void add_mass(const XmlNode& link, const Pose& in_body, ForeignBody& body) {
+    const XmlNode* const inertial = link.child("inertial");
+    const double kg = inertial ? number(*inertial, "mass", 1) : 1;
+    if (!(kg > 0)) return;
+    Mat3 m = Mat3::Identity();
+    if (const XmlNode* const inertia = inertial ? inertial->child("inertia") : nullptr) {
+      const auto at = [&](const char* key, double otherwise) {
+        return number(*inertia, key, otherwise);
+      };
+      m << at("ixx", 1), at("ixy", 0), at("ixz", 0), at("ixy", 0), at("iyy", 1), at("iyz", 0),
+          at("ixz", 0), at("iyz", 0), at("izz", 1);
+    }
+    SolidMoments moments;
+    moments.spread = (0.5 * m.trace() * Mat3::Identity() - m) / kg;
+    MassSum sum;
+    if (body.mass) sum.add(body.mass->kilograms, moments_of(*body.mass), Pose{});
+    sum.add(kg, moments, inertial ? composed(in_body, own_pose(*inertial)) : in_body);
+    body.mass = sum.total();
+  }
+
+  void add_collision(const XmlNode& node, const Pose& pose, ForeignBody& body) {
+    const XmlNode* const geometry = node.child("geometry");
+    if (!geometry || geometry->children.empty()) return;
+    const XmlNode& shape = geometry->children.front();
+    ForeignCollider collider;
+    collider.name = sdf_name(node);
+    collider.pose = pose;
+    collider.bits = bits_of(node);
+    if (shape.tag == "plane") {
+      const Vec3 normal = vec3(shape, "normal", Vec3::UnitZ());
+      if (!(normal.norm() > 1e-14)) place(shape).refuse("normal", "", "a direction");
+      collider.pose.rotation = collider.pose.rotation * mjcf::z_to(normal);
+      if (body.fixed) return body.colliders.push_back(std::move(collider));
+    }
+    try {
+      Mesh mesh = mesh_of(shape);
+      if (mesh.triangles.empty()) return skip(shape, Sentence("is not read"));
+      collider.mesh = std::make_shared<const Mesh>(std::move(mesh));
+      count_faces(*collider.mesh, m_scene);
+      body.colliders.push_back(std::move(collider));
+    } catch (const Error& error) {
+      skip(shape, error.sentence());
+    }
+  }
+
+  void skip(const XmlNode& shape, const Sentence& why) {
+    note_once(m_scene.unread, say("%1: %2", place(shape).text(), why));
+  }
+
+  ContactBits bits_of(const XmlNode& collision) const {
+    ContactBits bits;
+    bits.type = bits.affinity = kAllBits;
+    const XmlNode* const surface = collision.child("surface");
+    if (!surface) return bits;
+    const XmlNode* const friction = surface->child("friction");
+    if (const XmlNode* const ode = friction ? friction->child("ode") : nullptr)
+      bits.friction = number(*ode, "mu", 1);
+    if (const XmlNode* const contact = surface->child("contact"))
+      bits.type = bits.affinity = bitmask(*contact);
+    return bits;
+  }
+
+  std::uint32_t bitmask(const XmlNode& contact) const {
+    const double mask = number(contact, "collide_bitmask", kAllBits);
+    if (!(mask >= 0 && mask <= 4294967295.0))
+      place(contact).refuse("collide_bitmask", child_text(contact, "collide_bitmask", ""),
+                            "0 to 4294967295");
+    return static_cast<std::uint32_t>(mask);
+  }
+
+  Mesh mesh_of(const XmlNode& shape) const {
+    if (shape.tag == "box") return box_mesh(0.5 * vec3(shape, "size", Vec3::Ones()));
+    const double radius = number(shape, "radius", 1), half = number(shape, "length", 1) / 2;
+    if (shape.tag == "sphere") return ellipsoid_mesh(Vec3::Constant(radius));
+    if (shape.tag == "ellipsoid") return ellipsoid_mesh(vec3(shape, "radii", Vec3::Ones()));
+    if (shape.tag == "cylinder") return cylinder_mesh(radius, half);
+    if (shape.tag == "capsule") return capsule_mesh(radius, half);
+    return shape.tag == "mesh" && !shape.child("submesh") ? file_mesh(shape) : Mesh{};
+  }
+
+  // Gazebo collides the triangles.
+  Mesh file_mesh(const XmlNode& shape) const {
+    const std::string uri = child_text(shape, "uri", "");
+    Mesh mesh =
+        mesh_in_metres(m_meshes(path_of_uri(uri, m_scene.files[shape.file].path, m_allowed)));
+    scale(vec3(shape, "scale", Vec3::Ones()), mesh);
+    return mesh;
+  }
+
+  // The model of an <include>; null: it cannot be had, which is told.
+  const XmlNode* included(const XmlNode& include) {
+    const auto known = m_included.find(&include);
+    if (known != m_included.end()) return known->second;
+    return m_included[&include] = read_included(include);
+  }
+
+  const XmlNode* read_included(const XmlNode& include) {
+    const std::string uri = child_text(include, "uri", "");
+    try {
+      if (m_scene.files.size() >= kMostSdfFiles) bad_input("more than %1 files", kMostSdfFiles);
+      const std::string path =
+          sdf_in(path_of_uri(uri, m_scene.files[include.file].path, m_allowed));
+      m_roots.push_back(std::make_unique<XmlNode>(
+          read_xml_tree(path, m_scene.files.size(), m_options.limits, m_scene.files)));
+      if (const XmlNode* const model = m_roots.back()->child("model")) return model;
+      bad_file(path, "has no model");
+    } catch (const Error& error) {
+      skip(include, error.sentence());
+      return nullptr;
+    }
+  }
+
+  // The file of a model's folder.
+  static std::string sdf_in(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_directory(path, error) ? path + "/model.sdf" : path;
+  }
+
+  ForeignOptions m_options;
+  const MeshSource& m_meshes;
+  SceneRoots m_allowed;
+  ForeignScene m_scene;
+  std::vector<std::unique_ptr<XmlNode>> m_roots;
+  std::map<const XmlNode*, const XmlNode*> m_included;
+  UniqueNames m_unique;
+  size_t m_num_frames = 0;  // in all scopes that were made
+  int m_resolving = 0;      // frames on the way
+};
+
+}  // namespace
+
+ForeignScene read_sdf(const std::string& path, const ForeignOptions& options,
+                      const MeshSource& meshes) {
+  return SdfReader(path, options, meshes).read();
+}
+
+}  // namespace trivet

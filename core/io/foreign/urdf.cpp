@@ -1,0 +1,303 @@
+#include "core/io/foreign/urdf.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "core/base/bad_input.h"
+#include "core/io/foreign/mass_sum.h"
+#include "core/io/foreign/numbers.h"
+#include "core/io/foreign/primitives.h"
+#include "core/io/foreign/uri.h"
+
+namespace trivet {
+namespace {
+
+constexpr size_t kMostLinks = 10'000;
+constexpr int kMostInARow = 1000;  // links from the root
+constexpr double kFriction = 0.5;  // URDF states none; as Bullet has it
+
+double degrees(double radians) { return radians * (180 / std::numbers::pi); }
+
+class UrdfReader {
+ public:
+  UrdfReader(const std::string& path, const ForeignOptions& options, const MeshSource& meshes)
+      : m_path(path), m_options(options), m_meshes(meshes), m_roots(path, options.roots) {
+    m_scene.format = "URDF";
+    m_scene.friction_rule = FrictionRule::Product;
+  }
+
+  ForeignScene read() {
+    const XmlNode root = read_xml_tree(m_path, 0, m_options.limits, m_scene.files);
+    if (root.tag != "robot") bad_file(m_path, "begins with <%1>; accepted: <robot>", root.tag);
+    refuse_xacro();
+    collect(root);
+    for (const auto& [name, link] : m_links)
+      if (!m_joint_of.count(name)) walk(name, Pose{}, -1, {});
+    if (m_num_placed != m_links.size())
+      bad_file(m_path, "has joints in a circle; accepted: trees of links");
+    std::erase_if(m_scene.bodies, [](const ForeignBody& b) { return b.colliders.empty(); });
+    return std::move(m_scene);
+  }
+
+ private:
+  struct JointNode {
+    const XmlNode* node;
+    std::string parent, child, type;
+  };
+
+  XmlPlace place(const XmlNode& node) const { return {m_scene.files, node}; }
+
+  void refuse_xacro() const {
+    if (m_scene.files[0].bytes.find("<xacro:") != std::string::npos)
+      bad_file(m_path, "is a macro file; expand it first: xacro %1 > robot.urdf", m_path);
+  }
+
+  std::string attribute(const XmlNode& node, const char* name) const {
+    const std::string* const value = node.find(name);
+    if (!value) place(node).refuse(name, "", "a value");
+    return *value;
+  }
+
+  void collect(const XmlNode& root) {
+    for (const XmlNode& node : root.children) {
+      if (node.tag == "link" && !m_links.emplace(attribute(node, "name"), &node).second)
+        place(node).refuse("name", attribute(node, "name"), "a name that no other link has");
+      if (m_links.size() > kMostLinks)
+        bad_file(m_path, "has too many links; accepted: %1", kMostLinks);
+      if (node.tag != "joint") continue;
+      const XmlNode *const parent = node.child("parent"), *const child = node.child("child");
+      if (!parent || !child) bad_input("%1: has no parent or no child", place(node).text());
+      const JointNode joint{&node, attribute(*parent, "link"), attribute(*child, "link"),
+                            attribute(node, "type")};
+      if (!m_joint_of.emplace(joint.child, joint).second)
+        place(*child).refuse("link", joint.child, "a link that no other joint has as its child");
+      if (const std::string* const name = node.find("name")) m_joint_named[*name] = joint.child;
+      m_children[joint.parent].push_back(joint.child);
+    }
+    for (const auto& [child, joint] : m_joint_of)
+      for (const std::string& name : {child, joint.parent})
+        if (!m_links.count(name)) place(*joint.node).refuse("link", name, "the name of a link");
+  }
+
+  // @param target  the body that the link is part of; -1: one of its own.
+  void walk(const std::string& name, const Pose& pose, int target, const PosePlace& where,
+            int depth = 0) {
+    if (depth > kMostInARow)
+      bad_file(m_path, "has too many links in a row; accepted: %1", kMostInARow);
+    if (++m_num_placed > m_links.size()) bad_file(m_path, "has joints in a circle");
+    const bool own = target < 0;
+    if (own) {
+      target = static_cast<int>(m_scene.bodies.size());
+      m_scene.bodies.push_back(new_body(name, pose, where));
+    }
+    add_content(*m_links.at(name), pose, m_scene.bodies[static_cast<size_t>(target)]);
+    for (const std::string& child : m_children[name]) {
+      const JointNode& joint = m_joint_of.at(child);
+      const XmlNode* const origin = joint.node->child("origin");
+      const Pose at = composed(composed(pose, origin_of(*joint.node)), value_of(joint));
+      const bool rigid = joint.type == "fixed";
+      PosePlace its;
+      if (joint.type == "floating") its = place_of(origin, pose);
+      walk(child, {at.rotation.normalized(), at.translation}, rigid ? target : -1, its, depth + 1);
+      if (!rigid && joint.type != "floating") ++m_scene.num_joints;
+    }
+  }
+
+  ForeignBody new_body(const std::string& name, const Pose& pose, const PosePlace& where) {
+    ForeignBody out;
+    out.name = name == "floor" ? "floor (link)" : name;
+    const auto joint = m_joint_of.find(name);
+    const bool root = joint == m_joint_of.end();
+    const bool floats =
+        root ? !m_options.fixed_base && name != "world" : joint->second.type == "floating";
+    out.fixed = !floats || hangs_joints(name);
+    out.is_link = out.fixed && !root;
+    out.pose = pose;
+    out.place = where;
+    if (out.place.kind == PosePlace::Kind::Nowhere)
+      out.place.why_not = Sentence("URDF has no pose for it");
+    out.weld = static_cast<int>(m_scene.bodies.size()) + 1;
+    if (!root && !floats) out.parent_weld = weld_of(joint->second.parent);
+    return out;
+  }
+
+  int weld_of(std::string link) const {
+    for (auto joint = m_joint_of.find(link);
+         joint != m_joint_of.end() && joint->second.type == "fixed"; joint = m_joint_of.find(link))
+      link = joint->second.parent;
+    for (const ForeignBody& body : m_scene.bodies)
+      if (body.name == link) return body.weld;
+    return -1;
+  }
+
+  bool hangs_joints(const std::string& name, int depth = 0) const {
+    const auto children = m_children.find(name);
+    if (children == m_children.end() || depth > kMostInARow) return false;
+    return std::any_of(
+        children->second.begin(), children->second.end(), [&](const std::string& child) {
+          const std::string& type = m_joint_of.at(child).type;
+          return type == "fixed" ? hangs_joints(child, depth + 1) : type != "floating";
+        });
+  }
+
+  PosePlace place_of(const XmlNode* origin, const Pose& parent) const {
+    PosePlace out;
+    if (!origin) return out;
+    out.kind = PosePlace::Kind::Tag;
+    out.file = origin->file;
+    out.begin = origin->begin;
+    out.world_from_place = parent;
+    return out;
+  }
+
+  Pose origin_of(const XmlNode& node) const {
+    const XmlNode* const origin = node.child("origin");
+    if (!origin) return {};
+    Pose out;
+    if (const std::string* const xyz = origin->find("xyz")) {
+      const std::vector<double> n = numbers_in(*xyz, "xyz", place(*origin), 3, 3);
+      out.translation = {n[0], n[1], n[2]};
+    }
+    if (const std::string* const rpy = origin->find("rpy")) {
+      const std::vector<double> n = numbers_in(*rpy, "rpy", place(*origin), 3, 3);
+      out.rotation = (turned(Vec3::UnitZ(), degrees(n[2])) * turned(Vec3::UnitY(), degrees(n[1])) *
+                      turned(Vec3::UnitX(), degrees(n[0])))
+                         .normalized();
+    }
+    return out;
+  }
+
+  double limit(const JointNode& joint, const char* name, double otherwise) const {
+    const XmlNode* const limits = joint.node->child("limit");
+    const std::string* const text = limits ? limits->find(name) : nullptr;
+    return text ? numbers_in(*text, name, place(*limits), 1, 1)[0] : otherwise;
+  }
+
+  // Joints stay at 0, or at the limit next to it; those that mimic follow.
+  double number_of(const JointNode& joint, int depth) const {
+    if (const XmlNode* const mimic = joint.node->child("mimic"); mimic && depth < 32)
+      if (const auto other = m_joint_named.find(attribute(*mimic, "joint"));
+          other != m_joint_named.end()) {
+        const auto number = [&](const char* key, double otherwise) {
+          const std::string* const text = mimic->find(key);
+          return text ? numbers_in(*text, key, place(*mimic), 1, 1)[0] : otherwise;
+        };
+        return number("multiplier", 1) * number_of(m_joint_of.at(other->second), depth + 1) +
+               number("offset", 0);
+      }
+    if (joint.type == "continuous" || !joint.node->child("limit")) return 0;
+    return std::max(limit(joint, "lower", 0), std::min(0.0, limit(joint, "upper", 0)));
+  }
+
+  Pose value_of(const JointNode& joint) const {
+    const bool slides = joint.type == "prismatic";
+    const bool turns = joint.type == "revolute" || joint.type == "continuous";
+    if (!slides && !turns) return {};
+    Vec3 axis = Vec3::UnitX();
+    if (const XmlNode* const node = joint.node->child("axis")) {
+      const std::vector<double> n = numbers_in(attribute(*node, "xyz"), "xyz", place(*node), 3, 3);
+      if (Vec3(n[0], n[1], n[2]).norm() > 1e-14) axis = Vec3(n[0], n[1], n[2]).normalized();
+    }
+    const double value = number_of(joint, 0);
+    if (value == 0) return {};
+    return slides ? Pose{{}, value * axis} : Pose{turned(axis, degrees(value)), Vec3::Zero()};
+  }
+
+  void add_content(const XmlNode& link, const Pose& pose, ForeignBody& body) {
+    const Pose in_body = composed(inverse(body.pose), pose);
+    for (const XmlNode& node : link.children)
+      if (node.tag == "collision") add_collision(node, in_body, body);
+    const XmlNode* const inertial = link.child("inertial");
+    if (inertial && !body.fixed) add_mass(*inertial, in_body, body);
+  }
+
+  void add_mass(const XmlNode& node, const Pose& in_body, ForeignBody& body) {
+    const XmlNode* const mass = node.child("mass");
+    if (!mass) return;
+    const double kg = numbers_in(attribute(*mass, "value"), "value", place(*mass), 1, 1)[0];
+    if (!(kg > 0)) return;
+    SolidMoments moments;
+    if (const XmlNode* const inertia = node.child("inertia")) {
+      const auto at = [&](const char* key) {
+        const std::string* const text = inertia->find(key);
+        return text ? numbers_in(*text, key, place(*inertia), 1, 1)[0] / kg : 0.0;
+      };
+      Mat3 m;
+      m << at("ixx"), at("ixy"), at("ixz"), at("ixy"), at("iyy"), at("iyz"), at("ixz"), at("iyz"),
+          at("izz");
+      moments.spread = 0.5 * m.trace() * Mat3::Identity() - m;
+    }
+    MassSum sum;
+    if (body.mass) sum.add(body.mass->kilograms, moments_of(*body.mass), Pose{});
+    sum.add(kg, moments, composed(in_body, origin_of(node)));
+    body.mass = sum.total();
+  }
+
+  void add_collision(const XmlNode& node, const Pose& in_body, ForeignBody& body) {
+    const XmlNode* const geometry = node.child("geometry");
+    if (!geometry || geometry->children.empty()) return;
+    const XmlNode& shape = geometry->children.front();
+    ForeignCollider collider;
+    const std::string* const name = node.find("name");
+    collider.name = name ? *name : "collision " + std::to_string(body.colliders.size() + 1);
+    collider.pose = composed(in_body, origin_of(node));
+    collider.bits.friction = kFriction;
+    try {
+      collider.mesh = std::make_shared<const Mesh>(mesh_of(shape));
+    } catch (const Error& error) {
+      note_once(m_scene.unread, say("%1: %2", place(shape).text(), error.sentence()));
+      return;
+    }
+    if (collider.mesh->triangles.empty())
+      note_once(m_scene.unread, say("%1: is not read", place(shape).text()));
+    else
+      count_faces(*collider.mesh, m_scene), body.colliders.push_back(std::move(collider));
+  }
+
+  Mesh mesh_of(const XmlNode& shape) const {
+    const auto number = [&](const char* key) {
+      return numbers_in(attribute(shape, key), key, place(shape), 1, 1)[0];
+    };
+    if (shape.tag == "box") {
+      const std::vector<double> n =
+          numbers_in(attribute(shape, "size"), "size", place(shape), 3, 3);
+      return box_mesh(0.5 * Vec3(n[0], n[1], n[2]));
+    }
+    if (shape.tag == "sphere") return ellipsoid_mesh(Vec3::Constant(number("radius")));
+    if (shape.tag == "cylinder") return cylinder_mesh(number("radius"), number("length") / 2);
+    if (shape.tag == "capsule") return capsule_mesh(number("radius"), number("length") / 2);
+    return shape.tag == "mesh" ? file_mesh(shape) : Mesh{};
+  }
+
+  Mesh file_mesh(const XmlNode& shape) const {
+    Mesh mesh =
+        mesh_in_metres(m_meshes(path_of_uri(attribute(shape, "filename"), m_path, m_roots)));
+    if (const std::string* const text = shape.find("scale")) {
+      const std::vector<double> n = numbers_in(*text, "scale", place(shape), 3, 3);
+      scale({n[0], n[1], n[2]}, mesh);
+    }
+    return m_options.true_meshes ? mesh : hull_mesh(mesh.vertices);
+  }
+
+  std::string m_path;
+  const ForeignOptions& m_options;
+  const MeshSource& m_meshes;
+  SceneRoots m_roots;
+  ForeignScene m_scene;
+  std::map<std::string, const XmlNode*> m_links;
+  std::map<std::string, JointNode> m_joint_of;       // by child
+  std::map<std::string, std::string> m_joint_named;  // the child, by the joint's name
+  std::map<std::string, std::vector<std::string>> m_children;
+  size_t m_num_placed = 0;
+};
+
+}  // namespace
+
+ForeignScene read_urdf(const std::string& path, const ForeignOptions& options,
+                       const MeshSource& meshes) {
+  return UrdfReader(path, options, meshes).read();
+}
+
+}  // namespace trivet

@@ -1,0 +1,32 @@
+// New poses written into the files of a scene: only their numbers change, all other bytes stay.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/io/foreign/scene.h"
+
+namespace trivet {
+
+/// Text of numbers in place of others: those that are equal keep their text, and so does the white
+/// space. @param old  empty, or with another count: all numbers, a blank between.
+std::string with_numbers(const std::string& old, const std::vector<double>& numbers);
+
+/// One start tag with changed attributes. An empty value takes the attribute away.
+std::string with_attributes(std::string tag,
+                            const std::vector<std::pair<std::string, std::string>>& changes);
+
+/// Numbers of joints by their place in a keyframe: metres, radians.
+using JointNumbers = std::map<size_t, double>;
+
+/// The scene's files with new poses of bodies, in the order of ForeignScene::files; those that do
+/// not change are equal byte for byte.
+/// @param poses  in the world of the file, by index into ForeignScene::bodies; of bodies that have
+///   a place. @param joints  changed ones: they stand in the keyframe that the scene is of, or in a
+///   new one, which then has all poses. @throws Error (BadInput) naming a body without a place.
+std::vector<std::string> files_with_poses(const ForeignScene& scene,
+                                          const std::map<size_t, Pose>& poses,
+                                          const JointNumbers& joints = {});
+
+}  // namespace trivet

@@ -1,0 +1,131 @@
+#include "ops/files/foreign/findings.h"
+
+#include <algorithm>
+#include <set>
+
+#include "ops/base/stopwatch.h"
+#include "ops/files/report/verdict.h"
+
+namespace trivet {
+namespace {
+
+using Kind = SceneFinding::Kind;
+using NamePair = std::pair<std::string, std::string>;
+
+NamePair sorted_names(const std::string& a, const std::string& b) {
+  return a < b ? NamePair(a, b) : NamePair(b, a);
+}
+
+class FindingCollector {
+ public:
+  FindingCollector(const LayoutRun& run, double lift, SceneVerdict& out)
+      : m_run(run), m_lift(lift), m_out(out) {}
+
+  void collect() {
+    for (const auto& f : m_run.check.touching) m_touching.insert(sorted_names(f.a, f.b));
+    m_out.num_touching = m_touching.size();
+    const SceneCheck& check = m_run.check;
+    for (const auto* findings : {&check.crossings, &check.contained, &check.float32_crossings})
+      for (const auto& f : *findings) add_pair(f);
+    for (const auto& h : check.hovering) add_floating(h);
+    for (const std::string& name : check.not_at_rest)
+      if (m_told.insert(name).second)
+        m_out.findings.push_back({Kind::NotAtRest, name, "", 0, Vec3::Zero(), way_of(name)});
+    for (const ObjectStability& o : m_run.stability.objects) {
+      const std::string& name = m_run.scene.at(o.object).name;
+      if (o.topples && m_told.insert(name).second)
+        m_out.findings.push_back({Kind::Unstable, name, "", 0, Vec3::Zero(), way_of(name)});
+    }
+    std::stable_sort(m_out.findings.begin(), m_out.findings.end(),
+                     [](const SceneFinding& a, const SceneFinding& b) {
+                       return a.kind != b.kind ? a.kind < b.kind : a.metres > b.metres;
+                     });
+  }
+
+ private:
+  void add_pair(const SceneCheck::PairFinding& f) {
+    const NamePair pair = sorted_names(f.a, f.b);
+    if (m_touching.count(pair) || !m_pairs.insert(pair).second) return;
+    // The one that may move comes first.
+    const bool swapped = f.b != "floor" && is_fixed(f.a) && !is_fixed(f.b);
+    const std::string &a = swapped ? f.b : f.a, &b = swapped ? f.a : f.b;
+    m_out.findings.push_back(
+        {Kind::PassesThrough, a, b, f.depth, f.point - m_lift * Vec3::UnitZ(), ""});
+    for (const std::string& name : {a, b}) m_told.insert(name);
+  }
+
+  // An object that passes through others has one finding.
+  void add_floating(const SceneCheck::Hovering& h) {
+    if (m_told.insert(h.name).second)
+      m_out.findings.push_back({Kind::Floats, h.name, h.above, h.height, Vec3::Zero(), ""});
+  }
+
+  bool is_fixed(const std::string& name) const {
+    const auto id = m_run.scene.find(name);
+    return id && m_run.scene.at(*id).fixed;
+  }
+
+  std::string way_of(const std::string& name) const {
+    for (const ObjectStability& o : m_run.stability.objects)
+      if (o.topples && m_run.scene.at(o.object).name == name)
+        return way_text(m_run.scene.at(o.object), o.motion);
+    return "";
+  }
+
+  const LayoutRun& m_run;
+  double m_lift;
+  SceneVerdict& m_out;
+  std::set<NamePair> m_touching, m_pairs;
+  std::set<std::string> m_told;
+};
+
+}  // namespace
+
+const char* to_string(SceneFinding::Kind kind) {
+  switch (kind) {
+    case Kind::PassesThrough:
+      return "passes through";
+    case Kind::Floats:
+      return "floats";
+    case Kind::NotAtRest:
+      return "not at rest";
+    case Kind::Unstable:
+      break;
+  }
+  return "unstable";
+}
+
+size_t SceneVerdict::count(SceneFinding::Kind kind) const {
+  return static_cast<size_t>(std::count_if(findings.begin(), findings.end(),
+                                           [&](const auto& f) { return f.kind == kind; }));
+}
+
+SceneVerdict verdict_of(const LayoutRun& run, double lift) {
+  SceneVerdict out;
+  out.clearance = run.settle.clearance;
+  for (const ObjectId id : run.scene.ids()) {
+    ++out.num_objects;
+    out.num_free += !run.scene.at(id).fixed;
+  }
+  FindingCollector(run, lift, out).collect();
+  return out;
+}
+
+SceneVerdict judge(OpenedScene& opened, const RunOptions& given, LayoutRun* run) {
+  const Stopwatch watch;
+  RunOptions options = given;
+  if (!(options.settle.clearance > 0)) options.settle.clearance = opened.judged.clearance;
+  LayoutRun mine;
+  LayoutRun& result = run ? *run : mine;
+  result.scene = opened.judged.scene;
+  result.settle = options.settle;
+  finish_run(options, result);
+  SceneVerdict out = verdict_of(result, opened.judged.lift);
+  out.path = opened.path, out.format = opened.format, out.key = opened.key;
+  out.num_joints = opened.num_joints;
+  out.notes = opened.notes, out.unread = opened.unread;
+  out.milliseconds = watch.milliseconds();
+  return out;
+}
+
+}  // namespace trivet

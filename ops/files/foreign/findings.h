@@ -1,0 +1,55 @@
+// Findings: what is wrong with a scene, for people and programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ops/files/foreign/open_scene.h"
+#include "ops/files/layout/run.h"
+
+namespace trivet {
+
+struct SceneFinding {
+  enum class Kind {
+    PassesThrough,  // two interpenetrate: more than contact
+    Floats,         // nothing holds it from below
+    NotAtRest,      // what it touches does not hold it
+    Unstable,       // at rest by itself, but the scene as a whole would move it
+  } kind;
+  std::string object, other;  // other: what it passes through, or would fall onto; may be empty
+  double metres = 0;          // depth, or height above `other`; infinity over nothing
+  Vec3 point = Vec3::Zero();  // PassesThrough: where, in the file's frame
+  std::string way;            // NotAtRest, Unstable: "tips towards (1.00, 0.00)"; may be empty
+};
+const char* to_string(SceneFinding::Kind kind);  // "passes through", "floats", ...
+
+struct SceneVerdict {
+  std::string path, format, key;
+  size_t num_objects = 0, num_free = 0, num_joints = 0;
+  size_t num_touching = 0;  // pairs within half a clearance of each other's surface: no finding
+  double clearance = 0;     // metres
+  std::vector<SceneFinding> findings;  // the deepest first, then the others by name
+  std::vector<Sentence> notes, unread;
+  double milliseconds = 0;
+  Sentence error;  // it could not be read; then all above is meaningless
+
+  bool ok() const { return findings.empty() && error.empty(); }
+  bool whole() const { return unread.empty() && error.empty(); }
+  size_t count(SceneFinding::Kind kind) const;
+};
+
+/// Reads and judges a scene. Pairs of fixed objects are not judged.
+/// @param run  receives the scene and its check if not null.
+SceneVerdict judge(OpenedScene& opened, const RunOptions& options, LayoutRun* run = nullptr);
+
+/// The same of a scene that was checked already. @param lift  as JudgedScene has it.
+SceneVerdict verdict_of(const LayoutRun& run, double lift);
+
+/// Some lines for one scene, the last the verdict.
+std::string verdict_text(const SceneVerdict& verdict);
+/// A table of many scenes and their sum.
+std::string verdict_table(const std::vector<SceneVerdict>& verdicts);
+/// One line of JSON.
+std::string verdict_json(const SceneVerdict& verdict);
+
+}  // namespace trivet

@@ -1,0 +1,70 @@
+#include "ops/files/foreign/joint_moves.h"
+
+#include <algorithm>
+
+#include "core/base/bad_input.h"
+#include "core/base/quoted.h"
+#include "core/scene/transaction.h"
+#include "ops/check/check.h"
+
+namespace trivet {
+namespace {
+
+// The scene by the rules for moving links.
+Scene with_moving_links(const JudgedScene& judged) {
+  Scene out = judged.scene;
+  const PairTable& table = *judged.moving_links;
+  out.pair_rules = table.rules;
+  out.floor_kind = table.floor_kind;
+  for (size_t i = 0; i < judged.ids.size(); ++i)
+    if (judged.ids[i])
+      edit_object(out, *judged.ids[i], [&](Object& o) { o.pair_kind = table.kinds[i]; });
+  return out;
+}
+
+Rotation inverse_of(const Rotation& r) { return {r.w, -r.x, -r.y, -r.z}; }
+
+// Joints of links that moved go with them. @param from  pose of such a link before, `to` after.
+void carry(const JointToMove& moved, const Pose& from, const Pose& to, OpenedScene& opened) {
+  const Mat3 turn = (to.rotation * inverse_of(from.rotation)).normalized().matrix();
+  for (SceneJoint& joint : opened.joints) {
+    const bool goes =
+        joint.name != moved.name &&
+        std::all_of(joint.links.begin(), joint.links.end(), [&](ObjectId id) {
+          return std::find(moved.links.begin(), moved.links.end(), id) != moved.links.end();
+        });
+    if (!goes) continue;
+    joint.axis = turn * joint.axis;
+    joint.anchor = to.translation + turn * (joint.anchor - from.translation);
+  }
+}
+
+}  // namespace
+
+SceneJoint& joint_named(OpenedScene& opened, const std::string& name) {
+  std::string known;
+  for (SceneJoint& joint : opened.joints) {
+    if (joint.name == name) return joint;
+    known += (known.empty() ? "" : ", ") + trivet::quoted(joint.name);
+  }
+  bad_file(opened.path, "has no joint %1; accepted: %2", trivet::quoted(name),
+           known.empty() ? std::string("none, it has no slides and hinges") : known);
+}
+
+JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,
+                        NewPoses& poses) {
+  Scene driven = with_moving_links(opened.judged);
+  update_contacts(driven, run.options.clearance, run.options);
+  const Pose from = driven.at(joint.links[0]).pose;
+  const JointMove out = move_joint(driven, joint, to, run);
+  for (const std::vector<ObjectId>* ids : {&std::as_const(joint.links), &out.carried})
+    for (const ObjectId id : *ids) {
+      poses[id] = driven.at(id).pose;
+      edit_object(opened.judged.scene, id, [&](Object& o) { o.pose = poses[id]; });
+    }
+  joint.value = out.value;
+  carry(joint, from, driven.at(joint.links[0]).pose, opened);
+  return out;
+}
+
+}  // namespace trivet

@@ -1,0 +1,16 @@
+// Joints of an opened scene, moved with what lies in and on their links.
+#pragma once
+
+#include "ops/files/foreign/open_scene.h"
+
+namespace trivet {
+
+/// @throws Error (BadInput) naming the joints that there are.
+SceneJoint& joint_named(OpenedScene& opened, const std::string& name);
+
+/// Moves a joint as move_joint() does. Links that joints hold meet each other and all else, but for
+/// what they hang in. The scene, its joints and `poses` follow.
+JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,
+                        NewPoses& poses);
+
+}  // namespace trivet

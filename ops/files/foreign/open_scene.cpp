@@ -1,0 +1,139 @@
+#include "ops/files/foreign/open_scene.h"
+
+#include <filesystem>
+#include <numbers>
+
+#include "core/base/bad_input.h"
+#include "core/base/extension.h"
+#include "core/io/foreign/mjcf/read_mjcf.h"
+#include "core/io/foreign/sdf.h"
+#include "core/io/foreign/urdf.h"
+#include "core/io/foreign/write_back.h"
+#include "core/io/overwrites.h"
+#include "core/io/process/sandboxed_import.h"
+#include "core/io/staged_files.h"
+
+namespace trivet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSceneTags =
+    "<mujoco> (MJCF), <robot> (URDF) or <sdf> (SDF) as the first element";
+
+bool is_gltf(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".glb" || extension == ".gltf";
+}
+
+// By the first element, whatever the file is called.
+ForeignScene read_by_content(const std::string& path, const ForeignOptions& options,
+                             const MeshSource& meshes) {
+  std::vector<XmlFile> files;
+  const std::string tag = read_xml_tree(path, 0, options.limits, files).tag;
+  if (tag == "mujoco") return read_mjcf(path, options, meshes);
+  if (tag == "robot") return read_urdf(path, options, meshes);
+  if (tag == "sdf") return read_sdf(path, options, meshes);
+  bad_file(path, "begins with <%1>; accepted: %2", tag, kSceneTags);
+}
+
+// Where a file of the scene goes when the main one is written as `out`. What the scene names must
+// not decide about files elsewhere.
+std::string target_of(const ForeignScene& scene, size_t file, const std::string& out) {
+  if (file == 0) return out;
+  const fs::path from = fs::absolute(scene.files[0].path).parent_path();
+  const fs::path relative = fs::absolute(scene.files[file].path).lexically_relative(from);
+  if (relative.empty() || *relative.begin() == "..")
+    bad_file(scene.files[file].path,
+             "is outside the folder of the scene, and would be written outside that of the output; "
+             "accepted: an output in the scene's folder, if nothing changes in this file");
+  return (fs::absolute(out).parent_path() / relative).lexically_normal().string();
+}
+
+// True if the output lies where the scene lies: it then names the same files.
+bool is_named_from(const ForeignScene& scene, const std::string& out) {
+  std::error_code error;
+  const fs::path from = fs::absolute(scene.files[0].path).parent_path();
+  return fs::equivalent(from, fs::absolute(out).parent_path(), error);
+}
+
+std::vector<SceneJoint> joints_of(const ForeignScene& foreign, const JudgedScene& judged) {
+  std::vector<SceneJoint> out;
+  for (const ForeignJoint& joint : foreign.joints) {
+    SceneJoint mine;
+    mine.name = joint.name;
+    mine.turns = joint.kind == ForeignJoint::Kind::Hinge;
+    mine.axis = joint.axis;
+    mine.anchor = joint.anchor + judged.lift * Vec3::UnitZ();
+    mine.value = joint.value, mine.lower = joint.lower, mine.upper = joint.upper;
+    mine.number = joint.number;
+    for (const std::string& name : joint.moves)
+      if (const auto id = judged.scene.find(name)) mine.links.push_back(*id);
+    if (!mine.links.empty()) out.push_back(std::move(mine));
+  }
+  return out;
+}
+
+// Keyframes have angles in radians.
+JointNumbers numbers_of(const std::vector<SceneJoint>& joints) {
+  JointNumbers out;
+  for (const SceneJoint& joint : joints)
+    out[joint.number] = joint.turns ? joint.value * (std::numbers::pi / 180) : joint.value;
+  return out;
+}
+
+void write_files(const ForeignScene& scene, const std::map<size_t, Pose>& poses,
+                 const JointNumbers& joints, const std::string& out) {
+  const std::vector<std::string> bytes = files_with_poses(scene, poses, joints);
+  std::vector<std::string> inputs;
+  for (const XmlFile& file : scene.files) inputs.push_back(file.path);
+  StagedFiles staged;
+  for (size_t i = bytes.size(); i-- > 0;) {  // the main file names the others: it comes last
+    if (i > 0 && bytes[i] == scene.files[i].bytes && is_named_from(scene, out)) continue;
+    const std::string target = target_of(scene, i, out);
+    check_not_the_same(target, inputs);
+    staged.add(target, bytes[i]);
+  }
+  staged.commit();
+}
+
+}  // namespace
+
+bool is_scene_of_others(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return is_gltf(path) || extension == ".xml" || extension == ".mjcf" || extension == ".urdf" ||
+         extension == ".sdf" || extension == ".world";
+}
+
+OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
+  if (is_gltf(path)) return open_gltf_scene(path, options);
+  const SharedImporters importers;
+  const MeshSource meshes = [&](const std::string& file) {
+    return import_model(file, options.limits);
+  };
+  auto foreign =
+      std::make_shared<const ForeignScene>(read_by_content(path, options.foreign, meshes));
+  OpenedScene out;
+  out.path = path, out.format = foreign->format, out.key = foreign->key;
+  out.notes = foreign->notes, out.unread = foreign->unread;
+  out.num_joints = foreign->num_joints;
+  out.judged = judged_scene(*foreign);
+  out.joints = joints_of(*foreign, out.judged);
+  for (const Sentence& note : out.judged.notes) out.notes.push_back(note);
+  out.write_with_joints = [foreign, ids = out.judged.ids, lift = out.judged.lift](
+                              const NewPoses& poses, const std::vector<SceneJoint>& moved,
+                              const std::string& target) {
+    std::map<size_t, Pose> by_body;
+    for (size_t i = 0; i < ids.size(); ++i)
+      if (ids[i] && !foreign->bodies[i].is_link)
+        if (const auto it = poses.find(*ids[i]); it != poses.end())
+          by_body[i] = {it->second.rotation, it->second.translation - lift * Vec3::UnitZ()};
+    write_files(*foreign, by_body, numbers_of(moved), target);
+  };
+  out.write = [write = out.write_with_joints](const NewPoses& poses, const std::string& target) {
+    write(poses, {}, target);
+  };
+  return out;
+}
+
+}  // namespace trivet

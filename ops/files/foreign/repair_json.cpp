@@ -1,0 +1,95 @@
+#include "ops/files/foreign/repair_json.h"
+
+#include <cmath>
+
+namespace trivet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point_json(const OpenedScene& opened, Vec3 point) {
+  point.z() -= opened.judged.lift;
+  return {point.x(), point.y(), point.z()};
+}
+
+Json limit_json(double limit) { return std::isfinite(limit) ? Json(limit) : Json(); }
+
+const char* end_text(JointMove::End end) {
+  switch (end) {
+    case JointMove::End::Reached:
+      return "reached";
+    case JointMove::End::Limit:
+      return "limit";
+    case JointMove::End::Blocked:
+      break;
+  }
+  return "blocked";
+}
+
+}  // namespace
+
+Json settled_json(const OpenedScene& opened, const SettledScene& settled) {
+  const Scene& scene = opened.judged.scene;
+  Json json = {{"moved", Json::array()}, {"unable", Json::array()}};
+  for (const SettledObject& o : settled.moved)
+    json["moved"].push_back({{"object", scene.at(o.id).name},
+                             {"from", point_json(opened, o.from.translation)},
+                             {"to", point_json(opened, o.to.translation)},
+                             {"metres", o.moved},
+                             {"degrees", o.turned_deg}});
+  for (const UnsettledObject& o : settled.unable)
+    json["unable"].push_back({{"object", scene.at(o.id).name}, {"why", in_english(o.why)}});
+  return json;
+}
+
+Json mended_json(const OpenedScene& opened, const MendedScene& mended) {
+  Json json = settled_json(opened, mended);
+  json["tolerance"] = mended.tolerance;
+  json["supports_meant"] = mended.num_meant;
+  json["supports_kept"] = mended.num_kept;
+  json["relations"] = Json::array();
+  for (const ChangedRelation& r : mended.relations)
+    json["relations"].push_back({{"object", r.object}, {"lost", r.lost}, {"gained", r.gained}});
+  return json;
+}
+
+Json intent_json(const Scene& scene, const Intent& intent) {
+  Json json = {{"tolerance", intent.tolerance}, {"objects", Json::array()}};
+  for (const ObjectIntent& o : intent.objects) {
+    Json object = {{"object", scene.at(o.id).name}, {"on", Json::array()}};
+    for (const IntendedSupport& s : o.on)
+      object["on"].push_back({{"object", named(scene, s.on).name}, {"share", s.share}});
+    if (o.inside) object["in"] = scene.at(*o.inside).name;
+    object["gap"] = o.gap;
+    object["level"] = o.is_level;
+    object["tilt_deg"] = o.tilt_deg;
+    json["objects"].push_back(std::move(object));
+  }
+  return json;
+}
+
+Json joint_json(const Scene& scene, const JointToMove& joint) {
+  Json links = Json::array();
+  for (const ObjectId id : joint.links) links.push_back(scene.at(id).name);
+  return {{"joint", joint.name},
+          {"kind", joint.turns ? "hinge" : "slide"},
+          {"value", joint.value},
+          {"lower", limit_json(joint.lower)},
+          {"upper", limit_json(joint.upper)},
+          {"links", links}};
+}
+
+Json joint_move_json(const OpenedScene& opened, const JointToMove& joint, const JointMove& move) {
+  const Scene& scene = opened.judged.scene;
+  Json json = joint_json(scene, joint);
+  json["end"] = end_text(move.end);
+  if (move.end == JointMove::End::Blocked) {
+    json["blocked_by"] = named(scene, move.blocker).name;
+    json["blocked_at"] = point_json(opened, move.point);
+  }
+  json["carried"] = Json::array();
+  for (const ObjectId id : move.carried) json["carried"].push_back(scene.at(id).name);
+  return json;
+}
+
+}  // namespace trivet

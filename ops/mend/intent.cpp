@@ -1,0 +1,404 @@
+#include "ops/mend/intent.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/motion/motion.h"
+#include "ops/arrange/stable_poses.h"
+
+namespace trivet {
+namespace {
+
+constexpr int kColumns = 28, kFewColumns = 14;
+constexpr double kFirstTolerance = 0.02, kLeastTolerance = 0.002, kMostTolerance = 0.06;
+constexpr double kGapsToTolerance = 3.5;  // times the median gap
+constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimit = 5;
+constexpr double kLeastShare = 0.12;   // of a support
+constexpr double kInsideShare = 0.45;  // of columns within the container
+
+double at_share(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + k, values.end());
+  return values[static_cast<size_t>(k)];
+}
+
+double angle_between_deg(const Vec3& a, const Vec3& b) {
+  const double apart = (a - b).norm(), together = (a + b).norm();
+  return apart <= together ? turned_deg(apart / together) : 180 - turned_deg(together / apart);
+}
+
+// The shortest turn that takes unit `a` to unit `b`.
+Rotation turn_to(const Vec3& a, const Vec3& b) {
+  const Vec3 axis = a.cross(b);
+  const double w = 1 + a.dot(b);
+  if (w < 1e-9) return {0, 1, 0, 0};
+  return Rotation{w, axis.x(), axis.y(), axis.z()}.normalized();
+}
+
+/// An object and what its columns say.
+struct Looked {
+  Placement level;
+  ObjectIntent intent;
+  Columns columns;
+  std::set<std::uint32_t> above;  // slots of what it lies above
+};
+
+class IntentFinder {
+ public:
+  explicit IntentFinder(const Scene& scene) : m_scene(scene) {}
+
+  Intent find(std::optional<double> tolerance) {
+    level_all();
+    if (!tolerance) {
+      m_tolerance = kFirstTolerance;
+      look(kFewColumns);
+      std::vector<double> gaps;
+      for (const Looked& l : m_looked)
+        if (!l.intent.on.empty()) gaps.push_back(std::abs(l.intent.gap));
+      tolerance = gaps.empty() ? 0.01
+                               : std::clamp(kGapsToTolerance * at_share(gaps, 0.5), kLeastTolerance,
+                                            kMostTolerance);
+    }
+    m_tolerance = *tolerance;
+    look(kColumns);
+    Intent out;
+    out.tolerance = m_tolerance, out.most_tilt_deg = m_most_tilt;
+    out.objects = in_order();
+    return out;
+  }
+
+ private:
+  void level_all() {
+    std::vector<double> small;
+    std::map<std::uint32_t, std::vector<Vec3>> downs;
+    for (const ObjectId id : m_scene.ids()) {
+      const Object& object = m_scene.at(id);
+      if (!object.placed) continue;
+      m_all.push_back({id, object.pose});
+      if (object.fixed) continue;
+      Looked looked;
+      looked.intent.id = id;
+      downs[id.index] = downs_of(object);
+      looked.intent.tilt_deg = nearest_down(downs[id.index], object.pose.rotation).second;
+      if (looked.intent.tilt_deg < kSmallTilt) small.push_back(looked.intent.tilt_deg);
+      m_looked.push_back(std::move(looked));
+    }
+    m_most_tilt =
+        small.empty() ? 3 : std::clamp(kTiltsToLimit * at_share(small, 0.5), kLeastTilt, kMostTilt);
+    for (Looked& l : m_looked) {
+      const Object& object = m_scene.at(l.intent.id);
+      l.intent.is_level = l.intent.tilt_deg <= m_most_tilt;
+      l.intent.level = l.intent.is_level ? levelled(object, downs[l.intent.id.index]) : object.pose;
+      l.level = {l.intent.id, l.intent.level};
+    }
+    for (Placement& p : m_all)
+      for (const Looked& l : m_looked)
+        if (l.intent.id == p.id) p.pose = l.intent.level;
+  }
+
+  // About the middle of its box.
+  static Pose levelled(const Object& object, const std::vector<Vec3>& downs) {
+    const Rotation& r = object.pose.rotation;
+    const int k = nearest_down(downs, r).first;
+    const Vec3 down = r.matrix() * downs[static_cast<size_t>(k)];
+    if (angle_between_deg(down, -Vec3::UnitZ()) < 1e-9) return object.pose;
+    Pose out;
+    out.rotation = (turn_to(down, -Vec3::UnitZ()) * r).normalized();
+    const Vec3 middle =
+        world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
+    out.translation =
+        object.pose.translation + r.matrix() * middle - out.rotation.matrix() * middle;
+    return out;
+  }
+
+  void look(int num) {
+    m_index.clear();
+    for (size_t i = 0; i < m_looked.size(); ++i) {
+      Looked& l = m_looked[i];
+      const auto at = std::find_if(m_all.begin(), m_all.end(),
+                                   [&](const Placement& p) { return p.id == l.intent.id; });
+      l.columns =
+          columns_of(m_scene, m_all, static_cast<size_t>(at - m_all.begin()), num, m_tolerance);
+      l.above.clear();
+      l.intent.inside.reset();
+      m_index[l.intent.id.index] = i;
+    }
+    for (Looked& l : m_looked) find_container(l);
+    for (Looked& l : m_looked) find_below(l);
+    for (Looked& l : m_looked) find_supports(l);
+  }
+
+  const Looked* looked(ObjectId id) const {
+    const auto it = m_index.find(id.index);
+    return it == m_index.end() ? nullptr : &m_looked[it->second];
+  }
+
+  double lowest(const Looked& l) const {
+    double low = kInfinity;
+    for (const Column& c : l.columns.columns) low = std::min(low, c.low);
+    return low;
+  }
+
+  // A larger object around its lower part, whose rim is above its underside.
+  void find_container(Looked& l) {
+    const double low = lowest(l);
+    double high = kNoHeight;
+    for (const Column& c : l.columns.columns) high = std::max(high, c.high);
+    const double rim = std::max(0.004, 0.15 * std::min(0.1, high - low));
+    double best = kInfinity;
+    for (size_t k = 0; k < l.columns.others.size(); ++k) {
+      const Object& other = m_scene.at(l.columns.others[k]);
+      const Aabb box = m_scene.world_box(l.columns.others[k]);
+      if (box.upper.z() < low + rim || size_of(other) < size_of(m_scene.at(l.intent.id))) continue;
+      size_t foot = 0, within = 0;
+      for (const Column& c : l.columns.columns) {
+        if (c.low > low + 0.25 * (high - low)) continue;
+        ++foot;
+        const bool around = (c.at.array() > box.lower.head<2>().array()).all() &&
+                            (c.at.array() < box.upper.head<2>().array()).all();
+        within += around && c.others[k].highest_under > kNoHeight;
+      }
+      if (static_cast<double>(within) <
+          kInsideShare * static_cast<double>(std::max<size_t>(foot, 3)))
+        continue;
+      if (!surrounds(l, k, low + rim) || size_of(other) >= best) continue;
+      best = size_of(other);
+      l.intent.inside = l.columns.others[k];
+    }
+  }
+
+  // The other's faces above the rim are not only over the object's own columns' tops: it has walls
+  // within a size of the object. Its box tells for lack of anything better.
+  bool surrounds(const Looked& l, size_t k, double rim) const {
+    const Aabb mine = m_scene.world_box(l.intent.id), box = m_scene.world_box(l.columns.others[k]);
+    return box.upper.z() > rim && box.lower.x() < mine.centre().x() &&
+           box.upper.x() > mine.centre().x() && box.lower.y() < mine.centre().y() &&
+           box.upper.y() > mine.centre().y();
+  }
+
+  static double area(const Looked& l) {
+    return std::max<double>(1, static_cast<double>(l.columns.columns.size())) * l.columns.width *
+           l.columns.width;
+  }
+
+  // Distance of the underside from the other's faces below it, about; nothing: none is below.
+  static std::optional<double> distance_to(const Looked& l, ObjectId other) {
+    const auto at = std::find(l.columns.others.begin(), l.columns.others.end(), other);
+    if (at == l.columns.others.end()) return std::nullopt;
+    const auto k = static_cast<size_t>(at - l.columns.others.begin());
+    std::vector<double> gaps;
+    for (const Column& c : l.columns.columns)
+      if (c.others[k].highest_under > kNoHeight) gaps.push_back(c.low - c.others[k].highest_under);
+    if (gaps.empty()) return std::nullopt;
+    return at_share(gaps, 0.1);
+  }
+
+  // Side by side: they overlap in height by more than they overlap seen from above.
+  bool is_beside(const Looked& l, size_t k) const {
+    std::vector<double> over;
+    for (const Column& c : l.columns.columns)
+      if (c.others[k].high > kNoHeight)
+        over.push_back(std::min(c.high, c.others[k].high) - std::max(c.low, c.others[k].low));
+    if (over.empty()) return true;
+    const double height = at_share(over, 0.5);
+    const double share = static_cast<double>(over.size()) /
+                         static_cast<double>(std::max<size_t>(l.columns.columns.size(), 1));
+    const Aabb mine = m_scene.world_box(l.intent.id),
+               other = m_scene.world_box(l.columns.others[k]);
+    const Vec2 common =
+        (mine.upper.cwiseMin(other.upper) - mine.lower.cwiseMax(other.lower)).head<2>();
+    const double least =
+        std::min(mine.upper.z() - mine.lower.z(), other.upper.z() - other.lower.z());
+    return height > 0.3 * least && common.minCoeff() < height && share < 0.6;
+  }
+
+  void find_below(Looked& l) {
+    for (size_t k = 0; k < l.columns.others.size(); ++k) {
+      const ObjectId other = l.columns.others[k];
+      const Looked* const o = looked(other);
+      if (!o || l.intent.inside == other) {
+        l.above.insert(other.index);
+        continue;
+      }
+      if (o->intent.inside == l.intent.id || is_beside(l, k)) continue;
+      const auto down = distance_to(l, other), up = distance_to(*o, l.intent.id);
+      if (!down) continue;
+      const double score =
+          ((up ? std::abs(*up) : 4 * m_tolerance) - std::abs(*down)) / m_tolerance +
+          std::log(area(*o) / area(l));
+      if (score > 0 || (score == 0 && l.intent.id.index > other.index)) l.above.insert(other.index);
+    }
+  }
+
+  bool may_carry(const Looked& l, ObjectId other) const {
+    if (!l.above.count(other.index)) return false;
+    if (!l.intent.inside || *l.intent.inside == other) return true;
+    const Looked* const o = looked(other);
+    return o && o->intent.inside == l.intent.inside;
+  }
+
+  // True if `a` lies above `b`.
+  bool lies_above(ObjectId a, ObjectId b) const {
+    const Looked* const l = looked(a);
+    return l && l->above.count(b.index) > 0;
+  }
+
+  /// A column's gap and what is below it.
+  struct Gap {
+    double gap;
+    Support on;
+  };
+
+  void find_supports(Looked& l) {
+    std::vector<Gap> gaps;
+    for (const Column& c : l.columns.columns)
+      if (const auto owner = owner_of(l, c)) gaps.push_back(*owner);
+    l.intent.on.clear();
+    if (gaps.empty()) return;
+    std::vector<double> values;
+    for (const Gap& g : gaps) values.push_back(g.gap);
+    const double first = at_share(values, 0.03);
+    l.intent.gap = std::min(first, gap_of_feet(l).value_or(first));
+    const double near = first + std::max(0.35 * m_tolerance, 0.0015);
+    double total = 0;
+    for (const Gap& g : gaps) {
+      if (g.gap > near) continue;
+      total += 1;
+      const auto known = std::find_if(l.intent.on.begin(), l.intent.on.end(),
+                                      [&](const IntendedSupport& s) { return s.on == g.on; });
+      if (known == l.intent.on.end())
+        l.intent.on.push_back({g.on, 1});
+      else
+        known->share += 1;
+    }
+    for (IntendedSupport& s : l.intent.on) s.share /= total;
+    std::stable_sort(l.intent.on.begin(), l.intent.on.end(),
+                     [](const auto& a, const auto& b) { return a.share > b.share; });
+    while (l.intent.on.size() > 1 && l.intent.on.back().share < kLeastShare) l.intent.on.pop_back();
+  }
+
+  // The highest face below; of two that lie on each other the upper one, though noise has it lower.
+  std::optional<Gap> owner_of(const Looked& l, const Column& c) const {
+    std::optional<ObjectId> owner;
+    double top = kNoHeight;
+    for (size_t k = 0; k < l.columns.others.size(); ++k) {
+      const ObjectId other = l.columns.others[k];
+      const double z = c.others[k].highest_under;
+      if (z == kNoHeight || !may_carry(l, other)) continue;
+      const bool over = owner && lies_above(other, *owner),
+                 under = owner && lies_above(*owner, other);
+      if (owner && z < top + (under ? m_tolerance : over ? -m_tolerance : 0)) continue;
+      owner = other, top = z;
+    }
+    if (!owner || (top < 0 && m_scene.floor && !l.intent.inside)) {
+      if (!m_scene.floor || l.intent.inside || c.low < -3 * m_tolerance - 0.05) {
+        if (!owner) return std::nullopt;
+      } else {
+        return Gap{c.low, Support::floor()};
+      }
+    }
+    return Gap{c.low - top, *owner};
+  }
+
+  // Feet may be thinner than a column: the lowest vertex over the floor.
+  std::optional<double> gap_of_feet(const Looked& l) const {
+    const auto only_floor = [&] {
+      return std::none_of(l.columns.columns.begin(), l.columns.columns.end(), [&](const Column& c) {
+        const auto owner = owner_of(l, c);
+        return owner && owner->on.is_object();
+      });
+    };
+    if (!m_scene.floor || l.intent.inside || !only_floor()) return std::nullopt;
+    return body_of(m_scene.at(l.intent.id), l.intent.level).world_box.lower.z();
+  }
+
+  // The lower ones first; a circle loses its weakest support.
+  std::vector<ObjectIntent> in_order() {
+    std::vector<ObjectIntent> out;
+    std::set<std::uint32_t> done;
+    std::vector<Looked*> left;
+    for (Looked& l : m_looked) left.push_back(&l);
+    const auto waits_for = [&](const Support& s) {
+      return s.is_object() && m_index.count(s.object().index) && !done.count(s.object().index);
+    };
+    while (!left.empty()) {
+      std::vector<Looked*> ready;
+      for (Looked* l : left)
+        if (std::none_of(l->intent.on.begin(), l->intent.on.end(),
+                         [&](const IntendedSupport& s) { return waits_for(s.on); }) &&
+            !(l->intent.inside && waits_for(*l->intent.inside)))
+          ready.push_back(l);
+      if (ready.empty()) {
+        cut_weakest(left, waits_for);
+        continue;
+      }
+      // Leaning objects come after standing ones.
+      std::stable_sort(ready.begin(), ready.end(), [&](const Looked* a, const Looked* b) {
+        if (a->intent.is_level != b->intent.is_level) return a->intent.is_level;
+        return lowest(*a) < lowest(*b);
+      });
+      for (Looked* l : ready) {
+        out.push_back(l->intent);
+        done.insert(l->intent.id.index);
+        std::erase(left, l);
+      }
+    }
+    return out;
+  }
+
+  template <class Waits>
+  void cut_weakest(const std::vector<Looked*>& left, const Waits& waits_for) {
+    Looked* from = nullptr;
+    size_t which = 0;
+    double least = kInfinity;
+    for (Looked* l : left)
+      for (size_t i = 0; i < l->intent.on.size(); ++i)
+        if (waits_for(l->intent.on[i].on) && l->intent.on[i].share < least)
+          from = l, which = i, least = l->intent.on[i].share;
+    if (from)
+      from->intent.on.erase(from->intent.on.begin() + static_cast<std::ptrdiff_t>(which));
+    else
+      for (Looked* l : left) l->intent.inside.reset();
+  }
+
+  const Scene& m_scene;
+  PosedObjects m_all;  // level
+  std::vector<Looked> m_looked;
+  std::map<std::uint32_t, size_t> m_index;  // of m_looked, by slot
+  double m_tolerance = 0, m_most_tilt = 0;
+};
+
+}  // namespace
+
+const ObjectIntent* Intent::find(ObjectId id) const {
+  for (const ObjectIntent& o : objects)
+    if (o.id == id) return &o;
+  return nullptr;
+}
+
+std::vector<Vec3> downs_of(const Object& object) {
+  std::vector<Vec3> out;
+  for (const StablePose& pose : stable_poses(*object.shape, object.up, object.scale))
+    out.push_back(pose.rotation.matrix().transpose() * -Vec3::UnitZ());
+  return out;
+}
+
+std::pair<int, double> nearest_down(const std::vector<Vec3>& downs, const Rotation& rotation) {
+  const Vec3 down = rotation.matrix().transpose() * -Vec3::UnitZ();
+  std::pair<int, double> out{-1, 180};
+  for (size_t k = 0; k < downs.size(); ++k) {
+    const double angle = angle_between_deg(downs[k], down);
+    if (angle < out.second) out = {static_cast<int>(k), angle};
+  }
+  return out;
+}
+
+Intent infer_intent(const Scene& scene, std::optional<double> tolerance) {
+  return IntentFinder(scene).find(tolerance);
+}
+
+}  // namespace trivet

@@ -1,0 +1,283 @@
+#include "ops/mend/mend.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/io/foreign/scene.h"
+#include "ops/mend/rearrange.h"
+#include "ops/placement/clearance.h"
+#include "ops/placement/depth.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kLeastAir = 2e-5;  // metres between an object and its place when it is let go
+constexpr int kPartings = 8;        // shifts until an object is free
+// Lifts and radii, in tolerances.
+constexpr double kLiftsInTolerances[] = {0, 0.06, 0.25, 0.7, 1.5, 3, 8};
+constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
+constexpr double kRingLifts[] = {0, 0.7, 2};
+// Parts of an object's size: a lost support, attitude or height, and a support too many.
+constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
+constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
+
+Vec3 local_middle(const Object& object) {
+  return world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
+}
+
+// Pose `then`, carried along by what moves `from` to `to`.
+Pose carried(const Pose& from, const Pose& to, const Pose& then) {
+  const Rotation turn = (to.rotation * inverse(from).rotation).normalized();
+  return {(turn * then.rotation).normalized(),
+          to.translation + turn.matrix() * (then.translation - from.translation)};
+}
+
+bool same_pose(const Pose& a, const Pose& b) {
+  const Rotation &r = a.rotation, &q = b.rotation;
+  return a.translation == b.translation && r.w == q.w && r.x == q.x && r.y == q.y && r.z == q.z;
+}
+
+/// A start and what it costs at least.
+struct Start {
+  double cost;
+  Pose pose;
+};
+
+/// A place where it rested, and what that costs.
+struct Landing {
+  double cost = kInfinity;
+  Pose start;
+  bool as_meant = false;  // supports and attitude
+};
+
+class Mender {
+ public:
+  Mender(Scene& scene, const MendOptions& options)
+      : m_scene(scene),
+        m_options(options),
+        m_meant(infer_intent(
+            scene, options.tolerance > 0 ? std::optional(options.tolerance) : std::nullopt)) {}
+
+  MendedScene run() {
+    const std::vector<ObjectId> moving = unsettled_objects(m_scene, m_options);
+    Rearrangement rearrangement(m_scene, m_options, in_order(moving));
+    for (const ObjectId id : in_order(moving)) {
+      m_object = m_meant.find(id);
+      place(rearrangement, id);
+    }
+    MendedScene out;
+    static_cast<SettledScene&>(out) = rearrangement.finish();
+    out.tolerance = m_meant.tolerance;
+    for (const ObjectId id : moving) compare(*m_meant.find(id), out);
+    return out;
+  }
+
+ private:
+  std::vector<ObjectId> in_order(const std::vector<ObjectId>& ids) const {
+    std::vector<ObjectId> out;
+    for (const ObjectIntent& o : m_meant.objects)
+      if (std::find(ids.begin(), ids.end(), o.id) != ids.end()) out.push_back(o.id);
+    return out;
+  }
+
+  void place(Rearrangement& scene, ObjectId id) {
+    if (!support_moved(scene) && scene.keep(id)) return;
+    if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
+    const Pose nominal = nominal_pose(scene, id);
+    Sentence why = "no place near is free";
+    Landing best;
+    int tries = 0;
+    for (const Start& start : starts_around(scene, id, nominal)) {
+      const bool enough = best.as_meant && (start.cost > best.cost || tries > 12);
+      if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
+      if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
+        break;
+      if (refuse_interpenetration(m_scene, id, start.pose, false)) continue;
+      ++tries;
+      const OperationResult result = scene.try_put(id, start.pose, [&](const Object& there) {
+        const Landing landing = judged(id, there, nominal, start.pose);
+        if (landing.cost < best.cost) best = landing;
+      });
+      if (result.refusal) why = sentence_of(*result.refusal);
+    }
+    if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
+  }
+
+  bool support_moved(const Rearrangement& scene) const {
+    return std::any_of(m_object->on.begin(), m_object->on.end(), [&](const IntendedSupport& s) {
+      return s.on.is_object() && was_moved(scene, s.on.object());
+    });
+  }
+  bool was_moved(const Rearrangement& scene, ObjectId id) const {
+    const ObjectIntent* const o = m_meant.find(id);
+    return o && m_scene.at(id).placed && m_nominal_given.count(id.index) &&
+           !same_pose(scene.given(id), m_scene.at(id).pose);
+  }
+
+  // Level, lowered or lifted by its gap, and along with its main support.
+  Pose nominal_pose(const Rearrangement& scene, ObjectId id) {
+    m_nominal_given.insert(id.index);
+    Pose pose = m_object->level;
+    pose.translation.z() -= m_object->gap;
+    if (m_object->on.empty() || !m_object->on[0].on.is_object()) return pose;
+    const ObjectId support = m_object->on[0].on.object();
+    const ObjectIntent* const below = m_meant.find(support);
+    if (!below || !was_moved(scene, support)) return pose;
+    const Pose now = m_scene.at(support).pose;
+    Pose from = below->level;
+    // A level object is shifted; a turn of its support about the vertical does not concern it.
+    if (m_object->is_level) {
+      pose.translation += middle_of(support, now) - middle_of(support, from);
+      return pose;
+    }
+    return carried(from, now, pose);
+  }
+
+  Vec3 middle_of(ObjectId id, const Pose& pose) const {
+    return pose.rotation.matrix() * local_middle(m_scene.at(id)) + pose.translation;
+  }
+
+  // The nominal one freed by the shortest shifts, then lifts and rings around both; by cost.
+  std::vector<Start> starts_around(const Rearrangement& scene, ObjectId id,
+                                   const Pose& nominal) const {
+    const double tol = std::max(m_meant.tolerance, 0.002);
+    std::vector<Start> out;
+    std::vector<Pose> attitudes{nominal};
+    const Pose given = scene.given(id);
+    if (turn_between_deg(nominal.rotation, given.rotation) > 0.3) {
+      Pose as_given = given;
+      as_given.translation += middle_of(id, nominal) - middle_of(id, given);
+      attitudes.push_back(as_given);
+    }
+    for (size_t j = 0; j < attitudes.size(); ++j) {
+      const double more = static_cast<double>(j) * 0.3 * tol;
+      const Pose& base = attitudes[j];
+      add(out, parted(id, base), base, more);
+      for (const double lift : kLiftsInTolerances)
+        add(out, shifted(base, 0, 0, kLeastAir + lift * tol), base, more);
+      for (const double ring : kRings)
+        for (int k = 0; k < 8; ++k)
+          for (const double lift : kRingLifts) {
+            const Vec3 way = turned(Vec3::UnitZ(), 45.0 * k).matrix().col(0) * ring * tol;
+            add(out, shifted(base, way.x(), way.y(), kLeastAir + lift * tol), base, more);
+          }
+    }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Start& a, const Start& b) { return a.cost < b.cost; });
+    return out;
+  }
+
+  static Pose shifted(Pose pose, double x, double y, double z) {
+    pose.translation += Vec3(x, y, z);
+    return pose;
+  }
+
+  // Lifts count a quarter: what is let go falls back.
+  static void add(std::vector<Start>& out, const Pose& pose, const Pose& base, double extra) {
+    const Vec3 way = pose.translation - base.translation;
+    out.push_back({way.head<2>().norm() + 0.25 * std::abs(way.z()) + extra, pose});
+  }
+
+  // Out of each that it passes through by the shortest way: up from what carries it, sideways from
+  // others.
+  Pose parted(ObjectId id, Pose pose) const {
+    pose.translation.z() += kLeastAir;
+    for (int round = 0; round < kPartings; ++round) {
+      const Placement here{id, pose};
+      const auto found = interpenetrations(m_scene, {&here, 1}, false, 8);
+      if (found.empty()) break;
+      const Vec3 origin = origin_with(m_scene, {&here, 1});
+      const ObjectInWorld mine = in_world(m_scene.at(id), pose, origin);
+      for (const Interpenetration& x : found) pose.translation += way_out(mine, x.with, origin);
+    }
+    return pose;
+  }
+
+  Vec3 way_out(const ObjectInWorld& mine, const Support& with, const Vec3& origin) const {
+    if (with.is_floor()) return depth_below_floor(mine).metres * Vec3::UnitZ();
+    const Object& other = m_scene.at(with.object());
+    const Depth depth = depth_of(mine, in_world(other, other.pose, origin));
+    Vec3 way = (depth.metres + kLeastAir) * depth.way;
+    const bool carries = std::any_of(m_object->on.begin(), m_object->on.end(),
+                                     [&](const IntendedSupport& s) { return s.on == with; });
+    if (!carries && std::abs(way.z()) < way.head<2>().norm()) way.z() = 0;
+    return way;
+  }
+
+  Landing judged(ObjectId id, const Object& there, const Pose& nominal, const Pose& start) const {
+    const double size = size_of(there), tol = m_meant.tolerance;
+    const double moved = (middle_of(id, there.pose) - middle_of(id, nominal)).norm();
+    const double turn = turn_between_deg(nominal.rotation, there.pose.rotation);
+    double penalty = 0;
+    if (!carried_as_meant(there)) penalty += kLostSupport;
+    penalty += kExtraSupport * extra_supports(there);
+    const bool tipped =
+        turn > (m_object->is_level ? std::max(kAttitudeDeg, m_meant.most_tilt_deg) : kLeaningDeg);
+    if (tipped)
+      penalty += kLostAttitude;
+    else if (std::abs(there.pose.translation.z() - nominal.translation.z()) > 2 * tol + 0.01)
+      penalty += kLostTier;
+    Landing out;
+    out.cost = moved + 0.5 * size * turn * (3.14159265358979323846 / 180) +
+               penalty * std::max(size, 2 * tol);
+    out.start = start;
+    out.as_meant = penalty == 0;
+    return out;
+  }
+
+  static std::vector<Support> supports_of(const Object& object) {
+    std::vector<Support> out;
+    for (const ObjectContact& c : object.contacts)
+      if (holds_up(c)) out.push_back(c.with);
+    return out;
+  }
+
+  bool carried_as_meant(const Object& there) const {
+    if (m_object->on.empty()) return true;
+    const std::vector<Support> supports = supports_of(there);
+    return std::find(supports.begin(), supports.end(), m_object->on[0].on) != supports.end();
+  }
+
+  int extra_supports(const Object& there) const {
+    int out = 0;
+    for (const Support& s : supports_of(there))
+      out += std::none_of(m_object->on.begin(), m_object->on.end(),
+                          [&](const IntendedSupport& meant) { return meant.on == s; });
+    return out;
+  }
+
+  void compare(const ObjectIntent& meant, MendedScene& out) const {
+    const Object& object = m_scene.at(meant.id);
+    const std::vector<Support> now = supports_of(object);
+    ChangedRelation change{object.name, {}, {}};
+    const auto name = [&](const Support& s) { return named(m_scene, s).name; };
+    for (const IntendedSupport& s : meant.on) {
+      ++out.num_meant;
+      if (std::find(now.begin(), now.end(), s.on) != now.end())
+        ++out.num_kept;
+      else
+        change.lost.push_back(name(s.on));
+    }
+    for (const Support& s : now)
+      if (std::none_of(meant.on.begin(), meant.on.end(),
+                       [&](const IntendedSupport& m) { return m.on == s; }))
+        change.gained.push_back(name(s));
+    if (!change.lost.empty() || !change.gained.empty()) out.relations.push_back(std::move(change));
+  }
+
+  Scene& m_scene;
+  const MendOptions& m_options;
+  Intent m_meant;
+  const ObjectIntent* m_object = nullptr;   // that is being placed
+  std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
+};
+
+}  // namespace
+
+MendedScene mend_scene(Scene& scene, const MendOptions& options) {
+  return Mender(scene, options).run();
+}
+
+}  // namespace trivet

@@ -1,0 +1,73 @@
+#include "ops/mend/rearrange.h"
+
+#include <algorithm>
+
+#include "ops/check/check.h"
+#include "ops/operations/perform.h"
+
+namespace trivet {
+
+template <class Target>
+OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& start) {
+  PutOperation put;
+  put.object = m_scene.at(id).name;
+  put.start = start;
+  return perform(target, Operation(put), m_options.settle, m_options.context);
+}
+template OperationResult Rearrangement::put_in(Scene&, ObjectId, const Pose&);
+template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pose&);
+
+Rearrangement::Rearrangement(Scene& scene, const SettleSceneOptions& options,
+                             const std::vector<ObjectId>& ids)
+    : m_scene(scene), m_options(options) {
+  for (const ObjectId id : ids) m_given[id.index] = scene.at(id).pose;
+  for (const ObjectId id : ids) edit_object(scene, id, [](Object& o) { o.placed = false; });
+  update_contacts(scene, options.settle.clearance, options.settle);
+}
+
+bool Rearrangement::is_out_of_time() const {
+  return m_options.seconds > 0 && m_watch.milliseconds() > 1000 * m_options.seconds;
+}
+
+bool Rearrangement::keep(ObjectId id) {
+  Transaction transaction(m_scene);
+  StandOperation there;
+  there.object = m_scene.at(id).name;
+  there.pose = given(id);
+  const OperationResult result =
+      perform(transaction, Operation(there), m_options.settle, m_options.context);
+  if (!result.ok() || m_scene.at(id).state != ObjectState::Stable) return false;
+  transaction.commit();
+  return true;
+}
+
+SettledScene Rearrangement::finish() {
+  for (const UnsettledObject& u : m_out.unable)
+    edit_object(m_scene, u.id, [&](Object& o) {
+      o.pose = given(u.id);
+      o.placed = true;
+      o.state = ObjectState::Invalid;
+    });
+  update_contacts(m_scene, m_options.settle.clearance, m_options.settle);
+  for (const ObjectId id : m_scene.ids()) {
+    const auto it = m_given.find(id.index);
+    if (it == m_given.end()) continue;
+    const Object& object = m_scene.at(id);
+    const Vec3 was =
+        world_from_object(it->second, object.up, object.scale).apply(object.shape->mass.centre);
+    const double moved = (object.centre_of_mass() - was).norm();
+    const double turned = turn_between_deg(it->second.rotation, object.pose.rotation);
+    if (moved > 0 || turned > 0)
+      m_out.moved.push_back({id, it->second, object.pose, moved, turned});
+  }
+  return std::move(m_out);
+}
+
+std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids) {
+  const auto height = [&](ObjectId id) { return scene.world_box(id).lower.z(); };
+  std::stable_sort(ids.begin(), ids.end(),
+                   [&](ObjectId a, ObjectId b) { return height(a) < height(b); });
+  return ids;
+}
+
+}  // namespace trivet

@@ -1,0 +1,54 @@
+// Objects taken out of a scene and put back one after the other. Private.
+#pragma once
+
+#include <map>
+
+#include "core/scene/transaction.h"
+#include "ops/base/outcome.h"
+#include "ops/base/stopwatch.h"
+#include "ops/mend/settle_free.h"
+
+namespace trivet {
+
+class Rearrangement {
+ public:
+  /// Takes the objects out. The scene stays someone else's.
+  Rearrangement(Scene& scene, const SettleSceneOptions& options, const std::vector<ObjectId>& ids);
+
+  const Scene& scene() const { return m_scene; }
+  const SettleSceneOptions& options() const { return m_options; }
+  const Pose& given(ObjectId id) const { return m_given.at(id.index); }
+  bool is_out_of_time() const;
+
+  /// Where it was, if it is free and at rest there.
+  bool keep(ObjectId id);
+  /// PUT from a start pose.
+  OperationResult put(ObjectId id, const Pose& start) { return put_in(m_scene, id, start); }
+  /// The same, taken back after `judge` has seen the scene.
+  template <class Judge>
+  OperationResult try_put(ObjectId id, const Pose& start, const Judge& judge) {
+    Transaction transaction(m_scene);
+    const OperationResult result = put_in(transaction, id, start);
+    if (result.ok()) judge(m_scene.at(id));
+    return result;
+  }
+  void give_up(ObjectId id, Sentence why) { m_out.unable.push_back({id, std::move(why)}); }
+
+  /// Objects that were given up stand where they were; what has moved, and how far.
+  SettledScene finish();
+
+ private:
+  template <class Target>
+  OperationResult put_in(Target& target, ObjectId id, const Pose& start);
+
+  Scene& m_scene;
+  const SettleSceneOptions& m_options;
+  std::map<std::uint32_t, Pose> m_given;  // by slot
+  Stopwatch m_watch;
+  SettledScene m_out;
+};
+
+/// The lowest first.
+std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids);
+
+}  // namespace trivet

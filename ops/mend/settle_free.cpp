@@ -1,0 +1,105 @@
+#include "ops/mend/settle_free.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/bad_input.h"
+#include "core/base/quoted.h"
+#include "core/motion/motion.h"
+#include "ops/check/check.h"
+#include "ops/mend/rearrange.h"
+
+namespace trivet {
+namespace {
+
+// Metres above its place from where an object is let go, one after the other.
+constexpr double kLifts[] = {0, 0.0005, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1};
+
+using Slots = std::set<std::uint32_t>;
+
+// Names in pairs that more than touch, and those that nothing holds.
+std::set<std::string> names_of_findings(const SceneCheck& check) {
+  std::set<std::pair<std::string, std::string>> touching;
+  for (const auto& f : check.touching) touching.insert({f.a, f.b});
+  std::set<std::string> out(check.not_at_rest.begin(), check.not_at_rest.end());
+  for (const auto* findings : {&check.crossings, &check.contained, &check.float32_crossings})
+    for (const auto& f : *findings)
+      if (!touching.count({f.a, f.b}) && !touching.count({f.b, f.a})) out.insert({f.a, f.b});
+  return out;
+}
+
+void let_down(Rearrangement& scene, ObjectId id) {
+  Sentence why = "it fits nowhere above its place";
+  for (const double lift : kLifts) {
+    if (lift > scene.options().most_lift) break;
+    if (scene.is_out_of_time()) {
+      why = Sentence("the time is over");
+      break;
+    }
+    Pose start = scene.given(id);
+    start.translation.z() += lift;
+    const OperationResult result = scene.put(id, start);
+    if (result.ok()) return;
+    if (result.refusal) why = sentence_of(*result.refusal);
+  }
+  scene.give_up(id, std::move(why));
+}
+
+// The slots, and what they hold, and what that holds.
+Slots and_their_loads(const Scene& scene, Slots slots) {
+  std::map<std::uint32_t, std::vector<ObjectId>> loads;
+  for (const LoadSupport::Entry& e : load_support(scene).entries) loads[e.object.index] = e.loads;
+  std::vector<std::uint32_t> open(slots.begin(), slots.end());
+  while (!open.empty()) {
+    const std::uint32_t slot = open.back();
+    open.pop_back();
+    for (const ObjectId load : loads[slot])
+      if (!scene.at(load).fixed && slots.insert(load.index).second) open.push_back(load.index);
+  }
+  return slots;
+}
+
+}  // namespace
+
+double turn_between_deg(const Rotation& a, const Rotation& b) {
+  const Rotation back{a.w, -a.x, -a.y, -a.z};
+  const Rotation turn = back * b;
+  const double across = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+  const double along = std::abs(turn.w);
+  if (across <= along) return across == 0 ? 0 : turned_deg(across / along);
+  return 180 - turned_deg(along / across);
+}
+
+std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOptions& options) {
+  for (const std::string& name : options.only)
+    if (!scene.find(name))
+      bad_input("there is no object %1; accepted: names of objects", quoted(name));
+  Scene judged = scene;
+  update_contacts(judged, options.settle.clearance, options.settle);
+  const std::set<std::string> names =
+      names_of_findings(check_scene(judged, 0, options.settle.clearance, options.settle));
+  const std::set<std::string> only(options.only.begin(), options.only.end());
+  Slots slots;
+  for (const ObjectId id : judged.ids()) {
+    const Object& object = judged.at(id);
+    if (object.placed && !object.fixed && names.count(object.name)) slots.insert(id.index);
+  }
+  slots = and_their_loads(judged, std::move(slots));
+  std::vector<ObjectId> out;
+  for (const ObjectId id : judged.ids())
+    if (slots.count(id.index) && (only.empty() || only.count(judged.at(id).name)))
+      out.push_back(id);
+  return out;
+}
+
+SettledScene settle_scene(Scene& scene, const SettleSceneOptions& options) {
+  const std::vector<ObjectId> order = lowest_first(scene, unsettled_objects(scene, options));
+  Rearrangement rearrangement(scene, options, order);
+  for (const ObjectId id : order)
+    if (!rearrangement.keep(id)) let_down(rearrangement, id);
+  return rearrangement.finish();
+}
+
+}  // namespace trivet

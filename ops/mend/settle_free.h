@@ -1,0 +1,53 @@
+// A scene whose objects only float or sink, brought to rest. Start here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ops/base/context.h"
+#include "ops/base/options.h"
+#include "ops/base/refusal.h"
+#include "ops/placement/neighbourhood.h"
+
+namespace trivet {
+
+struct SettleSceneOptions {
+  SettleOptions settle;
+  RunContext context;
+  std::vector<std::string> only;  // objects that may move; empty: all that are free
+  double most_lift = 0.2;         // metres up from where an object is, to where it is let go
+  double seconds = 0;             // for all; 0: unlimited. What is left then stays where it is
+};
+
+/// An object that was moved.
+struct SettledObject {
+  ObjectId id;
+  Pose from, to;
+  double moved = 0;       // metres, of its centre of mass
+  double turned_deg = 0;  // by the shortest turn
+};
+
+/// An object that stays where it was, though it should not.
+struct UnsettledObject {
+  ObjectId id;
+  Sentence why;
+};
+
+struct SettledScene {
+  std::vector<SettledObject> moved;     // in the scene's order
+  std::vector<UnsettledObject> unable;  // by the order in which they were tried
+};
+
+/// Objects that are at rest and pass through nothing stay, to the bit, unless what holds them
+/// moves. The others are let go, the lowest first, each from as little above its place as frees it,
+/// and put: down to the first contact, then to rest.
+SettledScene settle_scene(Scene& scene, const SettleSceneOptions& options);
+
+/// Objects that no operation may leave as they are: free, and passing through something, or not at
+/// rest, or held by such; by `only`, in the scene's order.
+std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOptions& options);
+
+/// Degrees of the shortest turn between two attitudes.
+double turn_between_deg(const Rotation& a, const Rotation& b);
+
+}  // namespace trivet

@@ -1,0 +1,207 @@
+"""Scenes of other programs on the command line: check, settle, mend, joint, intent; hostile files."""
+import json
+import os
+import random
+import time
+import unittest
+from pathlib import Path
+
+from program import SOURCE_DIR, Case, main
+
+CASES = Path(SOURCE_DIR) / "tests" / "core" / "io" / "foreign" / "cases"
+TABLE = """<mujoco><worldbody><geom type="plane" size="2 2 .1"/>
+<body name="table" pos="0 0 .2"><geom type="box" size=".5 .5 .2"/></body>
+<body name="a" pos="0 0 .447"><freejoint/><geom type="box" size=".05 .05 .05"/></body>
+<body name="b" pos=".097 0 .46"><freejoint/><geom type="box" size=".05 .05 .05"/></body>
+</worldbody></mujoco>
+"""
+GOOD = TABLE.replace(".447", ".45").replace(".097 0 .46", ".3 0 .45")
+
+
+class ScenesCase(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("drawer.xml", (CASES / "drawer.xml").read_bytes())
+        self.write("table.xml", TABLE)
+
+    def checked(self, *arguments, status=0):
+        out, _ = self.trivet("check", *arguments, "--json", status=status)
+        return [json.loads(line) for line in out.splitlines()]
+
+
+class Checking(ScenesCase):
+    def test_findings_have_depth_height_and_names(self):
+        (verdict,) = self.checked("drawer.xml", status=1)
+        self.assertEqual(verdict["format"], "MJCF")
+        self.assertEqual(verdict["key"], "open")
+        self.assertEqual(verdict["joints"], 2)
+        sunk, floating = verdict["findings"]
+        self.assertEqual((sunk["kind"], sunk["object"], sunk["other"]), ("passes through", "sunk", "table"))
+        self.assertAlmostEqual(sunk["depth"], 0.002, places=9)
+        self.assertEqual((floating["kind"], floating["object"], floating["other"]), ("floats", "in the drawer", "drawer"))
+        self.assertAlmostEqual(floating["height"], 0.01, places=9)
+
+    def test_people_get_lines(self):
+        out, _ = self.trivet("check", "drawer.xml", status=1)
+        self.assertIn('"sunk" and "table"', out)
+        self.assertIn("2 mm deep", out)
+        self.assertIn("failed: 1 pair interpenetrates, 1 object floats", out)
+
+    def test_many_files_are_a_table_and_lines_of_json(self):
+        for i in range(3):
+            self.write("set/%d.xml" % i, GOOD)
+        self.write("set/bad/x.xml", TABLE)
+        self.write("set/broken.xml", "<mujoco><worldbody>")
+        out, _ = self.trivet("check", "set", "--report", "lines.jsonl", status=2)
+        self.assertIn("5 scenes: 3 ok", out)
+        self.assertIn("1 not read", out)
+        lines = [json.loads(line) for line in self.read("lines.jsonl").splitlines()]
+        self.assertEqual([line.get("ok") for line in lines], [True, True, True, False, None])
+        self.assertIn("line 1", lines[4]["error"])
+
+    def test_a_hundred_scenes_are_quick(self):
+        for i in range(100):
+            self.write("set/%03d.xml" % i, GOOD)
+        begin = time.monotonic()
+        verdicts = self.checked("set")
+        self.assertEqual(sum(v["ok"] for v in verdicts), 100)
+        self.assertLess(time.monotonic() - begin, 60)
+
+    def test_other_formats(self):
+        self.write("r.urdf", """<robot name="r"><link name="l"><collision><geometry><box size="1 1 1"/></geometry>
+          </collision></link></robot>""")
+        self.write("w.sdf", """<sdf version="1.8"><world name="w"><model name="g"><static>1</static><link name="l">
+          <collision name="c"><geometry><plane/></geometry></collision></link></model><model name="m"><pose>0 0 .6 0 0 0</pose>
+          <link name="l"><collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision></link></model>
+          </world></sdf>""")
+        urdf, sdf = self.checked("r.urdf", "w.sdf", status=1)
+        self.assertTrue(urdf["ok"])
+        self.assertEqual(sdf["findings"][0]["kind"], "floats")
+        self.assertAlmostEqual(sdf["findings"][0]["height"], 0.1, places=9)
+
+    def test_a_layout_and_a_scene_of_ours_are_judged_as_ever(self):
+        self.trivet("run", self.two_cubes(), "-o", "ours.glb", "--quiet")
+        self.assertIn("stable", self.trivet("check", "ours.glb")[0])
+        ours, other = self.checked("ours.glb", "table.xml", status=1)
+        self.assertEqual((ours["format"], ours["ok"], other["ok"]), ("Trivet", True, False))
+
+
+class Repairing(ScenesCase):
+    def test_settled_scenes_differ_in_numbers_alone(self):
+        self.trivet("settle", "drawer.xml", "-o", "out.xml")
+        before, after = self.read("drawer.xml").splitlines(), self.read("out.xml").splitlines()
+        self.assertEqual(len(before), len(after))
+        self.assertEqual(sum(a != b for a, b in zip(before, after)), 1)
+        self.assertTrue(self.checked("out.xml")[0]["ok"])
+
+    def test_a_true_scene_is_written_as_it_is(self):
+        self.write("good.xml", GOOD)
+        for verb in ("settle", "mend"):
+            self.trivet(verb, "good.xml", "-o", verb + ".xml")
+            self.assertEqual(self.read(verb + ".xml"), GOOD.encode())
+
+    def test_mending_parts_what_settling_would_stack(self):
+        out, _ = self.trivet("mend", "table.xml", "-o", "out.xml", "--json")
+        report = json.loads(out)
+        self.assertTrue(report["verdict"]["ok"])
+        self.assertEqual(report["supports_kept"], report["supports_meant"])
+        for move in report["moved"]:
+            self.assertLess(move["metres"], 0.02, move)
+            self.assertAlmostEqual(move["to"][2], 0.45, places=3)
+
+    def test_included_files_go_along(self):
+        self.write("in/scene.xml", '<mujoco><include file="parts/a.xml"/><worldbody><geom type="plane" size="1 1 1"/>'
+                                   "</worldbody></mujoco>")
+        self.write("in/parts/a.xml", '<mujocoinclude><worldbody><body name="a" pos="0 0 .06"><freejoint/>'
+                                     '<geom type="box" size=".05 .05 .05"/></body></worldbody></mujocoinclude>')
+        os.makedirs(self.path("out/parts"))
+        self.trivet("settle", "in/scene.xml", "-o", "out/scene.xml")
+        self.assertEqual(self.read("out/scene.xml"), self.read("in/scene.xml"))
+        self.assertIn(b'pos="0 0 0.05', self.read("out/parts/a.xml"))
+
+    def test_what_stands_elsewhere_is_not_written(self):
+        self.write("part.xml", '<mujocoinclude><worldbody><body name="a" pos="0 0 .06"><freejoint/>'
+                               '<geom type="box" size=".05 .05 .05"/></body></worldbody></mujocoinclude>')
+        self.write("in/scene.xml", '<mujoco><include file="../part.xml"/><worldbody><geom type="plane" size="1 1 1"/>'
+                                   "</worldbody></mujoco>")
+        os.makedirs(self.path("deep/out"))
+        self.refused("settle", "in/scene.xml", "-o", "deep/out/scene.xml", says="outside its folder")
+        self.refused("settle", "in/scene.xml", "--root", ".", "-o", "deep/out/scene.xml",
+                     says="outside the folder of the scene")
+
+    def test_inputs_stay(self):
+        self.refused("settle", "table.xml", "-o", "table.xml", says="table.xml")
+        self.refused("mend", "cube.obj", "-o", "out.xml", says="accepted: MJCF")
+
+
+class Joints(ScenesCase):
+    def test_they_are_listed(self):
+        out, _ = self.trivet("joint", "drawer.xml")
+        self.assertIn('"slide": slide of "drawer", at 0.2 m of 0 to 0.3', out)
+        self.assertIn('"lid": hinge of "lid", at 0 degrees of 0 to 90', out)
+
+    def test_a_drawer_closes_with_what_is_in_it(self):
+        self.trivet("settle", "drawer.xml", "-o", "settled.xml")
+        out, _ = self.trivet("joint", "settled.xml", "slide", "--to", "lower", "-o", "closed.xml")
+        self.assertIn('"slide": reached, at 0 m', out)
+        self.assertIn('"in the drawer" came along', out)
+        self.assertTrue(self.checked("closed.xml")[0]["ok"])
+        move = json.loads(self.trivet("joint", "closed.xml", "slide", "--by", "0.1", "-o", "ajar.xml", "--json")[0])
+        self.assertEqual((move["end"], move["value"], move["carried"]), ("reached", 0.1, ["in the drawer"]))
+
+    def test_wrong_words(self):
+        self.refused("joint", "drawer.xml", "door", "--to", "0", says='accepted: "slide", "lid"')
+        self.refused("joint", "drawer.xml", "lid", "--to", "far", says='accepted: a number, "lower", "upper"')
+        self.refused("joint", "drawer.xml", "lid", says="accepted: a number")
+
+
+class Meaning(ScenesCase):
+    def test_intent_of_bad_poses(self):
+        out, _ = self.trivet("intent", "table.xml")
+        self.assertIn('"a": on "table" 100 %; is sunk by 3 mm', out)
+        self.assertIn('"b": on "table" 100 %; floats by 10 mm', out)
+        intent = json.loads(self.trivet("intent", "table.xml", "--json")[0])
+        self.assertEqual([o["on"][0]["object"] for o in intent["objects"]], ["table", "table"])
+
+
+class Hostile(ScenesCase):
+    def test_broken_files_get_one_line(self):
+        for text, says in (("", "no element"), ("<mujoco", "line 1"), ("<x/>", "accepted: <mujoco>"),
+                           ('<!DOCTYPE m [<!ENTITY a "b">]><mujoco/>', "entities"),
+                           ("<mujoco>" * 300, "nested too deeply"),
+                           ('<mujoco><include file="/etc/passwd"/></mujoco>', "outside its folder"),
+                           ('<mujoco><worldbody><geom size="1e999"/></worldbody></mujoco>', "accepted"),
+                           ('<mujoco><worldbody><replicate count="100000"><replicate count="100000"><body/>'
+                            "</replicate></replicate></worldbody></mujoco>", "too many bodies")):
+            self.write("x.xml", text)
+            self.refused("check", "x.xml", says=says)
+
+    def test_a_billion_laughs(self):
+        entities = "".join('<!ENTITY l%d "%s">' % (i, "&l%d;" % (i - 1) * 10) for i in range(1, 10))
+        self.write("x.xml", '<!DOCTYPE m [<!ENTITY l0 "ha">%s]><mujoco>&l9;</mujoco>' % entities)
+        self.refused("check", "x.xml", says="entities")
+        self.write("x.xml", '<!DOCTYPE m SYSTEM "file:///etc/passwd"><mujoco><worldbody/></mujoco>')
+        self.trivet("check", "x.xml", status=(0, 2))
+
+    def test_changed_bytes_never_crash(self):
+        random.seed(5)
+        text = (CASES / "drawer.xml").read_bytes() + (CASES / "world.sdf").read_bytes()
+        for name in ("drawer.xml", "frames.xml", "cabinet.urdf", "world.sdf"):
+            bytes_ = bytearray((CASES / name).read_bytes())
+            for trial in range(25):
+                changed = bytearray(bytes_)
+                for _ in range(random.choice((1, 3, 20))):
+                    at = random.randrange(len(changed))
+                    if random.random() < 0.5:
+                        changed[at] = random.randrange(256)
+                    else:
+                        length = random.randrange(40)
+                        begin = random.randrange(len(text) - 40)
+                        changed[at:at + random.randrange(40)] = text[begin:begin + length]
+                self.write("set/%s.%d%s" % (name, trial, os.path.splitext(name)[1]), bytes(changed))
+        out, err = self.trivet("check", "set", status=(0, 1, 2))
+        self.assertIn("100 scenes", out, err)
+
+
+if __name__ == "__main__":
+    main()

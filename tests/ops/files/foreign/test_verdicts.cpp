@@ -1,0 +1,145 @@
+// Scenes of other programs judged: known findings, depths and heights.
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/io/foreign/foreign_testing.h"
+#include "ops/files/foreign/findings.h"
+#include "ops/files/foreign/pair_table.h"
+
+namespace trivet {
+namespace {
+
+using namespace trivet::test;
+using Kind = SceneFinding::Kind;
+
+SceneVerdict verdict_of_text(const std::string& text, const std::string& name = "scene.xml") {
+  const TemporaryFolder folder;
+  write_text(folder.file(name), text);
+  OpenedScene opened = open_scene(folder.file(name), {});
+  return judge(opened, {});
+}
+
+std::string boxes(const std::string& bodies, const std::string& more = "") {
+  return "<mujoco><default><geom type='box' size='0.05 0.05 0.05'/></default><worldbody>"
+         "<geom name='ground' type='plane' size='1 1 1'/>" +
+         bodies + "</worldbody>" + more + "</mujoco>";
+}
+
+std::string box(const std::string& name, const std::string& pos, const std::string& geom = "") {
+  return "<body name='" + name + "' pos='" + pos + "'><freejoint/><geom " + geom + "/></body>";
+}
+
+TEST(Verdicts, ABoxFlushOnThePlaneIsOk) {
+  const SceneVerdict v = verdict_of_text(boxes(box("a", "0 0 0.05")));
+  EXPECT_TRUE(v.ok()) << verdict_text(v);
+  EXPECT_TRUE(v.whole());
+  EXPECT_EQ(v.num_free, 1u);
+}
+
+TEST(Verdicts, ASunkBoxHasItsDepth) {
+  const SceneVerdict v = verdict_of_text(boxes(box("a", "0 0 0.047")));
+  ASSERT_EQ(v.findings.size(), 1u) << verdict_text(v);
+  EXPECT_EQ(v.findings[0].kind, Kind::PassesThrough);
+  EXPECT_EQ(v.findings[0].other, "floor");
+  EXPECT_NEAR(v.findings[0].metres, 0.003, 1e-9);
+}
+
+TEST(Verdicts, AFloatingBoxHasItsHeight) {
+  const SceneVerdict v = verdict_of_text(boxes(box("a", "0 0 0.06")));
+  ASSERT_EQ(v.findings.size(), 1u) << verdict_text(v);
+  EXPECT_EQ(v.findings[0].kind, Kind::Floats);
+  EXPECT_NEAR(v.findings[0].metres, 0.01, 1e-6);
+}
+
+TEST(Verdicts, APlaneAnywhereIsTheFloor) {
+  std::string text = boxes(box("a", "0 0 1.25"));
+  text.replace(text.find("type='plane'"), 12, "type='plane' pos='0 0 1.2'");
+  EXPECT_TRUE(verdict_of_text(text).ok());
+}
+
+TEST(Verdicts, ATiltedPlaneCarriesWhatItsFrictionHolds) {
+  const auto on_slope = [](const char* friction) {
+    // A plane tilted by 20 degrees about y; the box lies flat on it.
+    return std::string(
+               "<mujoco><worldbody><geom type='plane' size='1 1 1' euler='0 20 0'/>"
+               "<body name='a' euler='0 20 0' pos='") +
+           "0.017101007166283437 0 0.046984631039295424'><freejoint/><geom type='box' size='0.05 "
+           "0.05 0.05' friction='" +
+           friction + "'/></body></worldbody></mujoco>";
+  };
+  // MuJoCo takes the larger friction of a pair: the plane's 1 holds either.
+  EXPECT_TRUE(verdict_of_text(on_slope("0.1")).ok());
+  std::string slippery = on_slope("0.1");
+  slippery.replace(slippery.find("type='plane'"), 12, "type='plane' friction='0.2'");
+  const SceneVerdict v = verdict_of_text(slippery);
+  ASSERT_EQ(v.findings.size(), 1u) << verdict_text(v);
+  EXPECT_EQ(v.findings[0].kind, Kind::NotAtRest);
+}
+
+TEST(Verdicts, BitsAndExcludesKeepPairsApart) {
+  const std::string both = box("a", "0 0 0.05") + box("b", "0.05 0 0.05");
+  EXPECT_EQ(verdict_of_text(boxes(both)).count(Kind::PassesThrough), 1u);
+  EXPECT_TRUE(
+      verdict_of_text(boxes(both, "<contact><exclude body1='a' body2='b'/></contact>")).ok());
+  EXPECT_TRUE(verdict_of_text(boxes(box("a", "0 0 0.05", "contype='2' conaffinity='1'") +
+                                    box("b", "0.05 0 0.05", "contype='2' conaffinity='1'")))
+                  .ok());
+}
+
+TEST(Verdicts, ABodyThatDoesNotMeetTheFloorFalls) {
+  const SceneVerdict v =
+      verdict_of_text(boxes(box("a", "0 0 0.05", "contype='2' conaffinity='2'")));
+  ASSERT_EQ(v.findings.size(), 1u);
+  EXPECT_EQ(v.findings[0].kind, Kind::Floats);
+  EXPECT_TRUE(v.findings[0].other.empty());
+}
+
+TEST(Verdicts, TheCentreThatAFileGivesDecides) {
+  const auto edge = [](const char* inertial) {
+    return boxes(
+        "<body name='table' pos='0 0 0.2'><geom size='0.2 0.2 0.2'/></body>"
+        "<body name='a' pos='0.22 0 0.45'><freejoint/>" +
+        std::string(inertial) + "<geom/></body>");
+  };
+  EXPECT_EQ(verdict_of_text(edge("")).findings.size(), 1u);
+  EXPECT_TRUE(
+      verdict_of_text(edge("<inertial pos='-0.04 0 0' mass='1' diaginertia='0.01 0.01 0.01'/>"))
+          .ok());
+}
+
+TEST(Verdicts, LinksInJointsAreHeld) {
+  const SceneVerdict v = verdict_of_text(
+      boxes("<body name='arm' pos='0 0 1'><joint type='hinge' axis='0 1 0'/><geom/></body>"));
+  EXPECT_TRUE(v.ok());
+  EXPECT_EQ(v.num_joints, 1u);
+}
+
+TEST(Verdicts, WhatIsNotReadMakesThemPartial) {
+  const SceneVerdict v =
+      verdict_of_text(boxes("<body pos='0 0 0.5'><geom type='hfield' hfield='h'/></body>"));
+  EXPECT_FALSE(v.whole());
+  EXPECT_NE(verdict_text(v).find("judged in part"), std::string::npos);
+}
+
+TEST(Verdicts, AreALineOfJsonAndARow) {
+  const SceneVerdict v = verdict_of_text(boxes(box("a", "0 0 0.047") + box("b", "1 0 0.06")));
+  const std::string json = verdict_json(v);
+  EXPECT_EQ(json.find('\n'), std::string::npos);
+  EXPECT_NE(json.find("\"kind\":\"passes through\",\"object\":\"a\",\"other\":\"floor\""),
+            std::string::npos)
+      << json;
+  EXPECT_NE(verdict_table({v, v}).find("2 scenes: 0 ok; 2 pairs interpenetrate, 2 objects float"),
+            std::string::npos)
+      << verdict_table({v, v});
+}
+
+TEST(PairTable, FrictionFollowsTheEngine) {
+  const ContactBits a{1, 1, 0.2, 0, 0}, b{1, 1, 0.7, 0, 0}, first{1, 1, 0.1, 1, 0};
+  EXPECT_EQ(pair_friction(a, b, FrictionRule::Larger), 0.7);
+  EXPECT_EQ(pair_friction(a, b, FrictionRule::Smaller), 0.2);
+  EXPECT_DOUBLE_EQ(pair_friction(a, b, FrictionRule::Product), 0.14);
+  EXPECT_EQ(pair_friction(first, b, FrictionRule::Larger), 0.1);
+}
+
+}  // namespace
+}  // namespace trivet

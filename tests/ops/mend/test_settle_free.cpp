@@ -1,0 +1,190 @@
+// Settling and mending of scenes: known answers; what is true stays to the bit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/scene/transaction.h"
+#include "ops/check/check.h"
+#include "ops/mend/mend.h"
+#include "support/solids.h"
+
+namespace trivet {
+namespace {
+
+Mesh box_of(const Vec3& half) {
+  std::vector<Triangle> triangles;
+  const auto corner = [&](int i) {
+    return Vec3(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(),
+                i & 4 ? half.z() : -half.z());
+  };
+  for (const std::array<int, 4>& q :
+       {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+        std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+    triangles.push_back({corner(q[0]), corner(q[1]), corner(q[2])});
+    triangles.push_back({corner(q[0]), corner(q[2]), corner(q[3])});
+  }
+  return weld(triangles);
+}
+
+/// Boxes at places, on a floor.
+struct Boxes {
+  Scene scene;
+  std::vector<ObjectId> ids;
+
+  ObjectId add(const std::string& name, const Vec3& half, const Vec3& at, bool fixed = false,
+               const Rotation& rotation = {}) {
+    auto model = std::make_shared<Model>();
+    model->mesh = box_of(half);
+    Object object;
+    object.name = name;
+    object.shape = make_shape(model->mesh);
+    object.model = std::move(model);
+    object.fixed = fixed;
+    object.pose = {rotation, at};
+    object.placed = true;
+    ids.push_back(scene.add(std::move(object)));
+    return ids.back();
+  }
+  Vec3 at(ObjectId id) const { return scene.at(id).pose.translation; }
+};
+
+bool is_true(const Scene& given) {
+  Scene scene = given;
+  update_contacts(scene);
+  return check_scene(scene).ok();
+}
+
+bool same_bits(const Scene& a, const Scene& b) {
+  for (const ObjectId id : a.ids()) {
+    const Pose &p = a.at(id).pose, &q = b.at(id).pose;
+    if (p.translation != q.translation || p.rotation.w != q.rotation.w ||
+        p.rotation.x != q.rotation.x || p.rotation.y != q.rotation.y ||
+        p.rotation.z != q.rotation.z)
+      return false;
+  }
+  return true;
+}
+
+constexpr double kClose = 1e-5;  // some clearances
+
+TEST(SettleScene, ASunkBoxRisesAndAFloatingOneSinks) {
+  Boxes s;
+  s.add("table", {0.5, 0.5, 0.2}, {0, 0, 0.2}, true);
+  const ObjectId sunk = s.add("sunk", {0.05, 0.05, 0.05}, {0, 0, 0.447});
+  const ObjectId floats = s.add("floats", {0.05, 0.05, 0.05}, {0.3, 0, 0.46});
+  const SettledScene out = settle_scene(s.scene, {});
+  EXPECT_TRUE(out.unable.empty());
+  ASSERT_EQ(out.moved.size(), 2u);
+  EXPECT_NEAR(s.at(sunk).z(), 0.45, kClose);
+  EXPECT_NEAR(s.at(floats).z(), 0.45, kClose);
+  EXPECT_NEAR(out.moved[0].moved, 0.003, kClose);
+  EXPECT_TRUE(is_true(s.scene));
+}
+
+TEST(SettleScene, WhatRestsOnASinkingBoxComesAlong) {
+  Boxes s;
+  const ObjectId lower = s.add("lower", {0.1, 0.1, 0.05}, {0, 0, 0.06});
+  const ObjectId upper = s.add("upper", {0.05, 0.05, 0.05}, {0, 0, 0.160001});
+  settle_scene(s.scene, {});
+  EXPECT_NEAR(s.at(lower).z(), 0.05, kClose);
+  EXPECT_NEAR(s.at(upper).z(), 0.15, kClose);
+  EXPECT_TRUE(is_true(s.scene));
+}
+
+TEST(SettleScene, ATrueSceneStaysToTheBit) {
+  Boxes s;
+  s.add("a", {0.05, 0.05, 0.05}, {0, 0, 0.05});
+  s.add("b", {0.05, 0.05, 0.05}, {0.01, 0, 0.150002});
+  const Scene before = s.scene;
+  EXPECT_TRUE(settle_scene(s.scene, {}).moved.empty());
+  EXPECT_TRUE(same_bits(before, s.scene));
+  EXPECT_TRUE(mend_scene(s.scene, {}).moved.empty());
+  EXPECT_TRUE(same_bits(before, s.scene));
+}
+
+TEST(SettleScene, OnlyThoseNamedMove) {
+  Boxes s;
+  const ObjectId a = s.add("a", {0.05, 0.05, 0.05}, {0, 0, 0.06});
+  const ObjectId b = s.add("b", {0.05, 0.05, 0.05}, {1, 0, 0.06});
+  SettleSceneOptions options;
+  options.only = {"b"};
+  settle_scene(s.scene, options);
+  EXPECT_EQ(s.at(a).z(), 0.06);
+  EXPECT_NEAR(s.at(b).z(), 0.05, kClose);
+}
+
+TEST(SettleScene, WithoutAPlaceItStaysAndIsNamed) {
+  Boxes s;
+  s.add("table", {0.5, 0.5, 0.5}, {0, 0, 0.5}, true);
+  const ObjectId deep = s.add("deep", {0.05, 0.05, 0.05}, {0, 0, 0.5});
+  const SettledScene out = settle_scene(s.scene, {});
+  ASSERT_EQ(out.unable.size(), 1u);
+  EXPECT_TRUE(out.moved.empty());
+  EXPECT_EQ(s.at(deep), Vec3(0, 0, 0.5));
+}
+
+TEST(Intent, KnowsWhatLiesOnWhat) {
+  Boxes s;
+  const ObjectId table = s.add("table", {0.5, 0.5, 0.2}, {0, 0, 0.2}, true);
+  const ObjectId plate = s.add("plate", {0.1, 0.1, 0.01}, {0, 0, 0.405});
+  const ObjectId cup = s.add("cup", {0.03, 0.03, 0.05}, {0.01, 0, 0.475});
+  const Intent intent = infer_intent(s.scene);
+  ASSERT_EQ(intent.objects.size(), 2u);
+  EXPECT_EQ(intent.objects[0].id, plate);
+  ASSERT_EQ(intent.objects[0].on.size(), 1u);
+  EXPECT_EQ(intent.objects[0].on[0].on, Support(table));
+  ASSERT_EQ(intent.find(cup)->on.size(), 1u);
+  EXPECT_EQ(intent.find(cup)->on[0].on, Support(plate));
+  EXPECT_NEAR(intent.find(plate)->gap, -0.005, 1e-3);
+}
+
+TEST(Mend, TwoThatOverlapSidewaysPart) {
+  Boxes s;
+  const ObjectId a = s.add("a", {0.05, 0.05, 0.05}, {0, 0, 0.05});
+  const ObjectId b = s.add("b", {0.05, 0.05, 0.05}, {0.096, 0, 0.05});
+  const MendedScene out = mend_scene(s.scene, {});
+  EXPECT_TRUE(out.unable.empty());
+  EXPECT_TRUE(is_true(s.scene));
+  EXPECT_NEAR(s.at(b).x() - s.at(a).x(), 0.1, 5e-4);
+  EXPECT_NEAR(s.at(b).z(), 0.05, kClose);
+  EXPECT_EQ(out.num_kept, out.num_meant);
+}
+
+TEST(Mend, ATiltedBoxOnATableIsLevelled) {
+  Boxes s;
+  s.add("table", {0.5, 0.5, 0.2}, {0, 0, 0.2}, true);
+  const Rotation tilt = Rotation::about_axis(Vec3::UnitX(), 0.01);
+  const ObjectId box = s.add("box", {0.05, 0.05, 0.05}, {0, 0, 0.452}, false, tilt);
+  const MendedScene out = mend_scene(s.scene, {});
+  EXPECT_TRUE(is_true(s.scene));
+  EXPECT_NEAR(s.at(box).z(), 0.45, 1e-4);
+  EXPECT_NEAR(s.at(box).head<2>().norm(), 0, 1e-3);
+  EXPECT_EQ(out.num_kept, 1u);
+}
+
+TEST(Mend, AStackThatSankRisesWithoutASidewaysMove) {
+  Boxes s;
+  const ObjectId a = s.add("a", {0.1, 0.1, 0.05}, {0, 0, 0.03});
+  const ObjectId b = s.add("b", {0.05, 0.05, 0.05}, {0.01, 0.02, 0.13});
+  const MendedScene out = mend_scene(s.scene, {});
+  EXPECT_TRUE(is_true(s.scene));
+  EXPECT_NEAR(s.at(a).z(), 0.05, kClose);
+  EXPECT_NEAR(s.at(b).z(), 0.15, kClose);
+  EXPECT_NEAR((s.at(b) - Vec3(0.01, 0.02, 0.15)).norm(), 0, 1e-3);
+  EXPECT_TRUE(out.relations.empty());
+}
+
+TEST(Mend, MendedAgainNothingMoves) {
+  Boxes s;
+  s.add("a", {0.05, 0.05, 0.05}, {0, 0, 0.04});
+  s.add("b", {0.05, 0.05, 0.05}, {0.09, 0.01, 0.06});
+  s.add("c", {0.04, 0.04, 0.04}, {0.04, 0.01, 0.14});
+  mend_scene(s.scene, {});
+  ASSERT_TRUE(is_true(s.scene));
+  const Scene before = s.scene;
+  EXPECT_TRUE(mend_scene(s.scene, {}).moved.empty());
+  EXPECT_TRUE(same_bits(before, s.scene));
+}
+
+}  // namespace
+}  // namespace trivet
