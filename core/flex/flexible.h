@@ -1,0 +1,40 @@
+// A flexible object at rest: what scenes keep beside its shape.
+#pragma once
+
+#include <optional>
+
+#include "core/flex/body.h"
+
+namespace trivet {
+
+/// What holds it, of whom: names outlive the objects.
+struct FlexSupport {
+  std::string name;  // of an object; "floor"; "pins"
+  double share = 0;  // of its weight; negative: it presses down
+};
+
+/// What a proof of rest says. Net forces are of a vertex's own weight.
+struct RestCertificate {
+  double net_force = 0;  // the largest, after a fresh update of the friction
+  Vec3 net_force_at = Vec3::Zero();
+  double friction_used = 0;  // the largest share of a friction's cone
+  double balance = 0;        // contact and pins over the weight: 1 at rest
+  double stretch = 1;        // the largest ratio of lengths to those at rest
+  bool stable = false;       // no small push grows faster than in 1,000 s
+  int num_vertices = 0, num_steps = 0;
+  int num_contacts = 0, num_own_contacts = 0;
+};
+
+/// Middle surface and line, in the object's frame.
+struct Flexible {
+  bool is_cable = false;
+  flex::FlexMaterial material;
+  flex::Points vertices;                  // of the middle, metres
+  std::vector<std::array<int, 3>> faces;  // of a cable (i, i + 1, i + 1)
+  std::vector<Vec2> warp_weft;            // where they are at rest, metres; of a mesh: empty
+  flex::Points friction;                  // on each vertex by what it lies on, N
+  RestCertificate certificate;
+  std::vector<FlexSupport> supports;  // the largest share first
+};
+
+}  // namespace trivet
