@@ -20,8 +20,7 @@ class Level {
       : m_settings(level_settings(problem, options, above, levels)),
         m_body(made_of(problem, m_settings.material)),
         m_surroundings(m_body, obstacles),
-        m_model(m_body, m_surroundings,
-                {std::min(m_settings.layer, kLayerOfCell * m_body.cell), options.pressure},
+        m_model(m_body, m_surroundings, {contact_layer(m_settings.layer, m_body), options.pressure},
                 options.slip),
         m_minimiser(m_body, m_surroundings, m_model, minimiser_options(options)) {}
 
@@ -49,9 +48,11 @@ class Level {
         static_cast<int>(std::count_if(m_state.pairs.begin(), m_state.pairs.end(),
                                        [](const ContactPair& p) { return p.pair.is_own(); }));
     share_weight(forces, out);
-    out.friction.clear();
-    for (size_t v = 0; v < m_body.size(); ++v)
-      out.friction.push_back(m_model.friction().force(m_state.x, v));
+    out.layer = m_model.contact().layer();
+    out.friction.assign(m_body.size(), Vec3::Zero());
+    Total slope{&out.friction, nullptr, Curvature::Exact};
+    m_model.friction().energy(m_state.x, slope);
+    for (Vec3& force : out.friction) force = -force;
   }
 
  private:
@@ -92,6 +93,10 @@ class Level {
 };
 
 }  // namespace
+
+double contact_layer(double layer, const Body& body) {
+  return std::min(layer, kLayerOfCell * body.cell);
+}
 
 Body body_of(const DrapeProblem& problem) {
   Body body = problem.grid ? make_sheet(*problem.grid, problem.material)

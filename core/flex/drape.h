@@ -29,7 +29,8 @@ struct DrapeOptions {
 struct DrapeResult {
   Ending ending = Ending::Stuck;
   Points x;
-  Points friction;  // N on each vertex, by obstacles
+  Points friction;   // N on each vertex
+  double layer = 0;  // m, of the contact on the finest level
   RestCertificate certificate;
   std::vector<double> shares;  // of the weight, by owners of obstacles
   double pin_share = 0;
@@ -40,6 +41,9 @@ struct DrapeResult {
 /// @param problem  its start is clear: see starts_clear().
 DrapeResult drape(const DrapeProblem& problem, const Obstacles& obstacles,
                   const DrapeOptions& options, const Watch& watch = {});
+
+/// The layer of a level's contact: at most a quarter of a cell.
+double contact_layer(double layer, const Body& body);
 
 /// The body of a problem, as it is on the finest level.
 Body body_of(const DrapeProblem& problem);

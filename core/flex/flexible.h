@@ -31,8 +31,12 @@ struct Flexible {
   flex::FlexMaterial material;
   flex::Points vertices;                  // of the middle, metres
   std::vector<std::array<int, 3>> faces;  // of a cable (i, i + 1, i + 1)
-  std::vector<Vec2> warp_weft;            // where they are at rest, metres; of a mesh: empty
-  flex::Points friction;                  // on each vertex by what it lies on, N
+  std::optional<flex::Grid> grid;         // of a sheet
+  double length = 0;                      // of a cable at rest, m
+  flex::Points rest;                      // of a mesh at rest; else empty
+  std::vector<int> pins;                  // vertices that are held
+  double layer = 0, pressure = 0;         // of its contact; see flex::ContactOptions
+  flex::Points friction;                  // all of it on each vertex, N
   RestCertificate certificate;
   std::vector<FlexSupport> supports;  // the largest share first
 };

@@ -6,9 +6,11 @@
 
 #include "core/base/in_parallel.h"
 #include "core/base/tunables.h"
+#include "core/flex/judge.h"
 #include "core/model/exported_floats.h"
 #include "core/scene/transaction.h"
 #include "ops/operations/commit.h"
+#include "ops/operations/drape_parts.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
 #include "ops/placement/verify.h"
@@ -131,11 +133,25 @@ SceneCheck::Hovering hovering_at(const PlacedObject& o, const Neighbourhood& oth
   return {o.object().name, named(others.scene(), found.with).name, found.time + clearance};
 }
 
+// A cloth or cable that passes through itself, or that what was under it no longer holds.
+void add_flexible_findings(const PlacedObject& o, const Scene& scene, SceneCheck& check) {
+  const Object& object = o.object();
+  const Affine world = object.world_from_object();
+  const DrapeSurroundings around = drape_surroundings(
+      scene, flex::moved(object.flexible->vertices, world), object.flexible->length, o.id);
+  const flex::Judgement judged = flex::judge(*object.flexible, world, around.obstacles);
+  if (judged.crosses_itself) check.crossings.push_back({object.name, object.name, 1});
+  if (judged.crosses_itself_in_float32)
+    check.float32_crossings.push_back({object.name, object.name, 1});
+  if (!judged.is_at_rest()) check.not_at_rest.push_back(object.name);
+}
+
 void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, const RestRules& rules,
                        SceneCheck& check) {
   const auto contacts = touching(body_of(o.object()), others, rules.clearance);
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
+  if (o.object().flexible) add_flexible_findings(o, others.scene(), check);
   if (o.object().fixed || rests_at(o.object(), o.object().pose, others, rules)) return;
   check.not_at_rest.push_back(o.object().name);
   const bool lies = std::any_of(contacts.begin(), contacts.end(), [](const ContactsWith& c) {

@@ -126,7 +126,8 @@ OperationResult perform(Transaction& outer, const Operation& operation,
   const std::string& name = object_name(operation);
   const std::optional<ObjectId> object = outer.scene().find(name);
   const bool names_one = !std::holds_alternative<AppendOperation>(operation) &&
-                         !std::holds_alternative<ArrangeOperation>(operation);
+                         !std::holds_alternative<ArrangeOperation>(operation) &&
+                         !std::holds_alternative<DrapeOperation>(operation);
   if (!object && names_one) return refused(unknown_object(outer.scene(), name));
   OperationRun run(options, context);
   Transaction inner(outer);

@@ -10,6 +10,7 @@
 #include "ops/files/json/operations.h"
 #include "ops/files/json/text.h"
 #include "ops/files/json/values.h"
+#include "ops/files/report/flexible_json.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/stored_mesh.h"
@@ -53,6 +54,7 @@ OrderedJson stored_object_json(const Object& object, size_t model) {
   if (object.locked) json["locked"] = true;
   if (!object.group.empty()) json["group"] = object.group;
   write_material("material", object.material, json);
+  if (object.flexible) json["flexible"] = stored_flexible_json(*object.flexible);
   if (!object.placed) return json;
   const Rotation& r = object.pose.rotation;
   json["position"] = to_json(object.pose.translation);
@@ -118,7 +120,7 @@ ObjectState read_object_state(const JsonPlace& place) {
 // Poses come from Trivet and are taken as they are: no bit may change.
 ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   place.expect_object({"name", "model", "up", "scale", "fixed", "state"},
-                      {"position", "rotation", "locked", "group", "material"});
+                      {"position", "rotation", "locked", "group", "material", "flexible"});
   ExtrasObject object;
   object.name = place.at("name").text();
   const double last_model = static_cast<double>(num_models) - 1;
@@ -130,6 +132,8 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   if (const auto locked = place.find("locked")) object.locked = locked->boolean();
   if (const auto group = place.find("group")) object.group = group->text();
   if (const auto material = place.find("material")) object.material = read_material(*material);
+  if (const auto flexible = place.find("flexible"))
+    object.flexible = std::make_shared<const Flexible>(read_stored_flexible(*flexible));
   if (!place.find("position")) return object;
   const std::vector<double> r = place.at("rotation").numbers(4, -2, 2);
   object.pose = Pose{{r[0], r[1], r[2], r[3]}, read_position(place.at("position"))};

@@ -7,7 +7,8 @@
 //                  "mesh"}],                             see stored_mesh.h; no path: of no file
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
 //                  "position", "rotation",               no position: out of the scene
-//                  "locked", "group", "material"}],      if it is, has
+//                  "locked", "group", "material",        if it is, has
+//                  "flexible"}],                         see flexible_json.h
 //     "load_support": [{"object", "supports", "loads"}], "floor" is the floor
 //     "origin": [x, y, z],                              what the nodes' poses are relative to, z
 //     up;
@@ -47,6 +48,7 @@ struct ExtrasObject {
   bool locked = false;
   std::string group;
   PhysicsMaterial material;
+  std::shared_ptr<const Flexible> flexible;
   ObjectState state = ObjectState::Unplaced;
   std::optional<Pose> pose;
 };

@@ -155,6 +155,7 @@ class SceneReader {
     object.state = entry.state;
     object.locked = entry.locked, object.group = entry.group;
     object.material = entry.material;
+    object.flexible = entry.flexible;
     m_file.scene.add(std::move(object));
   }
 
