@@ -7,7 +7,7 @@
 namespace trivet::flex {
 namespace {
 
-// Of faces with two equal corners, the edges between different ones.
+// Faces with two equal corners have the edges between different ones.
 void find_edges(Body& body) {
   for (const auto& face : body.faces)
     for (int k = 0; k < 3; ++k) {

@@ -132,12 +132,12 @@ std::optional<StartContact> start_contact(const DrapeProblem& problem, const Obs
   Surroundings surroundings(body, obstacles);
   std::vector<Aabb> boxes(body.size());
   for (size_t v = 0; v < body.size(); ++v) boxes[v].extend(problem.start[v]);
-  const double offset = problem.material.thickness / 2;
+  const double offset = problem.material.thickness / 2, own = body.is_cable ? offset : 0;
   std::vector<NearPair> near;
-  surroundings.find(boxes, offset, 0, near);
+  surroundings.find(boxes, offset, own, near);
   for (const NearPair& pair : near) {
     const PairPoints points = surroundings.points(pair, problem.start);
-    if (points.distance > (pair.is_own() ? 0 : offset)) continue;
+    if (points.distance > (pair.is_own() ? own : offset)) continue;
     StartContact out;
     out.at = problem.start[points.vertices[0]];
     if (!pair.is_own()) out.owner = obstacles.owner_of_vertex(points.fixed[0]);

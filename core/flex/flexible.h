@@ -7,13 +7,13 @@
 
 namespace trivet {
 
-/// What holds it, of whom: names outlive the objects.
+/// Names who holds it: names outlive the objects.
 struct FlexSupport {
   std::string name;  // of an object; "floor"; "pins"
   double share = 0;  // of its weight; negative: it presses down
 };
 
-/// What a proof of rest says. Net forces are of a vertex's own weight.
+/// The proof of rest. Net forces are of a vertex's own weight.
 struct RestCertificate {
   double net_force = 0;  // the largest, after a fresh update of the friction
   Vec3 net_force_at = Vec3::Zero();

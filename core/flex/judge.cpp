@@ -21,7 +21,7 @@ DrapeProblem problem_of(const Flexible& flexible) {
   return out;
 }
 
-// Whether what it is made of has as many vertices as it has.
+// True if what it is made of has as many vertices as it has.
 bool fits(const Flexible& flexible) {
   const size_t count = flexible.vertices.size();
   if (flexible.is_cable) return flexible.faces.size() + 1 == count;

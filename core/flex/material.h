@@ -1,11 +1,11 @@
-// What cloth, paper and cables are made of.
+// Materials of cloth, paper and cables.
 #pragma once
 
 #include <string>
 
 namespace trivet::flex {
 
-/// Of a sheet per width, of a cable as a whole. SI units.
+/// Values are of a sheet per width, of a cable as a whole. SI units.
 struct FlexMaterial {
   std::string name;         // of a preset; empty: none
   double density = 0.15;    // kg/m2; cable: kg/m

@@ -141,7 +141,7 @@ bool Multifrontal::covers(const BlockMatrix& a) const {
   return true;
 }
 
-// What the child leaves to the vertices below it, which are among those of its parent.
+// Adds what a child leaves to the vertices below it, which are among those of its parent.
 void Multifrontal::add_child(Front& front, Front& child, const std::vector<int>& local) const {
   const int size = front.size(), child_size = child.size();
   const int first = 3 * static_cast<int>(child.own.size());

@@ -41,7 +41,7 @@ class Surroundings {
 
   const Body& body() const { return m_body; }
   const Obstacles& obstacles() const { return m_obstacles; }
-  /// Of neighbours along a cable, within three diameters, none counts.
+  /// Neighbours along a cable, within three diameters, do not count.
   bool are_neighbours(const NearPair& pair) const;
 
   /// Appends all pairs whose boxes are no farther apart than a margin, sorted by kind, then as the

@@ -16,7 +16,7 @@ class NewtonStep {
   bool solve(const EnergyModel& model, const State& state, Curvature which, double h, Points& step);
   /// The same matrix with springs towards half-spaces that a refused step has hit.
   bool solve_again(const State& state, const std::vector<HalfSpace>& hits, Points& step);
-  /// Whether the exact second derivative is positive definite with mass / h.
+  /// True if the exact second derivative is positive definite with mass / h.
   bool is_stable(const EnergyModel& model, const State& state, double h);
 
  private:

@@ -1,4 +1,4 @@
-// What does not move while something drapes over it.
+// Triangles that do not move while something drapes over it.
 #pragma once
 
 #include "core/flex/body.h"

@@ -6,11 +6,10 @@
 
 #include "core/base/in_parallel.h"
 #include "core/base/tunables.h"
-#include "core/flex/judge.h"
 #include "core/model/exported_floats.h"
 #include "core/scene/transaction.h"
 #include "ops/operations/commit.h"
-#include "ops/operations/drape_parts.h"
+#include "ops/operations/draped_rest.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
 #include "ops/placement/verify.h"
@@ -136,10 +135,7 @@ SceneCheck::Hovering hovering_at(const PlacedObject& o, const Neighbourhood& oth
 // A cloth or cable that passes through itself, or that what was under it no longer holds.
 void add_flexible_findings(const PlacedObject& o, const Scene& scene, SceneCheck& check) {
   const Object& object = o.object();
-  const Affine world = object.world_from_object();
-  const DrapeSurroundings around = drape_surroundings(
-      scene, flex::moved(object.flexible->vertices, world), object.flexible->length, o.id);
-  const flex::Judgement judged = flex::judge(*object.flexible, world, around.obstacles);
+  const flex::Judgement judged = judge_draped(scene, o.id);
   if (judged.crosses_itself) check.crossings.push_back({object.name, object.name, 1});
   if (judged.crosses_itself_in_float32)
     check.float32_crossings.push_back({object.name, object.name, 1});

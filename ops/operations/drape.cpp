@@ -51,9 +51,9 @@ std::optional<InvalidArgument> refuse_drape(const DrapeOperation& o) {
 }
 
 bool crosses(const flex::DrapeProblem& problem, const flex::Points& x) {
-  const auto faces = body_of(problem).faces;
   if (problem.num_segments > 0) return false;  // a line; its distances say all
-  return self_crossing(x, faces) || self_crossing(flex::rounded_to_float32(x), faces);
+  const auto faces = body_of(problem).faces;
+  return flex::self_crossing(x, faces) || flex::self_crossing(flex::rounded_to_float32(x), faces);
 }
 
 std::optional<Refusal> refuse_start(const Scene& scene, const std::string& name,

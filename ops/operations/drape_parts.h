@@ -24,15 +24,15 @@ flex::FlexMaterial flex_material(const DrapeOperation& o);
 std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
                                                         const DrapeOperation& o);
 
-/// What may be in its way: by owners, in the scene's order, and the floor.
+/// Things that may be in its way: by owners, in the scene's order, and the floor.
 struct DrapeSurroundings {
   flex::Obstacles obstacles;
   std::vector<Support> owners;
 };
 /// @param start  from which it comes down. @param length  of a cable, else 0.
-/// @param left_out  an object that is not in its way.
+/// @param left_out  objects that are not in its way.
 DrapeSurroundings drape_surroundings(const Scene& scene, const flex::Points& start, double length,
-                                     std::optional<ObjectId> left_out = {});
+                                     const std::vector<ObjectId>& left_out = {});
 
 /// The object that a result is: fixed, out of the scene.
 Object draped_object(const Scene& scene, const DrapeOperation& o, const flex::DrapeProblem& problem,

@@ -181,11 +181,11 @@ std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
 }
 
 DrapeSurroundings drape_surroundings(const Scene& scene, const flex::Points& start, double length,
-                                     std::optional<ObjectId> left_out) {
+                                     const std::vector<ObjectId>& left_out) {
   DrapeSurroundings out;
   const Aabb reach = reach_of(start, length);
   for (const ObjectId id : scene.near(reach)) {
-    if (id == left_out) continue;
+    if (std::find(left_out.begin(), left_out.end(), id) != left_out.end()) continue;
     add_object(scene.at(id), reach, out.obstacles);
     out.owners.emplace_back(id);
   }

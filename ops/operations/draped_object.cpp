@@ -8,7 +8,7 @@
 namespace trivet {
 namespace {
 
-// Of half the thickness: room for the rounding to float32.
+// A share of half the thickness: room for the rounding to float32.
 constexpr double kInside = 1 - 1e-3;
 constexpr double kLeastShare = 1e-4;  // of the weight, of what is named as a support
 

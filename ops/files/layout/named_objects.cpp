@@ -18,7 +18,7 @@ LayoutObject appended(const AppendOperation& operation) {
   return out;
 }
 
-// Of no file.
+// It is of no file.
 LayoutObject draped(const DrapeOperation& operation) {
   LayoutObject out;
   out.name = operation.object;
