@@ -48,7 +48,8 @@ double contact_layer(double layer, const Body& body);
 /// The body of a problem, as it is on the finest level.
 Body body_of(const DrapeProblem& problem);
 
-/// The thing to which the start is nearer than it may be: an owner's number, or that it touches itself.
+/// The thing to which the start is nearer than it may be: an owner's number, or that it touches
+/// itself.
 struct StartContact {
   std::optional<int> owner;  // nullopt: itself
   Vec3 at = Vec3::Zero();

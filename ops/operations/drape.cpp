@@ -135,9 +135,8 @@ const OperationTable& table<DrapeOperation>() {
           o.path = {Vec3::Zero(), Vec3::UnitX()};
         }},
        {"drape",
-        "An open mesh, a sheet (with its size) or a cable (with its path) comes down and to rest, "
-        "as "
-        "a new object",
+        "An open mesh, a sheet (with its size) or a cable (with its path) comes down and to rest "
+        "as a new object",
         {"of"},
         {},
         [](const P& o) { return o.of.has_value(); },
@@ -171,7 +170,9 @@ const OperationTable& table<DrapeOperation>() {
        R("net_force", &P::net_force, kNetForce,
          "At rest: the largest force left at a vertex, of its weight"),
        R("steps", &P::steps, kSteps, "Steps at most, from coarse to fine for each level")},
-      refuse_drape, "\"size\" of a sheet, \"path\" of a cable, or \"of\" for a mesh");
+      refuse_drape,
+      TRIVET_SENTENCE("a shape is missing; accepted: \"size\" of a sheet, \"path\" of a cable, or "
+                      "\"of\" for a mesh"));
   return rows;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/base/float32.h"
+#include "core/base/limits.h"
 #include "core/flex/thick_shape.h"
 #include "core/io/mesh_model.h"
 #include "ops/operations/drape_parts.h"

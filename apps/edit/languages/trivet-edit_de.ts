@@ -3286,6 +3286,10 @@
         <source>two or more, over a millimetre or more</source>
         <translation>zwei oder mehr, über einen Millimeter oder mehr</translation>
     </message>
+    <message>
+        <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, or &quot;of&quot; for a mesh</source>
+        <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels oder „of“ für ein Netz</translation>
+    </message>
 </context>
 <context>
     <name>results</name>

@@ -1,5 +1,6 @@
 // Cloths as steps of a session: undone, done again and restored to the bit.
 #include "core/flex/flexible.h"
+#include "core/scene/transaction.h"
 #include "journal_files.h"
 #include "ops/files/report/scene_file.h"
 
