@@ -9,7 +9,8 @@ import sys
 import textwrap
 
 # Methods of the scene, properties of objects, or methods that return an object.
-OTHERS = {"append", "arrange", "duplicate", "rename", "lock", "unlock", "fix", "unfix", "material", "group", "ungroup"}
+OTHERS = {"append", "arrange", "drape", "duplicate", "rename", "lock", "unlock", "fix", "unfix", "material", "group",
+          "ungroup"}
 METHODS = {"delete": "remove"}
 PARAMETERS = {"angle_deg": "degrees", "rotation": "wxyz", "with": "with_", "from": "from_"}
 POSITIONAL = {"rotation", "about"}  # beside what is required

@@ -42,6 +42,9 @@ const std::map<std::string, std::string> kExamples = {
     {"material",
      "trivet material scene.glb mug --material wood -o wooden.glb\n"
      "trivet material scene.glb mug --friction 0.3 --density 2700 -o heavy.glb\n"},
+    {"drape",
+     "trivet drape scene.glb cloth --size 0.5 0.4 --cell 0.05 --position 0 0 0.6 -o draped.glb\n"
+     "trivet drape scene.glb lead --path -0.3 0 0.5 0.4 0.1 0.5 -o cabled.glb\n"},
     {"check",
      "trivet check scene.glb\n"
      "trivet check scene.glb --friction 0.3 --object mug --json\n"

@@ -42,7 +42,7 @@ Verb add_operation(CLI::App& app, const CommonOptions& common, const Operation& 
 std::vector<Verb> add_operations(CLI::App& app, const CommonOptions& common) {
   std::vector<Verb> verbs;
   for (const std::string op :
-       {"push", "turn", "pick_up", "translate", "rotate", "fix", "unfix", "material"})
+       {"push", "turn", "pick_up", "translate", "rotate", "fix", "unfix", "material", "drape"})
     for (const Operation& kind : all_kinds()) {
       const std::vector<Form>& forms = table_of(kind).forms;
       // The last form of a name is the plain one.

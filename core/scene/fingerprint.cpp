@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/flex/flexible.h"
+
 namespace trivet {
 namespace {
 
@@ -39,6 +41,11 @@ void add_to(Hash& hash, const ObjectContact& entry) {
 
 void add_to(Hash& hash, const PhysicsMaterial& material) {
   hash.add(material.name).add(material.friction).add(material.density).add(material.restitution);
+}
+
+void add_to(Hash& hash, const Flexible& flexible) {
+  for (const flex::Points* const points : {&flexible.vertices, &flexible.friction})
+    for (const Vec3& p : *points) add_to(hash, p);
 }
 
 // A mass that is not given adds nothing: journals of earlier versions know none.
@@ -82,6 +89,7 @@ void add_to(Hash& hash, const Object& object) {
       std::count_if(object.contacts.begin(), object.contacts.end(), is_counted)));
   for (const ObjectContact& entry : object.contacts)
     if (is_counted(entry)) add_to(hash, entry);
+  if (object.flexible) add_to(hash, *object.flexible);
 }
 
 std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids) {

@@ -17,6 +17,8 @@
 
 namespace trivet {
 
+struct Flexible;  // core/flex/flexible.h
+
 enum class ObjectState {
   Unplaced,     // known, but not in the scene yet
   Fixed,        // never moves, carries everything
@@ -59,6 +61,7 @@ struct Object {
   std::vector<ObjectContact> contacts;  // as of the last operation that moved it
   bool locked = false;  // no operation may move it, but it is not fixed: it may topple
   std::string group;    // objects of one group move as one; empty: of none
+  std::shared_ptr<const Flexible> flexible;  // of a cloth or cable, which is fixed; else null
 
   Affine world_from_object() const { return trivet::world_from_object(pose, up, scale); }
   Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }

@@ -70,6 +70,11 @@ struct Refusal {
     RestsTooClose,  // objects: it, the other
     LeavesRegion,   // objects: it [, the support on which it fits nowhere into its region]
     StandsBadly,    // objects: it. numbers: margin, least_margin, or friction, most_friction
+    // Draping.
+    CrossesItself,  // objects: it
+    NoSheet,        // objects: it, whose mesh is no sheet. detail: why
+    Overstretched,  // objects: it. numbers: stretch, largest_stretch
+    NotAtRest,      // objects: it. numbers: steps, net_force (of a vertex's weight), x, y, z
     // Arranging.
     NoArrangement,  // objects: the thing without a place, then all that the conflict names.
                     // numbers: as_things_stand [, missing: metres]. detail: the conflict

@@ -13,8 +13,8 @@ class Writer {
   explicit Writer(const Refusal& refusal) : m_r(refusal) {}
 
   Sentence run() const {
-    for (const auto part :
-         {&Writer::request, &Writer::state, &Writer::exact_test, &Writer::motion, &Writer::place})
+    for (const auto part : {&Writer::request, &Writer::state, &Writer::exact_test, &Writer::motion,
+                            &Writer::place, &Writer::drape})
       if (auto out = (this->*part)()) return with_tries(*out);
     return interruption();
   }
@@ -248,6 +248,29 @@ class Writer {
         return say(TRIVET_SENTENCE("%1 would not stand well: it needs friction of %2; accepted: "
                                    "%3 or less"),
                    name(0), number("friction"), number("most_friction"));
+      default:
+        return {};
+    }
+  }
+
+  Maybe drape() const {
+    switch (m_r.cause) {
+      case Cause::CrossesItself:
+        return say(m_r.at == Refusal::At::Start
+                       ? TRIVET_SENTENCE("at its start %1 passes through itself")
+                       : TRIVET_SENTENCE("%1 would pass through itself"),
+                   name(0));
+      case Cause::NoSheet:
+        return say(TRIVET_SENTENCE("%1 cannot be draped: %2"), name(0), detail());
+      case Cause::Overstretched:
+        return say(TRIVET_SENTENCE("%1 would be stretched by a factor of %2; accepted: up to %3. "
+                                   "Its pins are too far apart, or it is too weak"),
+                   name(0), number("stretch"), number("largest_stretch"));
+      case Cause::NotAtRest:
+        return say(TRIVET_SENTENCE("%1 did not come to rest within %2 steps: near (%3, %4, %5) a "
+                                   "force of %6 times the weight of a vertex is left"),
+                   name(0), whole("steps"), number("x"), number("y"), number("z"),
+                   number("net_force"));
       default:
         return {};
     }

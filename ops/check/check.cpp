@@ -10,6 +10,7 @@
 #include "core/scene/friction.h"
 #include "core/scene/transaction.h"
 #include "ops/operations/commit.h"
+#include "ops/operations/draped_rest.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
 #include "ops/placement/verify.h"
@@ -137,11 +138,22 @@ SceneCheck::Hovering hovering_at(const PlacedObject& o, const Neighbourhood& oth
   return {o.object().name, named(others.scene(), found.with).name, found.time + clearance};
 }
 
+// A cloth or cable that passes through itself, or that what was under it no longer holds.
+void add_flexible_findings(const PlacedObject& o, const Scene& scene, SceneCheck& check) {
+  const Object& object = o.object();
+  const flex::Judgement judged = judge_draped(scene, o.id);
+  if (judged.crosses_itself) check.crossings.push_back({object.name, object.name, 1});
+  if (judged.crosses_itself_in_float32)
+    check.float32_crossings.push_back({object.name, object.name, 1});
+  if (!judged.is_at_rest()) check.not_at_rest.push_back(object.name);
+}
+
 void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, const RestRules& rules,
                        SceneCheck& check) {
   const auto contacts = touching(body_of(o.object()), others, rules.clearance);
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
+  if (o.object().flexible) add_flexible_findings(o, others.scene(), check);
   if (o.object().fixed || rests_at(o.object(), o.object().pose, others, rules)) return;
   check.not_at_rest.push_back(o.object().name);
   const bool lies = std::any_of(contacts.begin(), contacts.end(), [](const ContactsWith& c) {

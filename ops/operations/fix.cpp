@@ -29,7 +29,10 @@ OperationResult apply(Transaction& transaction, const FixOperation& o, Operation
   const Scene& scene = transaction.scene();
   const ObjectId id = id_named(transaction, o.object);
   if (scene.at(id).fixed == o.fixed) return done_result();
-  transaction.edit(id, [&](Object& object) { object.fixed = o.fixed; });
+  transaction.edit(id, [&](Object& object) {
+    object.fixed = o.fixed;
+    if (!o.fixed) object.flexible.reset();  // stiff from now on: it moves as one
+  });
   if (!scene.at(id).placed) return done_result();
   const double clearance = clearance_near(scene, run.options, scene.world_box(id));
   if (o.fixed) {

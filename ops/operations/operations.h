@@ -9,6 +9,7 @@
 #include "ops/operations/append.h"
 #include "ops/operations/arrange.h"
 #include "ops/operations/delete.h"
+#include "ops/operations/drape.h"
 #include "ops/operations/duplicate.h"
 #include "ops/operations/fix.h"
 #include "ops/operations/group.h"
@@ -30,7 +31,7 @@ using Operation =
     std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation, TranslateOperation,
                  RotateOperation, AppendOperation, DuplicateOperation, DeleteOperation,
                  LockOperation, FixOperation, MaterialOperation, GroupOperation, StandOperation,
-                 UnplaceOperation, ArrangeOperation, RenameOperation>;
+                 UnplaceOperation, ArrangeOperation, RenameOperation, DrapeOperation>;
 
 /// Its name in layouts: "put", "push", "unlock", ...
 const char* op_name(const Operation& operation);

@@ -3,6 +3,7 @@
 #include "core/contact/contact_memory.h"
 #include "ops/free_places/place_region.h"
 #include "ops/operations/commit.h"
+#include "ops/operations/draped_rest.h"
 #include "ops/operations/put_parts.h"
 #include "ops/operations/tries.h"
 #include "ops/operations/validate.h"
@@ -126,7 +127,8 @@ OperationResult perform(Transaction& outer, const Operation& operation,
   const std::string& name = object_name(operation);
   const std::optional<ObjectId> object = outer.scene().find(name);
   const bool names_one = !std::holds_alternative<AppendOperation>(operation) &&
-                         !std::holds_alternative<ArrangeOperation>(operation);
+                         !std::holds_alternative<ArrangeOperation>(operation) &&
+                         !std::holds_alternative<DrapeOperation>(operation);
   if (!object && names_one) return refused(unknown_object(outer.scene(), name));
   OperationRun run(options, context);
   Transaction inner(outer);
@@ -138,10 +140,12 @@ OperationResult perform(Transaction& outer, const Operation& operation,
   if (result.ok() && object && inner.scene().contains(*object))
     for (const ObjectId id : unsound_supports(inner.scene(), *object))
       result.unsound.push_back(inner.scene().at(id).name);
-  if (result.ok())
+  if (result.ok()) {
+    name_disturbed(inner.scene(), inner.touched(), result);
     inner.commit();
-  else
+  } else {
     tell_depth(inner.scene(), object, operation, result);
+  }
   return result;
 }
 

@@ -156,7 +156,8 @@ void Dialogue::check_room(const std::vector<Operation>& operations, const JsonPl
   const auto num_new = static_cast<size_t>(
       std::count_if(operations.begin(), operations.end(), [](const Operation& o) {
         return std::holds_alternative<AppendOperation>(o) ||
-               std::holds_alternative<DuplicateOperation>(o);
+               std::holds_alternative<DuplicateOperation>(o) ||
+               std::holds_alternative<DrapeOperation>(o);
       }));
   const size_t there = m_session.scene().num_objects();
   if (num_new > 0 && there + num_new > m_options.max_objects)

@@ -26,8 +26,9 @@ class ListEdits {
   void operator()(const AnyOther& o) const {
     constexpr bool kEditsList =
         std::is_same_v<AnyOther, AppendOperation> || std::is_same_v<AnyOther, DuplicateOperation> ||
-        std::is_same_v<AnyOther, RenameOperation> || std::is_same_v<AnyOther, LockOperation> ||
-        std::is_same_v<AnyOther, MaterialOperation> || std::is_same_v<AnyOther, GroupOperation>;
+        std::is_same_v<AnyOther, DrapeOperation> || std::is_same_v<AnyOther, RenameOperation> ||
+        std::is_same_v<AnyOther, LockOperation> || std::is_same_v<AnyOther, MaterialOperation> ||
+        std::is_same_v<AnyOther, GroupOperation>;
     if constexpr (kEditsList) perform(m_transaction, o, m_settle);
   }
 

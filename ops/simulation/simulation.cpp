@@ -97,6 +97,9 @@ class SceneMaker {
 
   void add_notes(ObjectId id) {
     const Object& object = m_scene.at(id);
+    if (object.flexible)
+      m_out.notes.push_back(
+          say("\"%1\" came to rest as it is: here it is fixed and does not bend", object.name));
     if (object.state != ObjectState::Fixed && object.state != ObjectState::Stable)
       m_out.notes.push_back(
           say("\"%1\" is %2: it will move", object.name, to_string(object.state)));

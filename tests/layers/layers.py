@@ -14,13 +14,14 @@ ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 TOP = ["core", "raster", "gpu", "ops", "apps"]
 APART = {("raster", "gpu"), ("gpu", "raster")}
 ROOMS = {
-    "core": ["base", "mesh", "motion", "index", "contact", "exact", "candidates", "model", "scene",
-             "convex", "io", "picture"],
+    "core": ["base", "mesh", "motion", "index", "contact", "exact", "candidates", "model", "flex",
+             "scene", "convex", "io", "picture"],
     "ops": ["base", "detect", "placement", "settle", "stability", "free_places", "operations",
             "check", "arrange", "mend", "files", "session", "simulation"],
 }
 # Geometry is for every system: no header of POSIX.
-PORTABLE = {"base", "mesh", "motion", "index", "contact", "exact", "candidates", "model", "scene"}
+PORTABLE = {"base", "mesh", "motion", "index", "contact", "exact", "candidates", "model", "flex",
+            "scene"}
 POSIX = re.compile(r"^#include <(unistd|fcntl|poll|pthread|dlfcn|sys/.*|linux/.*)(\.h)?>", re.M)
 # The field's own words begin with the name of their room.
 WORDS = {"contact_ends", "contact_face", "contact_memory", "contact_points", "contact_summary",

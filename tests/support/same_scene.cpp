@@ -45,7 +45,7 @@ std::string difference(const Object& a, const Object& b, const SamePartner& same
 }
 
 std::string difference(const Object& a, const Object& b) {
-  if (a.model != b.model || a.shape != b.shape) return "model";
+  if (a.model != b.model || a.shape != b.shape || a.flexible != b.flexible) return "model";
   return difference(a, b, [](const Support& x, const Support& y) { return x == y; });
 }
 

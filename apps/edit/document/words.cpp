@@ -20,7 +20,8 @@ namespace {
     QT_TRANSLATE_NOOP("operations", "unfix"),    QT_TRANSLATE_NOOP("operations", "group"),
     QT_TRANSLATE_NOOP("operations", "ungroup"),  QT_TRANSLATE_NOOP("operations", "rename"),
     QT_TRANSLATE_NOOP("operations", "stand"),    QT_TRANSLATE_NOOP("operations", "unplace"),
-    QT_TRANSLATE_NOOP("operations", "material"), QT_TRANSLATE_NOOP("operations", "arrange")};
+    QT_TRANSLATE_NOOP("operations", "material"), QT_TRANSLATE_NOOP("operations", "arrange"),
+    QT_TRANSLATE_NOOP("operations", "drape")};
 
 // Messages of the system about files.
 [[maybe_unused]] constexpr const char* kSystem[] = {

@@ -255,6 +255,10 @@
         <source>move</source>
         <translation>verschieben</translation>
     </message>
+    <message>
+        <source>drape</source>
+        <translation>drapieren</translation>
+    </message>
 </context>
 <context>
     <name>refusal</name>
@@ -3301,6 +3305,74 @@
     <message>
         <source>at least 3 corners [x, y] of a convex polygon, counter-clockwise</source>
         <translation>mindestens 3 Ecken [x, y] eines konvexen Vielecks, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; came to rest as it is: here it is fixed and does not bend</source>
+        <translation>„%1“ ist so zur Ruhe gekommen: hier steht es fest und biegt sich nicht</translation>
+    </message>
+    <message>
+        <source>%1 cannot be draped: %2</source>
+        <translation>%1 lässt sich nicht drapieren: %2</translation>
+    </message>
+    <message>
+        <source>%1 did not come to rest within %2 steps: near (%3, %4, %5) a force of %6 times the weight of a vertex is left</source>
+        <translation>%1 kam in %2 Schritten nicht zur Ruhe: nahe (%3, %4, %5) bleibt eine Kraft vom %6-fachen des Gewichts einer Ecke</translation>
+    </message>
+    <message>
+        <source>%1 would be stretched by a factor of %2; accepted: up to %3. Its pins are too far apart, or it is too weak</source>
+        <translation>%1 würde um den Faktor %2 gedehnt; zulässig: bis %3. Seine Nadeln stecken zu weit auseinander, oder es ist zu schwach</translation>
+    </message>
+    <message>
+        <source>%1 would pass through itself</source>
+        <translation>%1 würde sich selbst durchdringen</translation>
+    </message>
+    <message>
+        <source>at its start %1 passes through itself</source>
+        <translation>%1 durchdringt sich am Anfang selbst</translation>
+    </message>
+    <message>
+        <source>cells along both sides, and their lengths</source>
+        <translation>Zellen entlang beider Seiten und deren Längen</translation>
+    </message>
+    <message>
+        <source>drape</source>
+        <translation>drapieren</translation>
+    </message>
+    <message>
+        <source>has ids beyond those of %1 vertices</source>
+        <translation>hat Nummern jenseits derer von %1 Ecken</translation>
+    </message>
+    <message>
+        <source>is no array of %1 finite items</source>
+        <translation>ist kein Feld aus %1 endlichen Elementen</translation>
+    </message>
+    <message>
+        <source>its mesh has %1 vertices; accepted: up to %2</source>
+        <translation>sein Netz hat %1 Ecken; zulässig: bis %2</translation>
+    </message>
+    <message>
+        <source>its mesh has triangles without area</source>
+        <translation>sein Netz hat Dreiecke ohne Fläche</translation>
+    </message>
+    <message>
+        <source>its mesh is closed; accepted: open ones</source>
+        <translation>sein Netz ist geschlossen; zulässig: offene</translation>
+    </message>
+    <message>
+        <source>its mesh is no surface of one side: an edge has two faces in one direction</source>
+        <translation>sein Netz ist keine Fläche mit einheitlicher Seite: eine Kante hat zwei Dreiecke in einer Richtung</translation>
+    </message>
+    <message>
+        <source>lengths that give at most %1 cells</source>
+        <translation>Längen, die höchstens %1 Zellen ergeben</translation>
+    </message>
+    <message>
+        <source>two or more, over a millimetre or more</source>
+        <translation>zwei oder mehr, über einen Millimeter oder mehr</translation>
+    </message>
+    <message>
+        <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, or &quot;of&quot; for a mesh</source>
+        <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels oder „of“ für ein Netz</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "apps/python/module/bindings.h"
 #include "apps/python/module/operation_values.h"
 #include "apps/python/module/python_shape.h"
+#include "ops/files/report/flexible_json.h"
 #include "ops/files/report/queries.h"
 #include "ops/operations/moving_group.h"
 #include "ops/stability/stability.h"
@@ -64,6 +65,19 @@ std::shared_ptr<PythonShape> shape_of(const Object& object) {
   return out;
 }
 
+py::object flexible_of(const Object& object) {
+  if (!object.flexible) return py::none();
+  return py::str(flexible_json(*object.flexible).dump());
+}
+
+py::object middle_of(const Object& object) {
+  if (!object.flexible || !object.placed) return py::none();
+  std::vector<Vec3> out;
+  for (const Vec3& p : object.flexible->vertices)
+    out.push_back(object.world_from_object().apply(p));
+  return array_of(out);
+}
+
 void bind_poses(SceneClass& scene) {
   scene
       .def("pose", getter([](const Object& o) {
@@ -95,6 +109,8 @@ void bind_objects(SceneClass& scene) {
       .def("least_friction", getter([](const Object& o) { return o.least_friction; }))
       .def("weight", getter([](const Object& o) { return weight_of(o); }))
       .def("material", getter([](const Object& o) { return dict_of(o.material); }))
+      .def("flexible", getter(&flexible_of))
+      .def("middle", getter(&middle_of))
       .def("shape", getter(&shape_of))
       .def("supports", &supports)
       .def("loads", &loads);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, TypeVar, Union
 
 import numpy as np
@@ -155,6 +156,17 @@ class Properties:
     def weight(self) -> float:
         """Newtons, by the density of its material."""
         return self._ask(self._scene._scene.weight)
+
+    @property
+    def flexible(self) -> Optional[dict[str, Any]]:
+        """Of a cloth or cable: the certificate of its rest, with "net_force", "balance", "stable", "supports"; else None."""
+        text = self._ask(self._scene._scene.flexible)
+        return None if text is None else json.loads(text)
+
+    @property
+    def middle(self) -> Optional[Array]:
+        """Of a cloth or cable: (n, 3) positions of the middle of its thickness, world; else None."""
+        return self._ask(self._scene._scene.middle)
 
     def _try(self, budget: Optional[float] = None, **operation: Any) -> Result:
         operation["object"] = self._name

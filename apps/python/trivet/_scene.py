@@ -231,6 +231,50 @@ class Scene(Files, Pictures, Pours, Questions):
         given = _arrays.mapping("problem", problem, "a dict, as trivet schema arrange has it")
         return self.perform([{"op": "arrange", **given}], budget=budget)
 
+    def drape(self, name: str, *, size: Optional[ArrayLike] = None, path: Optional[ArrayLike] = None,
+              of: Optional[Union[Object, str]] = None, position: Optional[ArrayLike] = None,
+              wxyz: Optional[ArrayLike] = None, pins: Optional[ArrayLike] = None, budget: float = 0.0,
+              **options: Any) -> Object:
+        """A sheet, a cable or an open mesh comes down on what is there, and to rest: a new object, which is fixed.
+
+        It passes through nothing, nor through itself. What lies under it stays where it is.
+
+        Parameters
+        ----------
+        name : str
+            Not taken.
+        size : (2,) array, optional
+            Of a sheet: metres along warp and weft.
+        path : (n, 3) array, optional
+            Of a cable: corners of the line along which it starts.
+        of : Object or str, optional
+            Of a mesh: the object that has it, in the scene or not.
+        position, wxyz : (3,) and (4,) array, optional
+            Where the middle of the sheet or the mesh's origin starts; without `wxyz` level.
+        pins : (n, 3) array, optional
+            The vertices nearest to these points stay where they start.
+        budget : float
+            Seconds; 0: those of `time_budget`.
+        **options
+            `material` ("cotton", "felt", "paper", "towel", "wool", of cables "lead"); `cell`, `thickness` (metres),
+            `density` (kg/m2, of cables kg/m), `bending` (N m, of cables N m2) and `friction` instead of the
+            material's; `net_force` and `steps`, by which it is at rest.
+
+        Returns
+        -------
+        Object
+            `Object.flexible` has the certificate of its rest, `Object.middle` its shape.
+
+        Raises
+        ------
+        Refused
+            "already_touches", "crosses_itself", "not_at_rest", "overstretched", "no_sheet", "name_taken", ...
+        """
+        given: dict[str, Any] = {"op": "drape", "object": _arrays.text("name", name), "size": size, "path": path,
+                                 "of": of, "position": position, "rotation": wxyz, "pins": pins, **options}
+        self.perform([{key: value for key, value in given.items() if value is not None}], budget=budget)
+        return self[name]
+
     def cancel(self) -> None:
         """Stop the operation that another thread has under way; it raises `Cancelled` there."""
         self._scene.cancel()

@@ -57,7 +57,8 @@ void check_operations(const Layout& layout, const RunOptions& options) {
     const Operation& o = layout.operations[i];
     if (std::holds_alternative<AppendOperation>(o) ||
         std::holds_alternative<DuplicateOperation>(o) ||
-        std::holds_alternative<DeleteOperation>(o) || std::holds_alternative<RenameOperation>(o))
+        std::holds_alternative<DrapeOperation>(o) || std::holds_alternative<DeleteOperation>(o) ||
+        std::holds_alternative<RenameOperation>(o))
       fail(options, "/operations/" + std::to_string(i) + "/op",
            say("%1 is not accepted: a scene keeps its nodes", quoted(op_name(o))));
     if (std::holds_alternative<FixOperation>(o))

@@ -106,6 +106,7 @@ Operation read_known(const JsonPlace& place, NamedObjects& objects) {
     where.refuse(say("%1%2", accepted, did_you_mean(where.text(), objects.names())));
   };
   if (!std::holds_alternative<AppendOperation>(operation) &&
+      !std::holds_alternative<DrapeOperation>(operation) &&
       !objects.contains(object_name(operation)))
     refuse(place.at("object"), "the name of one of /objects");
   if (const auto given = given_name(operation); given && objects.contains(*given->name))
@@ -113,6 +114,9 @@ Operation read_known(const JsonPlace& place, NamedObjects& objects) {
   if (const auto* put = std::get_if<PutOperation>(&operation))
     if (put->place && put->place->on != "floor" && !objects.contains(put->place->on))
       refuse(place.at("on"), "\"floor\" or the name of one of /objects");
+  if (const auto* drape = std::get_if<DrapeOperation>(&operation))
+    if (drape->of && !objects.contains(*drape->of))
+      refuse(place.at("of"), "the name of one of /objects");
   if (const auto together = place.find("together"))
     for (const JsonPlace& other : together->items())
       if (!objects.contains(other.text())) refuse(other, "the name of one of /objects");

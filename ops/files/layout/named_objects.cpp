@@ -18,6 +18,14 @@ LayoutObject appended(const AppendOperation& operation) {
   return out;
 }
 
+// It is of no file.
+LayoutObject draped(const DrapeOperation& operation) {
+  LayoutObject out;
+  out.name = operation.object;
+  out.fixed = true;
+  return out;
+}
+
 // Steps back over an operation that changes names.
 // @param names  after it; brought to before it.
 // @return false: by these names it was refused.
@@ -35,6 +43,8 @@ bool step_back(const Operation& operation, std::set<std::string>& names) {
 
 std::optional<GivenName> given_name(const Operation& operation) {
   if (const auto* o = std::get_if<AppendOperation>(&operation))
+    return GivenName{"object", &o->object};
+  if (const auto* o = std::get_if<DrapeOperation>(&operation))
     return GivenName{"object", &o->object};
   if (const auto* o = std::get_if<DuplicateOperation>(&operation)) return GivenName{"as", &o->as};
   if (const auto* o = std::get_if<RenameOperation>(&operation)) return GivenName{"to", &o->to};
@@ -54,10 +64,12 @@ void NamedObjects::add(LayoutObject object) {
 bool NamedObjects::follow(const Operation& operation) {
   if (std::holds_alternative<ArrangeOperation>(operation)) return true;
   const auto* const append = std::get_if<AppendOperation>(&operation);
+  const auto* const drape = std::get_if<DrapeOperation>(&operation);
   const auto found = m_index.find(object_name(operation));
-  if (!append && found == m_index.end()) return false;
+  if (!append && !drape && found == m_index.end()) return false;
   if (const auto given = given_name(operation); given && contains(*given->name)) return false;
   if (append) add(appended(*append));
+  if (drape) add(draped(*drape));
   if (const auto* const copy = std::get_if<DuplicateOperation>(&operation)) {
     LayoutObject object = *m_objects[found->second];
     object.name = copy->as;

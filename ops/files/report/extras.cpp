@@ -11,6 +11,7 @@
 #include "ops/files/json/operations.h"
 #include "ops/files/json/text.h"
 #include "ops/files/json/values.h"
+#include "ops/files/report/flexible_json.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/report.h"
 #include "ops/files/report/stored_mesh.h"
@@ -57,6 +58,7 @@ OrderedJson stored_object_json(const Object& object, size_t model) {
   write_material("material", object.material, json);
   if (object.given_mass) json["mass"] = mass_json(*object.given_mass);
   if (object.pair_kind != 0) json["pair_kind"] = object.pair_kind;
+  if (object.flexible) json["flexible"] = stored_flexible_json(*object.flexible);
   if (!object.placed) return json;
   const Rotation& r = object.pose.rotation;
   json["position"] = to_json(object.pose.translation);
@@ -150,7 +152,8 @@ OrderedJson kind_rules_json(const PairRules& rules) {
 // Poses come from Trivet and are taken as they are: no bit may change.
 ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   place.expect_object({"name", "model", "up", "scale", "fixed", "state"},
-                      {"position", "rotation", "locked", "group", "material", "mass", "pair_kind"});
+                      {"position", "rotation", "locked", "group", "material", "mass", "pair_kind",
+                       "flexible"});
   ExtrasObject object;
   object.name = place.at("name").text();
   const double last_model = static_cast<double>(num_models) - 1;
@@ -164,6 +167,8 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   if (const auto material = place.find("material")) object.material = read_material(*material);
   if (const auto mass = place.find("mass")) object.mass = read_mass(*mass);
   if (const auto kind = place.find("pair_kind")) object.pair_kind = read_kind(*kind);
+  if (const auto flexible = place.find("flexible"))
+    object.flexible = std::make_shared<const Flexible>(read_stored_flexible(*flexible));
   if (!place.find("position")) return object;
   const std::vector<double> r = place.at("rotation").numbers(4, -2, 2);
   object.pose = Pose{{r[0], r[1], r[2], r[3]}, read_position(place.at("position"))};

@@ -8,7 +8,8 @@
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
 //                  "position", "rotation",               no position: out of the scene
 //                  "locked", "group", "material", "mass",    if it is, has
-//                  "pair_kind"}],                        of "pair_rules"
+//                  "pair_kind",                          of "pair_rules"
+//                  "flexible"}],                         see flexible_json.h
 //     "pair_rules": [{"kinds": [kind, kind], "may_pass", "friction"}], "floor_kind"   if any
 //     "load_support": [{"object", "supports", "loads"}], "floor" is the floor
 //     "origin": [x, y, z],                              what the nodes' poses are relative to, z
@@ -51,6 +52,7 @@ struct ExtrasObject {
   PhysicsMaterial material;
   std::optional<GivenMass> mass;
   PairKind pair_kind = 0;
+  std::shared_ptr<const Flexible> flexible;
   ObjectState state = ObjectState::Unplaced;
   std::optional<Pose> pose;
 };

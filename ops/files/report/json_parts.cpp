@@ -2,6 +2,7 @@
 
 #include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
+#include "ops/files/report/flexible_json.h"
 #include "ops/files/report/verdict.h"
 
 namespace trivet {
@@ -156,6 +157,7 @@ OrderedJson object_json(const Scene& scene, const Object& object, const LoadSupp
   const bool rests = placed && !object.fixed;
   json["stability_margin"] = rests ? OrderedJson(object.stability_margin) : OrderedJson();
   json["least_friction"] = rests ? OrderedJson(object.least_friction) : OrderedJson();
+  if (object.flexible) json["flexible"] = flexible_json(*object.flexible);
   return json;
 }
 

@@ -159,6 +159,7 @@ class SceneReader {
     object.material = entry.material;
     object.pair_kind = entry.pair_kind;
     if (entry.mass) give_mass(*entry.mass, object);
+    object.flexible = entry.flexible;
     m_file.scene.add(std::move(object));
   }
 

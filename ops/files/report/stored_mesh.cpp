@@ -1,34 +1,18 @@
 #include "ops/files/report/stored_mesh.h"
 
 #include <algorithm>
-#include <cstring>
 #include <type_traits>
 
 #include "core/base/error.h"
-#include "core/io/base64.h"
 #include "core/io/mesh_model.h"
 #include "core/mesh/weld_arrays.h"
+#include "ops/files/report/array_text.h"
 
 namespace trivet {
 namespace {
 
 using Corners = std::array<Eigen::Vector3f, 3>;
 static_assert(sizeof(Vec3) == 24 && sizeof(Index3) == 12 && sizeof(Corners) == 36);
-
-template <class T>
-std::string text_of(const std::vector<T>& items) {
-  return base64({reinterpret_cast<const char*>(items.data()), sizeof(T) * items.size()});
-}
-
-template <class T>
-std::vector<T> items_of(const JsonPlace& place) {
-  const std::string bytes = decoded_base64(place.text());
-  if (bytes.size() % sizeof(T) != 0)
-    place.fail(say("is no array in base64 of items of %1 bytes", sizeof(T)));
-  std::vector<T> items(bytes.size() / sizeof(T));
-  std::memcpy(static_cast<void*>(items.data()), bytes.data(), bytes.size());
-  return items;
-}
 
 OrderedJson material_json(const Material& material) {
   return {{"name", material.name},

@@ -1,0 +1,118 @@
+#include "core/flex/contact.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <tuple>
+
+#include "core/flex/barrier.h"
+
+namespace trivet::flex {
+namespace {
+
+constexpr double kNearlyParallel =
+    1e-3;  // squared sine of the angle from which edges count as parallel
+// Force at half the layer over stiffness x layer: 1 / (2 ln 2 + 1 / 2) of Barrier::first / 2.
+constexpr double kHalfway = 1.19;
+
+std::tuple<PairKind, int, int> key(const NearPair& pair) { return {pair.kind, pair.a, pair.b}; }
+
+}  // namespace
+
+double ContactPair::force(double layer) const {
+  return -stiffness * mollifier.value * Barrier(gap, layer).first;
+}
+
+Contact::Contact(Surroundings& surroundings, const ContactOptions& options)
+    : m_surroundings(surroundings),
+      m_options(options),
+      m_stiffness(options.pressure * surroundings.body().pressure() / (kHalfway * options.layer)),
+      m_slack(std::max(2 * options.layer, 0.05 * surroundings.body().cell)) {}
+
+double Contact::offset(const NearPair& pair) const {
+  if (!pair.is_own()) return distance_outside();
+  const auto it = std::lower_bound(
+      m_kept.begin(), m_kept.end(), pair,
+      [](const Kept& kept, const NearPair& wanted) { return key(kept.pair) < key(wanted); });
+  const bool is_kept = it != m_kept.end() && key(it->pair) == key(pair);
+  return is_kept ? it->distance : m_surroundings.body().material.thickness;
+}
+
+void Contact::keep_distances_of(const Points& x) {
+  const double reach = 1.01 * m_surroundings.body().material.thickness;
+  std::vector<Aabb> boxes(x.size());
+  for (size_t v = 0; v < x.size(); ++v) boxes[v].extend(x[v]);
+  std::vector<NearPair> near;
+  m_surroundings.find(boxes, 0, reach, near);
+  m_kept.clear();
+  m_gathered_at.clear();
+  for (const NearPair& pair : near) {
+    if (!pair.is_own()) continue;
+    const double distance = m_surroundings.points(pair, x).distance;
+    if (distance < reach) m_kept.push_back({pair, distance / 2});
+  }
+  std::sort(m_kept.begin(), m_kept.end(),
+            [](const Kept& a, const Kept& b) { return key(a.pair) < key(b.pair); });
+}
+
+bool Contact::holds(const Points& x) const {
+  if (m_gathered_at.size() != x.size()) return false;
+  for (size_t v = 0; v < x.size(); ++v)
+    if ((x[v] - m_gathered_at[v]).squaredNorm() > m_slack * m_slack / 4) return false;
+  return true;
+}
+
+void Contact::gather(const Points& x) {
+  m_gathered_at = x;
+  m_candidates.clear();
+  std::vector<Aabb> boxes(x.size());
+  for (size_t v = 0; v < x.size(); ++v) boxes[v].extend(x[v]);
+  m_surroundings.find(boxes, distance_outside() + m_options.layer + m_slack / 2,
+                      m_surroundings.body().material.thickness + m_options.layer + m_slack,
+                      m_candidates);
+}
+
+// Always of the flexible side: fine faces of obstacles must not weaken it.
+double Contact::area(const NearPair& pair) const {
+  const Body& body = m_surroundings.body();
+  switch (pair.kind) {
+    case PairKind::VertexFace:
+      return body.vertex_area[pair.a];
+    case PairKind::EdgeEdge:
+      return body.edge_area[pair.a];
+    case PairKind::FaceVertex:
+      return body.face_area[pair.a] / 3;
+    case PairKind::OwnVertexFace:
+      return std::min(body.vertex_area[pair.a], body.face_area[pair.b]);
+    case PairKind::OwnEdgeEdge:
+      break;
+  }
+  return std::min(body.edge_area[pair.a], body.edge_area[pair.b]);
+}
+
+Mollifier Contact::mollifier(const ContactPair& of) const {
+  if (of.pair.kind != PairKind::EdgeEdge && of.pair.kind != PairKind::OwnEdgeEdge) return {};
+  const Vec3 &a = of.points.edge_a, &b = of.points.edge_b;
+  const double cell = m_surroundings.body().cell, squared_cell = cell * cell;
+  const double of_other = of.pair.is_own() ? squared_cell : b.squaredNorm();
+  const double c = a.cross(b).squaredNorm(), limit = kNearlyParallel * squared_cell * of_other;
+  if (c >= limit) return {};
+  return {c / limit * (2 - c / limit), 2 / limit * (1 - c / limit), -2 / (limit * limit)};
+}
+
+bool Contact::find(const Points& x, std::vector<ContactPair>& out) {
+  if (!holds(x)) gather(x);
+  out.clear();
+  for (const NearPair& near : m_candidates) {
+    ContactPair pair{near, m_surroundings.points(near, x), {}};
+    pair.offset = offset(near);
+    pair.gap = pair.points.distance - pair.offset;
+    if (!(pair.gap > 0)) return false;
+    if (pair.gap >= m_options.layer) continue;
+    pair.stiffness = m_stiffness * area(near);
+    pair.mollifier = mollifier(pair);
+    if (pair.mollifier.value > 0) out.push_back(pair);
+  }
+  return true;
+}
+
+}  // namespace trivet::flex

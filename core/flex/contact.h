@@ -1,0 +1,70 @@
+// Contact of a flexible body: all pairs within a layer around it, and their energy.
+#pragma once
+
+#include "core/flex/near_pairs.h"
+#include "core/flex/total.h"
+
+namespace trivet::flex {
+
+/// Edges that are nearly parallel lose their contact smoothly, as their closest points jump; the
+/// pairs of their ends have it [Li 2020, 4.3]. A function of c = |edge a x edge b|^2.
+struct Mollifier {
+  double value = 1, first = 0, second = 0;  // and derivatives by c
+};
+
+struct ContactPair {
+  NearPair pair;
+  PairPoints points;
+  Mollifier mollifier;
+  double offset = 0;     // distance at which the surfaces meet: half a thickness, or a whole one
+  double gap = 0;        // from there on, > 0
+  double stiffness = 0;  // N/m: weight of the pair's area
+
+  /// Newtons by which it pushes the first side along direction().
+  double force(double layer) const;
+};
+
+struct ContactOptions {
+  double layer = 5e-4;    // m beyond the surface in which contact acts
+  double pressure = 500;  // weights per area at half the layer: cups' rims need so many
+};
+
+/// Finds pairs, with a list of candidates that holds while no vertex has moved far.
+class Contact {
+ public:
+  Contact(Surroundings& surroundings, const ContactOptions& options);
+
+  double layer() const { return m_options.layer; }
+  double distance_outside() const { return m_surroundings.body().material.thickness / 2; }
+  /// Distance at which the two meet: the thickness, or less for what began nearer.
+  double offset(const NearPair& pair) const;
+
+  /// Pairs of the body with itself that are nearer than its thickness keep half of their distance
+  /// from now on.
+  void keep_distances_of(const Points& x);
+  /// All pairs in the layer. @return false if any is at its offset or nearer.
+  bool find(const Points& x, std::vector<ContactPair>& out);
+  /// Energy; adds to the derivatives that are asked for.
+  /// @param total  its exact or positive second derivative.
+  double energy(const std::vector<ContactPair>& pairs, Total& total) const;
+
+ private:
+  bool holds(const Points& x) const;
+  void gather(const Points& x);
+  double area(const NearPair& pair) const;
+  Mollifier mollifier(const ContactPair& pair) const;
+
+  Surroundings& m_surroundings;
+  ContactOptions m_options;
+  double m_stiffness;  // N/m per area
+  double m_slack;
+  std::vector<NearPair> m_candidates;
+  Points m_gathered_at;
+  struct Kept {
+    NearPair pair;
+    double distance;
+  };
+  std::vector<Kept> m_kept;  // sorted
+};
+
+}  // namespace trivet::flex

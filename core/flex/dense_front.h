@@ -1,0 +1,20 @@
+// Cholesky factorisation of a part of a dense matrix, in a fixed order: the same bits on every
+// machine, which libraries that tune their blocks to caches do not give.
+#pragma once
+
+namespace trivet::flex {
+
+/// Factors the first `num_own` columns of a symmetric matrix and subtracts their product from the
+/// others. Only the lower triangle is read and written.
+/// @param a  size x size, column by column: afterwards L in its first columns.
+/// @return false if it is not positive definite; `a` then means nothing.
+/// Cost: about num_own x size^2 multiplications.   Re-entrant.
+bool factor_front(double* a, int size, int num_own);
+
+/// Solves L y = x in place, of the first columns. @param x  num_own; the rest is subtracted from
+/// `below`, size - num_own.
+void solve_forward(const double* a, int size, int num_own, double* x, double* below);
+/// Solves L' y = x in place, with `below` known.
+void solve_backward(const double* a, int size, int num_own, double* x, const double* below);
+
+}  // namespace trivet::flex

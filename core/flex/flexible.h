@@ -1,0 +1,44 @@
+// A flexible object at rest: what scenes keep beside its shape.
+#pragma once
+
+#include <optional>
+
+#include "core/flex/body.h"
+
+namespace trivet {
+
+/// Names who holds it: names outlive the objects.
+struct FlexSupport {
+  std::string name;  // of an object; "floor"; "pins"
+  double share = 0;  // of its weight; negative: it presses down
+};
+
+/// The proof of rest. Net forces are of a vertex's own weight.
+struct RestCertificate {
+  double net_force = 0;  // the largest, after a fresh update of the friction
+  Vec3 net_force_at = Vec3::Zero();
+  double friction_used = 0;  // the largest share of a friction's cone
+  double balance = 0;        // contact and pins over the weight: 1 at rest
+  double stretch = 1;        // the largest ratio of lengths to those at rest
+  bool stable = false;       // no small push grows faster than in 1,000 s
+  int num_vertices = 0, num_steps = 0;
+  int num_contacts = 0, num_own_contacts = 0;
+};
+
+/// Middle surface and line, in the object's frame.
+struct Flexible {
+  bool is_cable = false;
+  flex::FlexMaterial material;
+  flex::Points vertices;                  // of the middle, metres
+  std::vector<std::array<int, 3>> faces;  // of a cable (i, i + 1, i + 1)
+  std::optional<flex::Grid> grid;         // of a sheet
+  double length = 0;                      // of a cable at rest, m
+  flex::Points rest;                      // of a mesh at rest; else empty
+  std::vector<int> pins;                  // vertices that are held
+  double layer = 0, pressure = 0;         // of its contact; see flex::ContactOptions
+  flex::Points friction;                  // all of it on each vertex, N
+  RestCertificate certificate;
+  std::vector<FlexSupport> supports;  // the largest share first
+};
+
+}  // namespace trivet

@@ -1,0 +1,140 @@
+#include "core/flex/minimiser.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivet::flex {
+namespace {
+
+constexpr double kLongestStep = 1.5;                   // cells
+constexpr double kLargestH = 1e4, kSmallestH = 1e-12;  // s2
+constexpr double kCalm = 0.05;                         // residual below which friction is frozen
+constexpr int kStallSteps = 20;                        // in which the energy has to fall
+constexpr double kStall = 1e-3;                        // by so much, of weight x slip
+constexpr int kMostFrozen = 60;                        // steps
+constexpr int kMostStalls = 5;                         // after which friction stays frozen
+constexpr int kBackSteps = 5;
+constexpr double kRounding = 1e-13;  // of the energy
+
+}  // namespace
+
+Minimiser::Minimiser(const Body& body, Surroundings& surroundings, EnergyModel& model,
+                     const MinimiserOptions& options)
+    : m_body(body),
+      m_model(model),
+      m_options(options),
+      m_newton(body),
+      m_limits(surroundings, model.contact()) {}
+
+bool Minimiser::has_come_to_rest(State& state) {
+  m_model.update_friction(state, !m_flows);
+  m_residual = m_model.residual(state.gradient);
+  m_frozen = 0;
+  m_flows = false;
+  return m_residual < m_options.tolerance;
+}
+
+// Updates at every step may go round in circles near rest; so friction is frozen when the state is
+// calm or the energy no longer falls.
+void Minimiser::choose_phase(State& state) {
+  const auto mark = [&] { m_marked_step = m_step, m_marked_energy = state.energy; };
+  if (m_flows) {
+    if (m_residual < kCalm && m_h > 1) m_flows = false;
+    if (m_step - m_marked_step < kStallSteps) return;
+    const double least = kStall * m_body.weight() * m_model.friction().slip();
+    if (m_marked_energy - state.energy < least) m_flows = false, ++m_stalls;
+    mark();
+  } else if (++m_frozen > kMostFrozen) {
+    m_model.update_friction(state, true);
+    m_frozen = 0;
+    if (m_model.residual(state.gradient) > 1 && m_stalls < kMostStalls) m_flows = true, mark();
+  }
+}
+
+bool Minimiser::find_exact_direction(const State& state, Points& step) {
+  if (m_newton.solve(m_model, state, Curvature::Exact, m_h, step)) return true;
+  if (m_h <= 1 || !m_newton.solve(m_model, state, Curvature::Exact, m_h / 100, step)) return false;
+  m_h /= 100;
+  return true;
+}
+
+bool Minimiser::find_direction(const State& state, Points& step) {
+  if (m_residual < m_options.exact_below && find_exact_direction(state, step)) return true;
+  return m_newton.solve(m_model, state, Curvature::Hybrid, m_h, step) ||
+         m_newton.solve(m_model, state, Curvature::Positive, m_h, step);
+}
+
+void Minimiser::shorten(Points& step) const {
+  double longest = 0;
+  for (const Vec3& s : step) longest = std::max(longest, s.norm());
+  const double limit = kLongestStep * m_body.cell;
+  if (longest <= limit) return;
+  for (Vec3& s : step) s *= limit / longest;
+}
+
+bool Minimiser::is_lower(const State& state, const State& next) const {
+  if (next.energy <= state.energy + kRounding * std::abs(state.energy) + 1e-16) return true;
+  return next.energy <= state.energy + 1e-9 * std::abs(state.energy) &&
+         m_model.residual(next.gradient) < 0.5 * m_residual;
+}
+
+// Every part of a limited step keeps to the limits, too. What a refused step hits becomes part of
+// the model, which is solved again once; else a vertex that is held while its neighbours go on
+// stretches the membrane, and the step is cut again and again.
+bool Minimiser::take_step(State& state, Points step) {
+  shorten(step);
+  std::vector<HalfSpace> hits = m_limits.limit(state.x, step);
+  double part = 1;
+  for (int back = 0; back < kBackSteps; ++back) {
+    m_next.x = state.x;
+    for (size_t v = 0; v < step.size(); ++v) m_next.x[v] += part * step[v];
+    if (m_model.evaluate(m_next) && is_lower(state, m_next)) {
+      std::swap(state, m_next);
+      follow_up(state, part);
+      return true;
+    }
+    part /= 3;
+    if (back > 0 || hits.empty() || !m_newton.solve_again(state, hits, step)) continue;
+    shorten(step);
+    m_limits.limit(state.x, step);
+    part = 1;
+  }
+  return false;
+}
+
+void Minimiser::follow_up(State& state, double part) {
+  if (part == 1) {
+    m_h = std::min(m_h * (++m_full > 2 ? 2 : 1.3), kLargestH);
+  } else {
+    m_full = 0;
+    m_h /= part > 0.3 ? 2 : 4;
+  }
+  if (m_flows) m_model.update_friction(state, false);
+}
+
+Ending Minimiser::run(State& state, const Watch& watch, int level) {
+  if (!m_model.evaluate(state)) return Ending::Stuck;
+  m_model.update_friction(state, false);
+  m_marked_energy = state.energy;
+  Points step;
+  for (m_step = 0; m_step < m_options.max_steps; ++m_step) {
+    m_residual = m_model.residual(state.gradient);
+    if (watch && !watch({level, m_step, m_residual, state.energy, &state.x}))
+      return Ending::Stopped;
+    if (m_residual >= m_options.tolerance)
+      choose_phase(state);
+    else if (has_come_to_rest(state))
+      return Ending::AtRest;
+    if (!find_direction(state, step)) {
+      m_h /= 4;
+    } else if (!take_step(state, step)) {
+      m_h /= 8;
+      m_full = 0;
+    }
+    if (m_h < kSmallestH) return Ending::Stuck;
+  }
+  m_residual = m_model.residual(state.gradient);
+  return Ending::OutOfSteps;
+}
+
+}  // namespace trivet::flex

@@ -1,0 +1,56 @@
+#include "core/flex/model.h"
+
+#include "core/flex/elasticity.h"
+
+namespace trivet::flex {
+
+EnergyModel::EnergyModel(const Body& body, Surroundings& surroundings,
+                         const ContactOptions& contact, double slip)
+    : m_body(body),
+      m_surroundings(surroundings),
+      m_contact(surroundings, contact),
+      m_friction(body, slip) {}
+
+void EnergyModel::sum_up(State& state) const {
+  state.gradient.assign(state.x.size(), Vec3::Zero());
+  Total total{&state.gradient, nullptr, Curvature::Exact};
+  state.energy = elastic_energy(m_body, state.x, total) + m_contact.energy(state.pairs, total) +
+                 m_friction.energy(state.x, total);
+}
+
+bool EnergyModel::evaluate(State& state) {
+  if (!m_contact.find(state.x, state.pairs)) return false;
+  sum_up(state);
+  return true;
+}
+
+void EnergyModel::update_friction(State& state, bool keep_faces) {
+  m_friction.update(state.x, state.pairs, forces(state), keep_faces);
+  sum_up(state);
+}
+
+void EnergyModel::curvature(const State& state, Curvature which, BlockMatrix& hessian) const {
+  hessian.reset(state.x.size());
+  Total total{nullptr, &hessian, which};
+  elastic_energy(m_body, state.x, total);
+  m_contact.energy(state.pairs, total);
+  m_friction.energy(state.x, total);
+}
+
+NodalForces EnergyModel::forces(const State& state, bool with_owners) const {
+  return nodal_forces(m_surroundings, state.pairs, m_contact.layer(), with_owners);
+}
+
+double EnergyModel::residual(const Points& gradient, int* at) const {
+  double largest = 0;
+  for (size_t v = 0; v < gradient.size(); ++v) {
+    if (m_body.pinned[v]) continue;
+    const double here = gradient[v].norm() / (m_body.mass[v] * kGravity);
+    if (!(here > largest)) continue;
+    largest = here;
+    if (at) *at = static_cast<int>(v);
+  }
+  return largest;
+}
+
+}  // namespace trivet::flex

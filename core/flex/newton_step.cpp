@@ -1,0 +1,74 @@
+#include "core/flex/newton_step.h"
+
+#include <algorithm>
+
+namespace trivet::flex {
+namespace {
+
+constexpr double kPinnedPerWeight = 1000;  // 1/m: diagonal of a pinned vertex
+
+bool has_own_contact(const State& state) {
+  return std::any_of(state.pairs.begin(), state.pairs.end(),
+                     [](const ContactPair& p) { return p.pair.is_own(); });
+}
+
+bool is_finite(const Points& points) {
+  return std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.allFinite(); });
+}
+
+}  // namespace
+
+void NewtonStep::prepare(const EnergyModel& model, const State& state, Curvature which, double h) {
+  model.curvature(state, which, m_matrix);
+  for (size_t v = 0; v < m_body.size(); ++v) {
+    const int i = static_cast<int>(v);
+    m_matrix.add(i, i, Mat3::Identity() * (m_body.mass[v] / h));
+    if (m_body.pinned[v]) m_matrix.pin(i, kPinnedPerWeight * m_body.mean_weight());
+  }
+  if (m_is_ordered && m_factors.covers(m_matrix)) return;
+  Multifrontal::Coordinates coordinates(has_own_contact(state) ? 5 : 2);
+  for (size_t k = 0; k < coordinates.size(); ++k)
+    for (size_t v = 0; v < m_body.size(); ++v)
+      coordinates[k].push_back(k < 2 ? m_body.rest[v][static_cast<int>(k)]
+                                     : state.x[v][static_cast<int>(k) - 2]);
+  m_factors.analyse(m_matrix, coordinates);
+  m_is_ordered = true;
+}
+
+bool NewtonStep::solve_prepared(Points& step) {
+  if (!m_factors.factor(m_matrix)) return false;
+  m_factors.solve(step);
+  for (size_t v = 0; v < step.size(); ++v)
+    if (m_body.pinned[v]) step[v].setZero();
+  return is_finite(step);
+}
+
+bool NewtonStep::solve(const EnergyModel& model, const State& state, Curvature which, double h,
+                       Points& step) {
+  prepare(model, state, which, h);
+  step.resize(state.x.size());
+  for (size_t v = 0; v < step.size(); ++v)
+    step[v] = m_body.pinned[v] ? Vec3(Vec3::Zero()) : Vec3(-state.gradient[v]);
+  return solve_prepared(step);
+}
+
+bool NewtonStep::solve_again(const State& state, const std::vector<HalfSpace>& hits, Points& step) {
+  step.resize(state.x.size());
+  for (size_t v = 0; v < step.size(); ++v)
+    step[v] = m_body.pinned[v] ? Vec3(Vec3::Zero()) : Vec3(-state.gradient[v]);
+  for (const HalfSpace& hit : hits) {
+    if (m_body.pinned[hit.vertex]) continue;
+    Mat3& diagonal = *m_matrix.find(hit.vertex, hit.vertex);
+    const double stiffness = diagonal.trace();
+    diagonal += stiffness * outer(hit.normal, hit.normal);
+    step[hit.vertex] -= stiffness * hit.room * hit.normal;
+  }
+  return solve_prepared(step);
+}
+
+bool NewtonStep::is_stable(const EnergyModel& model, const State& state, double h) {
+  prepare(model, state, Curvature::Exact, h);
+  return m_factors.factor(m_matrix);
+}
+
+}  // namespace trivet::flex

@@ -1,0 +1,42 @@
+// Limits of a step that make crossings impossible: half-spaces of each vertex, without a look at
+// times of contact.
+#pragma once
+
+#include "core/flex/contact.h"
+
+namespace trivet::flex {
+
+/// A vertex's step s keeps to normal . s >= -room.
+struct HalfSpace {
+  int vertex;
+  Vec3 normal;
+  double room;  // metres, >= 0
+};
+
+/// For each pair that the wanted step could bring together there is a plane between its elements
+/// through their closest points; each side keeps a tenth of its distance from it. Convex elements
+/// on two sides of a plane at all times of a straight motion do not meet, and stay their offset
+/// apart. Pairs without a plane cannot meet, since each vertex ends inside the box that was
+/// searched. A shorter step along the same line is as safe. Sliding along a contact is not
+/// shortened.   @see [Divide and Truncate, Newton Physics 2026]
+class StepLimits {
+ public:
+  StepLimits(Surroundings& surroundings, const Contact& contact);
+
+  /// Shortens and turns the step of each vertex. @return half-spaces that the wanted step would
+  /// have left by more than a tenth of the layer.
+  std::vector<HalfSpace> limit(const Points& x, Points& step);
+
+ private:
+  void find_half_spaces(const Points& x, const Points& step);
+  void add_pair(const Points& x, const NearPair& pair);
+  void add(int vertex, const Vec3& normal, double distance);
+
+  Surroundings& m_surroundings;
+  const Contact& m_contact;
+  std::vector<Aabb> m_room;  // in which each vertex's step may end
+  std::vector<double> m_length;
+  std::vector<std::vector<HalfSpace>> m_half_spaces;  // by vertices
+};
+
+}  // namespace trivet::flex

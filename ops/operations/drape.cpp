@@ -1,0 +1,202 @@
+#include "ops/operations/drape.h"
+
+#include "core/flex/self_crossings.h"
+#include "ops/operations/drape_parts.h"
+#include "ops/operations/edit_parts.h"
+#include "ops/operations/table.h"
+
+namespace trivet {
+namespace {
+
+enum FormOfDrape : unsigned { kSheet, kCable, kMesh };
+
+constexpr double kLargestStretch = 1.3;
+constexpr Accepts kSize{Sort::Coordinates, 1e-3, 1e3, "metres"};
+constexpr Accepts kCell{Sort::Number, 1e-4, 1e3, "metres", {}, 0};
+constexpr Accepts kThickness{Sort::Number, 1e-5, 1, "metres"};
+constexpr Accepts kFlexDensity{Sort::Number, 1e-4, 1e3, "kg/m2, of a cable kg/m"};
+constexpr Accepts kBending{Sort::Number, 0, 1e6, "N m, of a cable N m2"};
+constexpr Accepts kFlexFriction{Sort::Number, 0, kMaxFriction};
+constexpr Accepts kNetForce{Sort::Number, 1e-7, 1, "weights of a vertex"};
+constexpr Accepts kSteps{Sort::Whole, 1, 1e6};
+
+std::string names_of(bool cables) {
+  std::string out;
+  for (const flex::FlexPreset& preset : flex::flex_presets())
+    if (preset.is_cable == cables) out += (out.empty() ? "" : ", ") + preset.material.name;
+  return out;
+}
+
+std::optional<InvalidArgument> refuse_material(const DrapeOperation& o) {
+  const bool is_cable = !o.path.empty();
+  const flex::FlexPreset* const preset = flex::flex_preset(o.material);
+  if (o.material.empty() || (preset && preset->is_cable == is_cable)) return std::nullopt;
+  return InvalidArgument{"material", "\"" + o.material + "\"", names_of(is_cable)};
+}
+
+std::optional<InvalidArgument> refuse_size(const DrapeOperation& o) {
+  if (!o.path.empty() && (o.path.size() < 2 || !(length_of(o.path) > 1e-3)))
+    return InvalidArgument{"path", std::to_string(o.path.size()) + " points",
+                           "two or more, over a millimetre or more"};
+  if (!o.size && o.path.empty()) return std::nullopt;
+  const double count = o.size ? 1.0 * grid_of(o).num_u * grid_of(o).num_v : num_segments_of(o);
+  if (count < kMaxFlexVertices) return std::nullopt;
+  return InvalidArgument{"cell", in_english(figure(o.cell)),
+                         say("lengths that give at most %1 cells", kMaxFlexVertices)};
+}
+
+std::optional<InvalidArgument> refuse_drape(const DrapeOperation& o) {
+  if (auto found = refuse_material(o)) return found;
+  return refuse_size(o);
+}
+
+bool crosses(const flex::DrapeProblem& problem, const flex::Points& x) {
+  if (problem.num_segments > 0) return false;  // a line; its distances say all
+  const auto faces = body_of(problem).faces;
+  return flex::self_crossing(x, faces) || flex::self_crossing(flex::rounded_to_float32(x), faces);
+}
+
+std::optional<Refusal> refuse_start(const Scene& scene, const std::string& name,
+                                    const flex::DrapeProblem& problem,
+                                    const DrapeSurroundings& around) {
+  const auto contact = start_contact(problem, around.obstacles);
+  if (contact && contact->owner)
+    return Refusal{Refusal::Cause::AlreadyTouches,
+                   {{name, std::nullopt}, named(scene, around.owners[*contact->owner])}};
+  if (!contact && !crosses(problem, problem.start)) return std::nullopt;
+  Refusal why{Refusal::Cause::CrossesItself, {{name, std::nullopt}}};
+  why.at = Refusal::At::Start;
+  return why;
+}
+
+std::optional<Refusal> refuse_end(const Named& name, const flex::DrapeProblem& problem,
+                                  const flex::DrapeResult& result) {
+  const RestCertificate& c = result.certificate;
+  if (result.ending != flex::Ending::AtRest)
+    return Refusal{Refusal::Cause::NotAtRest,
+                   {name},
+                   {{"steps", 1.0 * c.num_steps},
+                    {"net_force", c.net_force},
+                    {"x", c.net_force_at.x()},
+                    {"y", c.net_force_at.y()},
+                    {"z", c.net_force_at.z()}}};
+  if (c.stretch > kLargestStretch)
+    return Refusal{Refusal::Cause::Overstretched,
+                   {name},
+                   {{"stretch", c.stretch}, {"largest_stretch", kLargestStretch}}};
+  if (crosses(problem, result.x)) return Refusal{Refusal::Cause::CrossesItself, {name}};
+  return std::nullopt;
+}
+
+flex::DrapeOptions options_of(const DrapeOperation& o) {
+  flex::DrapeOptions out;
+  out.minimiser.tolerance = o.net_force;
+  out.minimiser.max_steps = o.steps;
+  return out;
+}
+
+// Into the scene, judged like every object that stands.
+OperationResult stand_draped(Transaction& transaction, Object object, OperationRun& run) {
+  const Pose pose = object.pose;
+  const ObjectId id = transaction.add(std::move(object));
+  if (auto why = refuse_stand(transaction.scene(), id, pose, run.options)) {
+    why->at = Refusal::At::End;
+    return refused(std::move(*why));
+  }
+  const PlacedBox placed{id, expected_box(transaction.scene(), transaction.scene().at(id), pose)};
+  const double clearance =
+      clearance_near(transaction.scene(), run.options, placed.box, {&placed, 1});
+  stand_at(transaction, id, pose, rest_rules(run.options, clearance));
+  OperationResult result;
+  result.end = OperationResult::End::AtRest;
+  result.milliseconds = run.stopwatch.milliseconds();
+  return result;
+}
+
+}  // namespace
+
+template <>
+const OperationTable& table<DrapeOperation>() {
+  using P = DrapeOperation;
+  using R = Row<P>;
+  static const OperationTable rows = make_table<P>(
+      {{"drape",
+        "A flat sheet, a new object, comes down and to rest",
+        {"size"},
+        {},
+        [](const P& o) { return o.size.has_value(); },
+        [](P& o) { o.size = Vec2(1, 1); }},
+       {"drape",
+        "A cable, a new object, comes down and to rest",
+        {"path"},
+        {},
+        [](const P& o) { return !o.path.empty(); },
+        [](P& o) {
+          o.path = {Vec3::Zero(), Vec3::UnitX()};
+        }},
+       {"drape",
+        "An open mesh, a sheet (with its size) or a cable (with its path) comes down and to rest "
+        "as a new object",
+        {"of"},
+        {},
+        [](const P& o) { return o.of.has_value(); },
+        [](P& o) { o.of = ""; }}},
+      {R("object", &P::object, kNewName, "Name of the new object; no other has it").needed(),
+       R("size", &P::size, kSize, "Size of the sheet along warp and weft").in({kSheet}).needed(),
+       R("path", &P::path, kPoint, "Corners of the line along which the cable starts")
+           .in({kCable})
+           .needed(),
+       R("of", &P::of, kObjectName, "Object with the mesh, in the scene or not")
+           .in({kMesh})
+           .needed(),
+       R("position", &P::start, &Pose::translation, kPoint,
+         "Where the middle of the sheet, or the mesh's origin, starts")
+           .in({kSheet, kMesh})
+           .needed(),
+       R("rotation", &P::start, &Pose::rotation, kRotation,
+         "Rotation there, quaternion; without it a sheet is level")
+           .in({kSheet, kMesh}),
+       R("cell", &P::cell, kCell,
+         "Largest side of the cells, or of the cable's segments; default: a 40th of the sheet's "
+         "length, a 128th of the cable's")
+           .in({kSheet, kCable}),
+       R("material", &P::material, kText,
+         "Of sheets cotton, felt, paper, towel or wool, of cables lead; default: cotton, or lead"),
+       R("thickness", &P::thickness, kThickness, "Thickness or diameter instead of the material's"),
+       R("density", &P::density, kFlexDensity, "Mass per area, of a cable per length"),
+       R("bending", &P::bending, kBending, "Resistance to bending"),
+       R("friction", &P::friction, kFlexFriction, "Coulomb's coefficient, against itself, too"),
+       R("pins", &P::pins, kPoint, "The vertices nearest to these points stay where they start"),
+       R("net_force", &P::net_force, kNetForce,
+         "At rest: the largest force left at a vertex, of its weight"),
+       R("steps", &P::steps, kSteps, "Steps at most, from coarse to fine for each level")},
+      refuse_drape,
+      TRIVET_SENTENCE("a shape is missing; accepted: \"size\" of a sheet, \"path\" of a cable, or "
+                      "\"of\" for a mesh"));
+  return rows;
+}
+
+OperationResult apply(Transaction& transaction, const DrapeOperation& o, OperationRun& run) {
+  const Scene& scene = transaction.scene();
+  if (auto why = refuse_name(scene, o.object)) return refused(std::move(*why));
+  auto made = drape_problem(scene, o);
+  if (auto* const why = std::get_if<Refusal>(&made)) return refused(std::move(*why));
+  const flex::DrapeProblem problem = std::get<flex::DrapeProblem>(std::move(made));
+  const DrapeSurroundings around = drape_surroundings(scene, problem.start, problem.length);
+  const Named name{o.object, std::nullopt};
+  if (around.owners.empty() && o.pins.empty())
+    return refused({Refusal::Cause::NothingBelow, {name}});
+  if (auto why = refuse_start(scene, o.object, problem, around)) return refused(std::move(*why));
+  const flex::DrapeResult draped =
+      flex::drape(problem, around.obstacles, options_of(o),
+                  [&](const flex::Progress&) { return !run.interrupt.reason(); });
+  if (draped.ending == flex::Ending::Stopped) {
+    OperationResult result;
+    run.interrupt.refuse("drape", name, result);
+    return result;
+  }
+  if (auto why = refuse_end(name, problem, draped)) return refused(std::move(*why));
+  return stand_draped(transaction, draped_object(scene, o, problem, around, draped), run);
+}
+
+}  // namespace trivet

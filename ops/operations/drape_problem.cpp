@@ -1,0 +1,200 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/exact/interpenetration.h"
+#include "ops/operations/drape_parts.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kCellsOfSheet = 40, kSegmentsOfCable = 128;  // along the length, by default
+constexpr int kLeastCells = 16, kLeastSegments = 32;          // that are not halved again
+constexpr int kMostHalvings = 3;
+
+// Rounded up so that it can be halved `halvings` times.
+int cells_along(double length, double cell, int halvings) {
+  const double count = std::ceil(length / cell * (1 - 1e-9));
+  const int step = 1 << halvings;
+  const int whole = std::max(1, static_cast<int>(std::min(count, 1.0 * kMaxFlexVertices)));
+  return (whole + step - 1) / step * step;
+}
+
+int halvings_of(double count, int least) {
+  int halvings = 0;
+  while (halvings < kMostHalvings && count / 2 >= least) ++halvings, count /= 2;
+  return halvings;
+}
+
+double cell_of(const DrapeOperation& o, double length, double by_default) {
+  return o.cell > 0 ? o.cell : length / by_default;
+}
+
+flex::Points resampled(const std::vector<Vec3>& path, int num_segments) {
+  std::vector<double> at{0};
+  for (size_t i = 1; i < path.size(); ++i) at.push_back(at.back() + (path[i] - path[i - 1]).norm());
+  flex::Points out;
+  size_t k = 0;
+  for (int i = 0; i <= num_segments; ++i) {
+    const double s = at.back() * i / num_segments;
+    while (k + 2 < at.size() && at[k + 1] < s) ++k;
+    const double step = at[k + 1] - at[k];
+    const double share = step > 0 ? std::clamp((s - at[k]) / step, 0.0, 1.0) : 0;
+    out.push_back((1 - share) * path[k] + share * path[k + 1]);
+  }
+  return out;
+}
+
+// Why a mesh is no sheet; empty: it is one.
+Sentence no_sheet(const Mesh& mesh) {
+  if (mesh.triangles.empty() || mesh.vertices.size() > static_cast<size_t>(kMaxFlexVertices))
+    return say("its mesh has %1 vertices; accepted: up to %2", mesh.vertices.size(),
+               kMaxFlexVertices);
+  std::map<std::pair<Index, Index>, int> uses;
+  for (const Index3& t : mesh.triangles) {
+    const Vec3& a = mesh.vertices[t[0]];
+    if ((mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).squaredNorm() == 0)
+      return "its mesh has triangles without area";
+    for (int k = 0; k < 3; ++k)
+      if (++uses[{t[k], t[(k + 1) % 3]}] > 1)
+        return "its mesh is no surface of one side: an edge has two faces in one direction";
+  }
+  const bool is_closed = std::all_of(uses.begin(), uses.end(), [&](const auto& use) {
+    return uses.contains({use.first.second, use.first.first});
+  });
+  if (is_closed) return "its mesh is closed; accepted: open ones";
+  return {};
+}
+
+void place_sheet(const DrapeOperation& o, flex::DrapeProblem& out) {
+  out.grid = grid_of(o);
+  const Affine world = world_from_object(o.start, UpAxis::Z, 1);
+  for (int j = 0; j <= out.grid->num_v; ++j)
+    for (int i = 0; i <= out.grid->num_u; ++i)
+      out.start.push_back(
+          world.apply({out.grid->length_u * i / out.grid->num_u - out.grid->length_u / 2,
+                       out.grid->length_v * j / out.grid->num_v - out.grid->length_v / 2, 0}));
+}
+
+std::optional<Refusal> place_mesh(const Scene& scene, const DrapeOperation& o,
+                                  flex::DrapeProblem& out) {
+  const auto id = scene.find(*o.of);
+  if (!id) return unknown_object(scene, *o.of);
+  const Object& object = scene.at(*id);
+  const Mesh& mesh = object.shape->mesh;
+  if (Sentence why = no_sheet(mesh); !why.empty()) {
+    Refusal refusal{Refusal::Cause::NoSheet, {named(scene, Support(*id))}};
+    refusal.detail = std::move(why);
+    return refusal;
+  }
+  out.start = world_positions(*object.shape, world_from_object(o.start, object.up, object.scale));
+  for (const Index3& t : mesh.triangles) out.faces.push_back({t[0], t[1], t[2]});
+  return std::nullopt;
+}
+
+void pin(const DrapeOperation& o, flex::DrapeProblem& out) {
+  out.pinned.assign(out.start.size(), false);
+  for (const Vec3& point : o.pins) {
+    size_t nearest = 0;
+    for (size_t v = 1; v < out.start.size(); ++v)
+      if ((out.start[v] - point).squaredNorm() < (out.start[nearest] - point).squaredNorm())
+        nearest = v;
+    out.pinned[nearest] = true;
+  }
+}
+
+// All that a body may reach that comes down from its start.
+Aabb reach_of(const flex::Points& start, double length) {
+  Aabb box;
+  for (const Vec3& p : start) box.extend(p);
+  flex::grow(box, std::max(length, box.diagonal()));
+  box.lower.z() = -kInfinity;
+  return box;
+}
+
+void add_object(const Object& object, const Aabb& reach, flex::Obstacles& out) {
+  const flex::Points x = world_positions(*object.shape, object.world_from_object());
+  std::vector<Index3> triangles;
+  for (const Index3& t : object.shape->mesh.triangles) {
+    Aabb box;
+    for (const Index v : t) box.extend(x[v]);
+    if (overlaps(box, reach)) triangles.push_back(t);
+  }
+  out.add(x, triangles, object.material.friction);
+}
+
+void add_floor(double friction, const Aabb& reach, flex::Obstacles& out) {
+  flex::Points corners;
+  for (const double x : {reach.lower.x(), reach.upper.x()})
+    for (const double y : {reach.lower.y(), reach.upper.y()}) corners.emplace_back(x, y, 0);
+  const std::vector<Index3> triangles{{0, 2, 1}, {1, 2, 3}};
+  out.add(corners, triangles, friction);
+}
+
+}  // namespace
+
+double length_of(const std::vector<Vec3>& path) {
+  double sum = 0;
+  for (size_t i = 1; i < path.size(); ++i) sum += (path[i] - path[i - 1]).norm();
+  return sum;
+}
+
+flex::Grid grid_of(const DrapeOperation& o) {
+  const double length = o.size->maxCoeff(), cell = cell_of(o, length, kCellsOfSheet);
+  const int halvings = halvings_of(std::ceil(length / cell), kLeastCells);
+  return {cells_along(o.size->x(), cell, halvings), cells_along(o.size->y(), cell, halvings),
+          o.size->x(), o.size->y()};
+}
+
+int num_segments_of(const DrapeOperation& o) {
+  const double length = length_of(o.path), cell = cell_of(o, length, kSegmentsOfCable);
+  return cells_along(length, cell, halvings_of(std::ceil(length / cell), kLeastSegments));
+}
+
+flex::FlexMaterial flex_material(const DrapeOperation& o) {
+  const bool is_cable = !o.path.empty();
+  const char* const usual = is_cable ? "lead" : "cotton";
+  flex::FlexMaterial out = flex::flex_preset(o.material.empty() ? usual : o.material)->material;
+  out.thickness = o.thickness.value_or(out.thickness);
+  out.density = o.density.value_or(out.density);
+  out.bending = o.bending.value_or(out.bending);
+  out.friction = o.friction.value_or(out.friction);
+  return out;
+}
+
+std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
+                                                        const DrapeOperation& o) {
+  flex::DrapeProblem out;
+  out.material = flex_material(o);
+  if (o.size) {
+    place_sheet(o, out);
+  } else if (!o.path.empty()) {
+    out.num_segments = num_segments_of(o);
+    out.length = length_of(o.path);
+    out.start = resampled(o.path, out.num_segments);
+  } else if (auto why = place_mesh(scene, o, out)) {
+    return *why;
+  }
+  pin(o, out);
+  return out;
+}
+
+DrapeSurroundings drape_surroundings(const Scene& scene, const flex::Points& start, double length,
+                                     const std::vector<ObjectId>& left_out) {
+  DrapeSurroundings out;
+  const Aabb reach = reach_of(start, length);
+  for (const ObjectId id : scene.near(reach)) {
+    if (std::find(left_out.begin(), left_out.end(), id) != left_out.end()) continue;
+    add_object(scene.at(id), reach, out.obstacles);
+    out.owners.emplace_back(id);
+  }
+  if (scene.floor) {
+    add_floor(scene.floor_material.friction, reach, out.obstacles);
+    out.owners.push_back(Support::floor());
+  }
+  out.obstacles.build();
+  return out;
+}
+
+}  // namespace trivet
