@@ -106,7 +106,7 @@ class OffReader {
     if (equal_words(word, "binary")) bad_file(m_out.path, "is binary OFF; accepted: OFF as text");
     m_num_vertices = count(word);
     m_num_faces = count(next());
-    m_line = {};  // the number of edges, which many leave out
+    next_word(m_line);  // the number of edges, which many leave out
   }
 
   Vec3 vector() {
