@@ -11,8 +11,10 @@
 #include "core/io/assimp/read_model.h"
 #include "core/io/cad_format.h"
 #include "core/io/format/model_format.h"
+#include "core/io/format/other_formats.h"
 #include "core/io/gltf/model.h"
 #include "core/io/obj/read_obj.h"
+#include "core/io/off/read_off.h"
 #include "core/io/opened_files.h"
 #include "core/io/ply/read_ply.h"
 #include "core/io/process/preflight.h"
@@ -54,24 +56,24 @@ FileSurface surface_of(ModelFormat format, const std::string& path, std::uintmax
       return read_stl(path, bytes);
     case ModelFormat::Ply:
       return read_ply(path, bytes);
+    case ModelFormat::Off:
+      return read_off(path, bytes);
     default:
       return read_3mf(path, bytes, limits);
   }
 }
 
-// glTF 1 is left to assimp.
-Model model_of_other(const std::string& path, const ImportLimits& limits) {
-  if (may_be_gltf(path))
-    if (auto model = read_gltf_model(path, limits)) return *std::move(model);
-  return read_assimp_model(path, limits);
-}
-
 Model model_of_any(const std::string& path, const ImportLimits& limits) {
-  const std::string head = head_of(path);
+  const std::string head = head_of(path), text = utf8_text(head), extension = lower_extension(path);
   check_is_model(path, head);
   const std::uintmax_t size = fs::file_size(path);
-  const ModelFormat format = model_format(utf8_text(head), size, lower_extension(path));
-  if (format == ModelFormat::Other) return model_of_other(path, limits);
+  const ModelFormat format = model_format(text, size, extension);
+  if (format == ModelFormat::Gltf)
+    if (auto model = read_gltf_model(path, limits)) return *std::move(model);
+  // glTF 1 is left to assimp.
+  if (format == ModelFormat::Gltf || format == ModelFormat::Other)
+    return read_assimp_model(path, {other_extension(text, size, extension), text, text != head},
+                             limits);
   return model_of_surface(surface_of(format, path, size, head, limits), limits);
 }
 

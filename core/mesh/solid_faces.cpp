@@ -1,6 +1,9 @@
 #include "core/mesh/solid_faces.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace trivet {
 namespace {
@@ -12,7 +15,8 @@ class PartCleaner {
       : m_mesh(mesh), m_adjacency(adjacency), m_out(out), m_turn(mesh.triangles.size(), 0) {}
 
   void clean(Index component, std::vector<Index> faces) {
-    const Index num_double = drop_double(faces);
+    Index num_double = drop_double(faces);
+    num_double += drop_double_patches(faces);
     m_out.num_double += num_double;
     m_out.closed[component] = orient(faces) || (num_double == 0 && is_balanced(component));
   }
@@ -41,6 +45,52 @@ class PartCleaner {
     std::erase_if(faces,
                   [&](Index f) { return m_out.weights[f] == 0 || is_flat(m_mesh.triangles[f]); });
     return count;
+  }
+
+  /// Faces joined by edges that have two faces, up to edges that have more.
+  struct Patch {
+    std::vector<Index> faces, outline;  // sorted edges
+    Vec3 normal = Vec3::Zero();         // as long as twice the area, if it is flat
+    double size = 0;                    // twice the area
+
+    bool is_flat() const { return normal.norm() >= (1 - 1e-6) * size; }
+  };
+
+  Patch patch_of(Index first) {
+    Patch out{{first}, {}, Vec3::Zero(), 0};
+    m_is_reached[first] = 1;
+    for (size_t i = 0; i < out.faces.size(); ++i) {
+      const Triangle t = m_mesh.triangle(out.faces[i]);
+      const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+      out.normal += normal;
+      out.size += normal.norm();
+      for (const Index edge : m_adjacency.face_edges[out.faces[i]]) {
+        const Index other = across(out.faces[i], edge);
+        if (other < 0)
+          out.outline.push_back(edge);
+        else if (!m_is_reached[other])
+          m_is_reached[other] = 1, out.faces.push_back(other);
+      }
+    }
+    std::sort(out.outline.begin(), out.outline.end());
+    return out;
+  }
+
+  // Polygons that were cut along other diagonals. @return how many of their faces there are.
+  Index drop_double_patches(std::vector<Index>& faces) {
+    m_is_reached.resize(m_mesh.triangles.size(), 0);
+    std::set<std::vector<Index>> outlines;
+    std::vector<Index> dropped;
+    for (const Index first : faces) {
+      if (m_is_reached[first]) continue;
+      Patch patch = patch_of(first);
+      if (patch.outline.empty() || !patch.is_flat()) continue;
+      if (!outlines.insert(std::move(patch.outline)).second)
+        dropped.insert(dropped.end(), patch.faces.begin(), patch.faces.end());
+    }
+    for (const Index f : dropped) m_out.weights[f] = 0;
+    std::erase_if(faces, [&](Index f) { return m_out.weights[f] == 0; });
+    return static_cast<Index>(dropped.size());
   }
 
   // The other face at an edge; -1: there is not just one.
@@ -104,6 +154,7 @@ class PartCleaner {
   const Adjacency& m_adjacency;
   SolidFaces& m_out;
   std::vector<std::int8_t> m_turn;  // #F: 0 until reached
+  std::vector<char> m_is_reached;   // #F: by patches
 };
 
 bool is_clean(const Component& c) { return c.balanced && c.manifold; }

@@ -16,7 +16,8 @@ struct SolidFaces {
   double weight(Index face) const { return weights.empty() ? 1 : weights[face]; }
 };
 
-/// Faces of the same three corners count once, the first one as it is wound. If each edge of a
+/// Faces of the same three corners count once, the first one as it is wound, and so do flat patches
+/// of the same outline, however they are cut into triangles. If each edge of a
 /// part then has two faces, they are turned to run through it in opposite directions; most of a
 /// part's faces stay as they are. Parts that are balanced as they are stay as they are.
 SolidFaces solid_faces(const Mesh& mesh, const Adjacency& adjacency);

@@ -2,34 +2,51 @@
 
     corpus.py TRIVET FOLDER
 
-Box, area and number of triangles of OBJ, STL and PLY must agree; of other formats Trivet must give a model, or a
-reason that is no fault of its own. Whatever disagrees must be in explained.tsv, and everything there must disagree
-where its package is installed. Archives are unpacked below FOLDER.
+Box, area and number of triangles must agree. The second reader is reader.py for OBJ, STL, PLY and OFF, three.js for
+glTF, Collada, FBX, 3DS, LightWave, AMF and 3MF (three_reader.mjs; FOLDER has node_modules), OpenSceneGraph for AC3D and
+DirectX. Whatever disagrees must be in explained.tsv, and whatever is there must disagree. Archives are unpacked below
+FOLDER. Prints a table by formats.
 """
+import fnmatch
 import json
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
 import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
 import reader  # noqa: E402
 
 PACKAGES = ["assimp-testmodels", "sweethome3d-furniture", "morse-simulator-data"]
-OTHERS = {".dae", ".fbx", ".3ds", ".off", ".x3d", ".glb", ".gltf", ".3mf", ".ac", ".lwo", ".ms3d", ".b3d"}
+THREE = {".gltf", ".glb", ".dae", ".fbx", ".3ds", ".lwo", ".amf", ".3mf"}
+SCENEGRAPH = {".ac", ".x"}
+OTHERS = {".x3d", ".ms3d", ".b3d", ".dxf", ".ase", ".md2", ".md3", ".mdl", ".blend", ".nff", ".cob", ".smd", ".raw", ".q3o",
+          ".ply", ".zae", ".m3d"}
 LEAST = 500
+NAMES = {".gltf": "glTF", ".glb": "glTF", ".dae": "Collada", ".fbx": "FBX", ".3ds": "3DS", ".lwo": "LightWave", ".amf": "AMF",
+         ".3mf": "3MF", ".obj": "OBJ", ".stl": "STL", ".ply": "PLY", ".off": "OFF", ".ac": "AC3D", ".x": "DirectX"}
+
+
+def extension_of(path):
+    return os.path.splitext(path)[1].lower()
+
+
+def is_model(path):
+    return extension_of(path) in reader.READERS.keys() | THREE | SCENEGRAPH | OTHERS
 
 
 def files_of(package, folder):
     """Model files of a package, by a name that does not depend on this machine."""
     listed = subprocess.run(["dpkg", "-L", package], capture_output=True, text=True)
     for path in listed.stdout.splitlines() if listed.returncode == 0 else []:
-        extension = os.path.splitext(path)[1].lower()
-        if extension == ".sh3f":
+        if extension_of(path) == ".sh3f":
             yield from unpacked(package, path, folder / package / Path(path).stem)
-        elif (extension in reader.READERS or extension in OTHERS) and os.path.isfile(path):
+        elif is_model(path) and os.path.isfile(path):
             yield package + "/" + os.path.basename(os.path.dirname(path)) + "/" + os.path.basename(path), path
 
 
@@ -37,75 +54,133 @@ def unpacked(package, archive, folder):
     with zipfile.ZipFile(archive) as packed:
         packed.extractall(folder)
     for path in sorted(folder.rglob("*")):
-        if path.suffix.lower() in reader.READERS:
+        if extension_of(path) in reader.READERS:
             yield package + "/" + folder.name + "/" + path.relative_to(folder).as_posix(), str(path)
 
 
 def by_trivet(program, path):
     run = subprocess.run([program, "info", path, "--json"], capture_output=True, text=True, timeout=600)
-    if run.returncode != 0:
-        return None, run.stderr.strip().replace(path, os.path.basename(path)).splitlines()[-1]
-    return json.loads(run.stdout), ""
-
-
-def by_second(path):
     try:
-        return reader.READERS[os.path.splitext(path)[1].lower()](Path(path).read_bytes()), ""
+        found = json.loads(run.stdout)
+    except ValueError:
+        return None, "stopped with status %d: %s" % (run.returncode, run.stderr.strip())
+    if run.returncode != 0:
+        return None, found["error"]["message"].replace(path, os.path.basename(path))
+    return found, ""
+
+
+def by_three(folder, paths):
+    """Of all files at once: what it says of each."""
+    run = subprocess.run(["node", "three_reader.mjs"], input="\n".join(paths) + "\n", cwd=folder, capture_output=True, text=True,
+                         timeout=1200)
+    lines = [line for line in run.stdout.splitlines() if line.startswith("{\"file\"")]  # loaders print, too
+    return {found["file"]: found for found in map(json.loads, lines)}
+
+
+def by_scenegraph(path):
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "m.obj"
+        subprocess.run(["osgconv", path, str(out)], capture_output=True, timeout=60, check=True)
+        return reader.read_obj(out.read_bytes())
+
+
+def surface_of(found):
+    surface = reader.Surface()
+    if "error" in found:
+        raise ValueError(found["error"])
+    surface.triangles, surface.area = found["triangles"], found["area"]
+    if surface.triangles:
+        surface.lower, surface.upper = found["lower"], found["upper"]
+    return surface
+
+
+def by_second(path, three):
+    extension = extension_of(path)
+    try:
+        if extension in THREE:
+            return surface_of(three[path]), ""
+        if extension in SCENEGRAPH:
+            return by_scenegraph(path), ""
+        return reader.READERS[extension](Path(path).read_bytes()), ""
     except Exception as error:  # of a reader that trusts its files
         return None, "%s: %s" % (type(error).__name__, error)
 
 
-def disagreement(found, second):
-    """Empty: they agree."""
+def differs(a, b, within):
+    return abs(a - b) > within
+
+
+def disagreement(found, second, path):
+    """Empty: they agree. Others than reader.py turn axes, read float32 and scale Collada to metres."""
+    exact = extension_of(path) in reader.READERS
+    unit = found["metres_per_unit"] if extension_of(path) in (".dae", ".zae") else 1
     size = max(max(abs(x) for x in second.lower + second.upper), 1e-300)
     if found["triangles"] != second.triangles:
         return "triangles %d, not %d" % (found["triangles"], second.triangles)
-    for side, expected in (("lower", second.lower), ("upper", second.upper)):
-        if max(abs(a - b) for a, b in zip(found["box"][side], expected)) > 1e-9 * size:
-            return "box %s %r, not %r" % (side, found["box"][side], expected)
+    if exact:
+        pairs = list(zip(found["box"]["lower"] + found["box"]["upper"], list(second.lower) + list(second.upper)))
+    else:
+        pairs = list(zip(sorted(unit * x for x in found["size"]), sorted(b - a for a, b in zip(second.lower, second.upper))))
+    if any(differs(a, b, (1e-9 if exact else 1e-5) * size) for a, b in pairs):
+        return "box %r" % (pairs,)
     # Twelve digits are printed; bent polygons have an area by their triangles only.
-    if not second.bent and abs(found["area"] - second.area) > 1e-6 * max(second.area, 1e-300):
-        return "area %r, not %r" % (found["area"], second.area)
+    if not second.bent and differs(unit * unit * found["area"], second.area, (1e-6 if exact else 1e-4) * max(second.area, 1e-300)):
+        return "area %r, not %r" % (unit * unit * found["area"], second.area)
     return ""
 
 
-def verdict(program, name, path):
+def verdict(program, name, path, three):
     found, why = by_trivet(program, path)
     if found is None and ("stopped with" in why or "longer than" in why):
-        return name, "fault", why
-    if os.path.splitext(path)[1].lower() not in reader.READERS:
-        return name, "read" if found else "refused", why
-    second, fault = by_second(path)
+        return name, path, "fault", why
+    if extension_of(path) not in reader.READERS.keys() | THREE | SCENEGRAPH:
+        return name, path, "read" if found else "refused", why
+    second, fault = by_second(path, three)
     if found is None or second is None or second.triangles == 0:
         alike = found is None and (second is None or second.triangles == 0)
-        return name, "both refuse" if alike else "differs", "Trivet: %s; second: %s" % (
+        return name, path, "both refuse" if alike else "differs", "Trivet: %s; second: %s" % (
             why or "reads it", fault or "reads %d triangles" % (second.triangles if second else 0))
-    text = disagreement(found, second)
-    return name, "differs" if text else "agrees" + (" (but area of bent polygons)" if second.bent else ""), text
+    text = disagreement(found, second, path)
+    return name, path, "differs" if text else "agrees", text
 
 
 def explanations():
-    lines = (Path(__file__).resolve().parent / "explained.tsv").read_text().splitlines()
+    lines = (HERE / "explained.tsv").read_text().splitlines()
     return dict(line.split("\t", 1) for line in lines if line and not line.startswith("#"))
+
+
+def print_table(results):
+    kinds = ["agrees", "both refuse", "differs", "fault", "read", "refused"]
+    table = {}
+    for _, path, kind, _ in results:
+        row = table.setdefault(NAMES.get(extension_of(path), "others"), dict.fromkeys(kinds, 0))
+        row[kind] += 1
+    print("| format | files | " + " | ".join(kinds) + " |\n|---|" + "--:|" * (len(kinds) + 1))
+    for name in sorted(table):
+        print("| %s | %d | %s |" % (name, sum(table[name].values()), " | ".join(str(table[name][k]) for k in kinds)))
 
 
 def main():
     program, folder = sys.argv[1], Path(sys.argv[2])
-    files = [file for package in PACKAGES for file in files_of(package, folder)]
+    files = sorted({file for package in PACKAGES for file in files_of(package, folder)})
     if len(files) < LEAST:
         print("skipped: %d model files; install %s" % (len(files), " ".join(PACKAGES)))
         return 77
+    if not shutil.which("osgconv"):
+        files = [f for f in files if extension_of(f[1]) not in SCENEGRAPH]
+    three = by_three(folder, [path for _, path in files if extension_of(path) in THREE])
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = list(pool.map(lambda f: verdict(program, *f), files))
-    counts, explained, failures = {}, explanations(), []
-    for name, kind, text in results:
-        counts[kind] = counts.get(kind, 0) + 1
-        if kind in ("differs", "fault") and name not in explained:
+        results = list(pool.map(lambda f: verdict(program, *f, three), files))
+    explained, failures, used = explanations(), [], set()
+    for name, _, kind, text in results:
+        pattern = next((p for p in explained if fnmatch.fnmatchcase(name, p)), None)
+        if kind not in ("differs", "fault"):
+            continue
+        used.add(pattern)
+        if pattern is None:
             failures.append("%s %s: %s" % (kind, name, text))
-        if kind not in ("differs", "fault") and name in explained:
-            failures.append("explained, but %s: %s" % (kind, name))
-    for kind in sorted(counts):
-        print("%5d %s" % (counts[kind], kind))
+    failures += ["explained, but nothing differs: " + p for p in explained if p not in used]
+    print_table(results)
     for failure in failures:
         print(failure)
     return bool(failures)

@@ -1,4 +1,4 @@
-"""A second reader of OBJ, STL and PLY, written from the formats' descriptions alone: box, area, triangles.
+"""A second reader of OBJ, STL, PLY and OFF, written from the formats' descriptions alone: box, area, triangles.
 
 Plain Python, slow, in doubles; it knows nothing of materials. Polygons keep their vertices: their area is that of
 their vector area, which is right for planar ones, and `bent` counts the others.
@@ -43,7 +43,8 @@ class Surface:
 
 def read_obj(data):
     surface, vertices = Surface(), []
-    text = data.decode("utf-8", "replace")
+    marks = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
+    text = data.decode(marks.get(data[:2], "utf-8-sig"), "replace")
     text = re.sub(r"\\[ \t]*\r?\n", " ", text)
     for line in re.split(r"\r\n|\r|\n", text):
         words = line.split("#")[0].split()
@@ -121,4 +122,15 @@ def read_ply(data):
     return surface
 
 
-READERS = {".obj": read_obj, ".stl": read_stl, ".ply": read_ply}
+def read_off(data):
+    surface = Surface()
+    lines = [line.split("#")[0].split() for line in data.decode("latin-1").splitlines()]
+    words = iter([word for line in lines for word in line][1:])
+    num_vertices, num_faces, _ = (int(next(words)) for _ in range(3))
+    vertices = [tuple(float(next(words)) for _ in range(3)) for _ in range(num_vertices)]
+    for _ in range(num_faces):
+        surface.add([vertices[int(next(words))] for _ in range(int(next(words)))])
+    return surface
+
+
+READERS = {".obj": read_obj, ".stl": read_stl, ".ply": read_ply, ".off": read_off}

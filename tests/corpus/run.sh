@@ -1,6 +1,19 @@
 #!/usr/bin/env bash
 # Model files of Debian packages, read by Trivet and by a second reader: run.sh TRIVET WORK_FOLDER
+# Status 77: the packages, node, npm or what package.json names are missing. OpenSceneGraph is optional.
 set -euo pipefail
-command -v python3 >/dev/null && command -v dpkg >/dev/null || { echo "skipped: no python3, or no dpkg"; exit 77; }
-mkdir -p "$2"
-python3 -B "$(dirname "${BASH_SOURCE[0]}")/corpus.py" "$1" "$2"
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+trivet="$(realpath "$1")" work="$2"
+
+skip() {
+  echo "skipped: $*"
+  exit 77
+}
+
+command -v python3 >/dev/null && command -v dpkg >/dev/null || skip "no python3, or no dpkg"
+command -v node >/dev/null && command -v npm >/dev/null || skip "no node, no npm (Debian: nodejs, npm)"
+mkdir -p "$work"
+cp "$here/package.json" "$here/three_reader.mjs" "$work"
+(cd "$work" && npm install --no-audit --no-fund --ignore-scripts > npm.log 2>&1) ||
+  { cat "$work/npm.log"; skip "the packages of package.json cannot be had"; }
+python3 -B "$here/corpus.py" "$trivet" "$work"

@@ -3051,6 +3051,46 @@
         <translation>lässt sich nicht lesen</translation>
     </message>
     <message>
+        <source>places of nodes are read as float32: digits are lost, up to %1</source>
+        <translation>Orte von Knoten sind als float32 gelesen: Stellen gehen verloren, bis zu %1</translation>
+    </message>
+    <message>
+        <source>is truncated: %1 of %2 vertices and faces of OFF</source>
+        <translation>ist abgeschnitten: %1 von %2 Ecken und Flächen von OFF</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number of vertices, faces or corners</source>
+        <translation>„%1“ ist keine Zahl von Ecken oder Flächen</translation>
+    </message>
+    <message>
+        <source>is binary OFF; accepted: OFF as text</source>
+        <translation>ist binäres OFF; erlaubt: OFF als Text</translation>
+    </message>
+    <message>
+        <source>a face refers to vertex %1, which is out of range; accepted: 0 to %2</source>
+        <translation>eine Fläche verweist auf Ecke %1, die es nicht gibt; erlaubt: 0 bis %2</translation>
+    </message>
+    <message>
+        <source>colours of faces left out, numbers of a table</source>
+        <translation>weggelassene Farben von Flächen, Nummern einer Tabelle</translation>
+    </message>
+    <message>
+        <source>triangles of the file left out by its reader</source>
+        <translation>Dreiecke der Datei, die ihr Leser weggelassen hat</translation>
+    </message>
+    <message>
+        <source>words behind the faces left out</source>
+        <translation>weggelassene Wörter hinter den Flächen</translation>
+    </message>
+    <message>
+        <source>the unit that was given is left out: curved models come in metres</source>
+        <translation>die angegebene Einheit ist weggelassen: gekrümmte Modelle kommen in Metern</translation>
+    </message>
+    <message>
+        <source>lies far from the file&apos;s origin; is read about an origin of its own, at (%1, %2, %3) of the file</source>
+        <translation>liegt weit vom Ursprung der Datei; ist um einen eigenen Ursprung gelesen, bei (%1, %2, %3) der Datei</translation>
+    </message>
+    <message>
         <source>bytes behind the triangles left out</source>
         <translation>weggelassene Bytes hinter den Dreiecken</translation>
     </message>

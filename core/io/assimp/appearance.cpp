@@ -5,8 +5,12 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 
+#include "core/io/assimp/stated_units.h"
 #include "core/io/colour.h"
 
 namespace trivet {
@@ -62,6 +66,22 @@ Material material_of(const aiMaterial& material, bool linear_colours) {
   return out;
 }
 
+// The digits that a float32 has of a number in a text.
+double decimal_from(float value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.7g", static_cast<double>(value));
+  double out = 0;
+  std::from_chars(text, text + std::strlen(text), out);
+  return out;
+}
+
+void set_unit(double metres, Model& model) {
+  if (metres >= 1e-8 && metres <= 1e8)
+    model.metres_per_unit = metres;
+  else
+    model.notes.push_back("the unit of the file is out of range, and left out");
+}
+
 // FBX: assimp 5.2 passes the settings as metadata and leaves the coordinates unchanged.
 void read_fbx_frame(const aiScene& scene, Model& model) {
   if (!scene.mMetaData) return;
@@ -77,12 +97,24 @@ void read_fbx_frame(const aiScene& scene, Model& model) {
   }
   float centimetres = 0;
   if (!scene.mMetaData->Get("UnitScaleFactor", centimetres)) return;
-  // Most state 1, 2.54 or 100: float32 digits behind these are none of the file's.
-  const double metres = std::round(static_cast<double>(centimetres) * 1e6) / 1e8;
-  if (metres >= 1e-8 && metres <= 1e8)
-    model.metres_per_unit = metres;
-  else
-    model.notes.push_back("the unit of the file is out of range, and left out");
+  set_unit(decimal_from(centimetres) / 100, model);
+}
+
+// Collada: assimp 5.2 multiplies the unit into the root, whose matrix turns the up axis to y. It is
+// taken out again: then it is applied where units of other formats are, or another one is given.
+void read_collada_frame(aiScene& scene, Model& model) {
+  model.up = UpAxis::Y;
+  model.up_from_format = true;
+  aiMatrix4x4& root = scene.mRootNode->mTransformation;
+  float unit = 0;
+  for (unsigned r = 0; r < 3; ++r) unit = std::max(unit, std::abs(root[r][0]));
+  const auto is_turn = [&](float entry) { return entry == 0 || std::abs(entry) == unit; };
+  for (unsigned r = 0; r < 3; ++r)
+    for (unsigned c = 0; c < 3; ++c)
+      if (!(unit > 0) || !is_turn(root[r][c])) return set_unit(1, model);
+  for (unsigned r = 0; r < 3; ++r)
+    for (unsigned c = 0; c < 3; ++c) root[r][c] /= unit;
+  set_unit(decimal_from(unit), model);
 }
 
 }  // namespace
@@ -95,10 +127,13 @@ void read_materials(const aiScene& scene, Model& model) {
 
 // Conventions of assimp 5.2 (observed; test_import_frames guards them): glTF is y up and in metres
 // by its standard; the Collada importer turns any up_axis to y and scales <unit> to metres in the
-// root node's matrix; the 3DS importer turns z to y in the root node's matrix; FBX is left as in
-// the file. The other formats state no frame: z is assumed, and the user decides.
-void read_frame(const aiScene& scene, Model& model) {
-  if (is_gltf(model) || model.format == "dae") {
+// root node's matrix, which read_collada_frame() undoes; the 3DS importer turns z to y in the root
+// node's matrix; FBX is left as in the file; X3D is y up and AMF z up by their standards. The other
+// formats state no frame: z is assumed, and the user decides.
+void read_frame(aiScene& scene, std::string_view head, Model& model) {
+  if (model.format == "dae") {
+    read_collada_frame(scene, model);
+  } else if (is_gltf(model)) {
     model.up = UpAxis::Y;
     model.up_from_format = true;
     model.metres_per_unit = 1.0;
@@ -107,6 +142,10 @@ void read_frame(const aiScene& scene, Model& model) {
     model.up_from_format = true;
   } else if (model.format == "fbx") {
     read_fbx_frame(scene, model);
+  } else if (const auto unit = stated_unit(model.format, head)) {
+    set_unit(*unit, model);
+    model.up = model.format == "x3d" ? UpAxis::Y : UpAxis::Z;
+    model.up_from_format = model.format != "dxf";
   }
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/assimp/read_model.h"
 
+#include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <optional>
 #include <sstream>
 
 #include "core/base/bad_input.h"
@@ -22,6 +24,8 @@
 #include "core/io/assimp/polygons.h"
 #include "core/io/process/preflight.h"
 #include "core/io/surface/file_surface.h"
+#include "core/io/text/file_bytes.h"
+#include "core/io/text/utf8_text.h"
 #include "core/model/model.h"
 
 namespace trivet {
@@ -29,8 +33,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_extension(const Assimp::Importer& importer, const std::string& path) {
-  const std::string extension = fs::path(path).extension().string();
+void check_extension(const Assimp::Importer& importer, const std::string& path,
+                     const std::string& extension) {
   if (!extension.empty() && importer.IsExtensionSupported(extension)) return;
   bad_file(path, "%1; accepted: %2",
            extension.empty() ? "has no file extension" : say("no importer for %1", extension),
@@ -61,9 +65,37 @@ std::string name_in_file(const std::string& file, const std::string& model) {
   return before ? file.substr(folder.size() + 1) : file;
 }
 
+std::string bytes_of(const std::string& path, const ImportLimits& limits) {
+  auto bytes = file_bytes(path, limits.max_file_bytes);
+  if (!bytes) bad_file(path, "cannot be read");
+  return *std::move(bytes);
+}
+
+// The Collada importer of assimp 5.2 refuses blanks before the first number of some elements.
+std::string without_blanks_behind_tags(const std::string& text) {
+  std::string out;
+  out.reserve(text.size());
+  bool behind_tag = false;
+  for (const char c : text) {
+    if (behind_tag && (c == ' ' || c == '\t')) continue;
+    behind_tag = c == '>';
+    out += c;
+  }
+  return out;
+}
+
+// Text that stands for the file's bytes; nullopt: they are right themselves.
+std::optional<std::string> text_of(const std::string& path, const AssimpFile& file,
+                                   const ImportLimits& limits) {
+  if (file.extension == ".dae")
+    return without_blanks_behind_tags(utf8_text(bytes_of(path, limits)));
+  if (file.is_other_text) return utf8_text(bytes_of(path, limits));
+  return std::nullopt;
+}
+
 std::unique_ptr<aiScene> import_scene(Assimp::Importer& importer, const FolderIoSystem& files,
-                                      const std::string& path) {
-  const aiScene* const scene = importer.ReadFile(path, 0);
+                                      const std::string& path, const std::string& name) {
+  const aiScene* const scene = importer.ReadFile(name, 0);
   if (!scene && std::string(importer.GetErrorString()).find("bad_alloc") != std::string::npos)
     throw std::bad_alloc();
   if ((!scene || !scene->mRootNode) && !files.outside().empty())
@@ -86,27 +118,40 @@ void note_lost_digits(Model& model) {
           figure(2 * step, 2)));
 }
 
+// assimp 5.2 has only one of several volumes of an object.
+void note_lost_triangles(const ImportLimits& limits, Model& model) {
+  if (model.format != "amf") return;
+  const std::string bytes = bytes_of(model.path, limits), tag = "<triangle";
+  std::int64_t lost = -static_cast<std::int64_t>(model.mesh.triangles.size());
+  for (size_t at = bytes.find(tag); at != bytes.npos; at = bytes.find(tag, at + 1)) ++lost;
+  note_count(model.notes, "triangles of the file left out by its reader", lost);
+}
+
 }  // namespace
 
-Model read_assimp_model(const std::string& path, const ImportLimits& limits) {
+Model read_assimp_model(const std::string& path, const AssimpFile& file,
+                        const ImportLimits& limits) {
   Assimp::Importer importer;
-  auto* const files = new FolderIoSystem(path);
-  importer.SetIOHandler(files);  // owns it from here on
-  check_extension(importer, path);
-  const std::unique_ptr<aiScene> owned = import_scene(importer, *files, path);
+  check_extension(importer, path, file.extension);
+  const std::string name = path + (file.extension == lower_extension(path) ? "" : file.extension);
+  auto* const files = new FolderIoSystem(path, name, text_of(path, file, limits));
+  importer.SetIOHandler(files);                                         // owns it from here on
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);  // shapes of no file
+  const std::unique_ptr<aiScene> owned = import_scene(importer, *files, path, name);
   const std::int64_t num_fans = triangulate_polygons(*owned);
   const aiScene& scene = *owned;
   Model model;
   note_count(model.notes, "polygons that cross themselves, read as fans", num_fans);
-  for (const std::string& name : files->outside())
-    model.notes.push_back(say("left out: it %1", outside_folder(name_in_file(name, path))));
+  for (const std::string& outside : files->outside())
+    model.notes.push_back(say("left out: it %1", outside_folder(name_in_file(outside, path))));
   model.path = path;
   model.format = format_of(importer);
   note_textures(scene, path);
   read_materials(scene, model);
-  read_frame(scene, model);
+  read_frame(*owned, file.head, model);
   read_geometry(scene, limits, model);
   note_lost_digits(model);
+  note_lost_triangles(limits, model);
   model.appearance = appearance_of_assimp(scene, limits, model);
   return model;
 }

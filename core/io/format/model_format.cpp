@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/base/bad_input.h"
+#include "core/io/format/other_formats.h"
+#include "core/io/off/read_off.h"
 #include "core/io/stl/read_stl.h"
 #include "core/io/text/words.h"
 #include "core/io/threemf/read_3mf.h"
@@ -36,9 +38,18 @@ bool looks_like_obj(std::string_view head) {
   return vertices > 0 && others == 0;
 }
 
-bool is_own(const std::string& extension) {
-  static constexpr std::string_view kOwn[] = {"", ".obj", ".stl", ".ply", ".3mf", ".gltf", ".glb"};
-  return std::find(std::begin(kOwn), std::end(kOwn), extension) != std::end(kOwn);
+// glTF 1 and 2 as text: an object with an "asset", which may stand behind long lists.
+bool is_gltf_text(std::string_view begin, std::string_view head, const std::string& extension) {
+  if (!begin.starts_with("{")) return false;
+  return extension == ".gltf" || extension == ".glb" || head.find("\"asset\"") != head.npos;
+}
+
+// Names that leave to the content what it is; others are left to assimp.
+bool may_be_own(const std::string& extension) {
+  static constexpr std::string_view kNames[] = {"",      ".obj", ".stl", ".ply", ".off", ".3mf",
+                                                ".gltf", ".glb", ".bin", ".dat", ".txt", ".tmp"};
+  return std::find(std::begin(kNames), std::end(kNames), extension) != std::end(kNames) ||
+         is_told_by_content(extension);
 }
 
 }  // namespace
@@ -49,14 +60,17 @@ ModelFormat model_format(std::string_view head, std::uintmax_t size, const std::
     return ModelFormat::Ply;
   if (head.starts_with("PK\3\4") && (extension == ".3mf" || holds_3mf(head)))
     return ModelFormat::ThreeMf;
-  if (begin.starts_with("gltf") || begin.starts_with("{") || begin.starts_with("kaydara"))
-    return ModelFormat::Other;
-  if (is_own(extension) && is_binary_stl(head, size)) return ModelFormat::Stl;
+  if (head.starts_with("glTF") || is_gltf_text(begin, head, extension)) return ModelFormat::Gltf;
+  if (begin.starts_with("{") || tells_other_format(head, size)) return ModelFormat::Other;
+  if (may_be_own(extension) && is_binary_stl(head, size)) return ModelFormat::Stl;
   if (is_text_stl(head)) return ModelFormat::Stl;
-  if (is_own(extension) && looks_like_obj(head)) return ModelFormat::Obj;
+  if (is_text_off(head)) return ModelFormat::Off;
+  if (may_be_own(extension) && looks_like_obj(head)) return ModelFormat::Obj;
   if (extension == ".obj") return ModelFormat::Obj;
   if (extension == ".stl") return ModelFormat::Stl;
   if (extension == ".ply") return ModelFormat::Ply;
+  if (extension == ".off") return ModelFormat::Off;
+  if (extension == ".gltf" || extension == ".glb") return ModelFormat::Gltf;
   if (extension == ".3mf") return ModelFormat::ThreeMf;
   return ModelFormat::Other;
 }

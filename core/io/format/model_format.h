@@ -8,7 +8,7 @@
 
 namespace trivet {
 
-enum class ModelFormat { Obj, Stl, Ply, ThreeMf, Other };
+enum class ModelFormat { Obj, Stl, Ply, Off, ThreeMf, Gltf, Other };
 
 /// The first bytes decide, not the name; the name decides where bytes say nothing.
 /// @param head  the file's first kHeadBytes, text as UTF-8. @param size  of the file, bytes.

@@ -18,6 +18,7 @@
 #include "core/io/json.h"
 #include "core/io/model_folder.h"
 #include "core/io/opened_files.h"
+#include "core/io/text/words.h"
 
 namespace trivet {
 namespace {
@@ -93,9 +94,12 @@ class DocumentReader {
   // Names should be percent-encoded, and often are not.
   fs::path file_of_uri(const std::string& uri) const {
     const fs::path folder = fs::path(m_path).parent_path();
-    for (const std::string& name : {decoded_uri(uri), uri}) {
-      if (!m_folder.holds(folder / name)) bad_file(m_path, outside_folder(uri));
-      if (m_folder.has(folder / name)) return folder / name;
+    for (const std::string& name : {decoded_uri(uri), uri, with_slashes(decoded_uri(uri))}) {
+      // ".." goes up by name, as in addresses, even from a folder that is not there.
+      const fs::path file = folder / fs::path(name).lexically_normal();
+      const bool is_whole = name.find('\0') == name.npos;
+      if (!is_whole || !m_folder.holds(file)) bad_file(m_path, outside_folder(uri));
+      if (m_folder.has(file)) return file;
     }
     bad_file(m_path, "names \"%1\", which is missing", printable(uri, 100));
   }

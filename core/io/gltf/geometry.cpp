@@ -1,5 +1,7 @@
 #include "core/io/gltf/geometry.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/base/bad_input.h"
@@ -43,6 +45,7 @@ class GeometryReader {
     m_model.materials = m_materials.take();
     note_counts();
     m_assembly.finish(true);
+    note_rounded_places();
   }
 
  private:
@@ -140,6 +143,20 @@ class GeometryReader {
     note("meshes with bones, read in bind pose", m_counts.skinned);
     note("meshes with morph targets, read without them", m_counts.morphed);
     note("mirrored meshes, winding turned round", m_counts.mirrored);
+  }
+
+  // Places of nodes are numbers of text, which matrices of float32 cannot all hold.
+  void note_rounded_places() {
+    constexpr double kVisible = 1e-6;  // of the model's size
+    double most = 0;
+    for (const int node : m_tree.nodes)
+      for (const GltfJson& number :
+           member(m_document.json["nodes"][static_cast<size_t>(node)], "translation"))
+        most = std::max(most,
+                        std::abs(number.get<double>() - static_cast<double>(number.get<float>())));
+    if (most > kVisible * m_model.mesh.box().diagonal())
+      m_model.notes.push_back(
+          say("places of nodes are read as float32: digits are lost, up to %1", figure(most, 2)));
   }
 
   const GltfDocument& m_document;

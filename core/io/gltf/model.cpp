@@ -2,7 +2,6 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/error.h"
-#include "core/base/extension.h"
 #include "core/base/printable.h"
 #include "core/base/quoted.h"
 #include "core/io/gltf/geometry.h"
@@ -57,11 +56,6 @@ Model model_of(const std::string& path, GltfJson json, const ImportLimits& limit
 }
 
 }  // namespace
-
-bool may_be_gltf(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  return extension == ".gltf" || extension == ".glb" || glb_version(path) > 0;
-}
 
 std::optional<Model> read_gltf_model(const std::string& path, const ImportLimits& limits) {
   if (glb_version(path) == 1) return std::nullopt;

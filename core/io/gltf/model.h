@@ -8,9 +8,6 @@
 
 namespace trivet {
 
-/// True if the file begins as binary glTF does, whatever its name, or is named .gltf or .glb.
-bool may_be_gltf(const std::string& path);
-
 /// @return nullopt: glTF 1, another format.
 /// @throws Error (BadInput) naming the file and what is wrong.
 std::optional<Model> read_gltf_model(const std::string& path, const ImportLimits& limits);

@@ -103,6 +103,7 @@ class MtlReader {
     const std::string_view word = next_word(line);
     if (word.empty() || word[0] == '#') return;
     const std::string key = lower_case(word);
+    m_word = word;
     if (key == "newmtl") {
       end_material();
       m_material.emplace().name = trimmed(line);
@@ -120,7 +121,7 @@ class MtlReader {
   }
 
   // Three numbers, or one for all; nullopt: "spectral" and "xyz" have others.
-  std::optional<std::array<float, 3>> colour(std::string_view line, std::string_view key) {
+  std::optional<std::array<float, 3>> colour(std::string_view line) {
     std::array<float, 3> out{};
     std::string_view word = next_word(line);
     if (equal_words(word, "spectral") || equal_words(word, "xyz")) {
@@ -131,7 +132,7 @@ class MtlReader {
       const auto number = number_from(word);
       if (!number && i == 1) out[1] = out[2] = out[0];
       if (!number && i > 0) break;
-      if (!number) return note_unknown(key), std::nullopt;
+      if (!number) return note_unknown(m_word), std::nullopt;
       out[i] = static_cast<float>(*number);
       word = next_word(line);
     }
@@ -140,7 +141,7 @@ class MtlReader {
 
   bool read_colour(const std::string& key, std::string_view line) {
     if (key != "kd" && key != "ks" && key != "ke") return false;
-    const auto found = colour(line, key);
+    const auto found = colour(line);
     if (!found) return true;
     Material& surface = m_material->file.surface;
     for (size_t i = 0; i < 3; ++i) {
@@ -160,7 +161,7 @@ class MtlReader {
     std::string_view word = next_word(line);
     if (equal_words(word, "-halo")) word = next_word(line);
     const auto number = number_from(word);
-    if (!number) return note_unknown(key), true;
+    if (!number) return note_unknown(m_word), true;
     const auto value = static_cast<float>(*number);
     if (key == "ns") m_material->exponent = value;
     if (key == "d") m_material->opacity = value;
@@ -230,6 +231,7 @@ class MtlReader {
   std::map<std::string, FileMaterial>& m_materials;
   std::vector<Sentence>& m_notes;
   std::optional<MtlMaterial> m_material;
+  std::string_view m_word;  // that the line begins with
   std::vector<std::string> m_unknown;
 };
 

@@ -224,9 +224,6 @@ class PlyReader {
       material.surface.base_colour = {1, 1, 1, 1};
       material.base_colour = FileTexture{name, "", false, {1, 1}, {0, 0}};
     }
-    const bool mapped = !m_out.coordinates.empty() || !m_face_coordinates.empty();
-    if (!m_header.textures.empty() && !mapped)
-      m_out.notes.push_back("left out: textures without coordinates");
     if (m_out.materials.empty()) m_out.materials.emplace_back();
   }
 

@@ -251,8 +251,11 @@ Model import_model(const std::string& path, const ImportLimits& limits,
                    const Tessellation& tessellation, const std::atomic<bool>* cancel) {
   Model model = limits.importer.empty() ? read_model(path, limits)
                                         : read_model_sandboxed(path, limits, tessellation, cancel);
-  if (limits.metres_per_unit > 0) model.metres_per_unit = limits.metres_per_unit;
-  note_unit(model, limits.metres_per_unit > 0);
+  const bool is_given = limits.metres_per_unit > 0, is_cad = !cad_format(path).empty();
+  if (is_given && !is_cad) model.metres_per_unit = limits.metres_per_unit;
+  if (is_given && is_cad)
+    model.notes.push_back("the unit that was given is left out: curved models come in metres");
+  note_unit(model, is_given);
   return model;
 }
 

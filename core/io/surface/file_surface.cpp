@@ -27,6 +27,7 @@ class ModelMaker {
 
   Model make() {
     check_corners();
+    take_own_origin();
     for (const Index part : part_order()) add_part(part);
     note_count(m_surface.notes, "polygons that cross themselves, read as fans", m_num_fans);
     if (m_triangles.empty())
@@ -42,6 +43,7 @@ class ModelMaker {
     for (const FileMaterial& m : m_surface.materials) m_model.materials.push_back(m.surface);
     if (m_model.materials.empty()) m_model.materials.emplace_back();
     read_normals();
+    note_textures();
     m_model.notes = m_surface.notes;
     m_model.appearance =
         appearance_of_surface(m_surface, m_triangles, m_part_ends, m_limits, m_model);
@@ -72,6 +74,36 @@ class ModelMaker {
         say(p.allFinite() ? "vertex %1 %2 lies beyond 1e30" : "vertex %1 %2 is not finite", v,
             coordinates_text(p));
     fail(place == m_surface.places.end() ? what : say("%1: %2", place->second, what));
+  }
+
+  // Far from the origin, turns and exports lose digits that the file has. Coordinates are multiples
+  // of a step that is larger than the model: the difference is exact.
+  void take_own_origin() {
+    constexpr double kFar = 1000;  // sizes of the model
+    Aabb box;
+    for (const FileCorner& corner : m_surface.corners)
+      box.extend(m_surface.positions[corner.position]);
+    const double size = box.diagonal();
+    if (box.empty() || !(size > 0) || box.centre().norm() < kFar * size) return;
+    const double step = std::ldexp(1.0, std::ilogb(size) + 2);
+    Vec3 origin;
+    for (int i = 0; i < 3; ++i) origin[i] = step * std::round(box.centre()[i] / step) + 0.0;
+    for (Vec3& p : m_surface.positions) p -= origin;
+    m_surface.notes.push_back(
+        say("lies far from the file's origin; is read about an origin of its own, at "
+            "(%1, %2, %3) of the file",
+            figure(origin.x(), 17), figure(origin.y(), 17), figure(origin.z(), 17)));
+  }
+
+  void note_textures() {
+    const bool has_texture =
+        std::any_of(m_surface.materials.begin(), m_surface.materials.end(),
+                    [](const FileMaterial& m) { return m.base_colour || m.normal || m.emissive; });
+    const bool has_coordinate =
+        has_texture && std::any_of(m_surface.corners.begin(), m_surface.corners.end(),
+                                   [](const FileCorner& c) { return c.coordinate >= 0; });
+    if (has_texture && !has_coordinate)
+      m_surface.notes.push_back("left out: textures without coordinates");
   }
 
   // Parts of a node stand together, as in the appearance.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/io/io_testing.h"
+#include "core/io/process/sandboxed_import.h"
 #include "core/io/read_model.h"
 
 namespace trivet {
@@ -118,18 +119,35 @@ TEST_F(ReadFormats, MultipliesGltfNodeTransforms) {
       << in_english(model.notes[0]);
 }
 
-TEST_F(ReadFormats, ReadsColladaInMetresYUp) {
+TEST_F(ReadFormats, ReadsColladaYUpWithItsUnit) {
   const Model y = read("y.dae", testing::tetrahedron_dae("<up_axis>Y_UP</up_axis>", ""));
   EXPECT_TRUE(has_vertex(y, Vec3(0, 0, 1)));
-  const Model z = read("z.dae", testing::tetrahedron_dae("<up_axis>Z_UP</up_axis>",
-                                                         "<unit name=\"half\" meter=\"0.5\"/>"));
-  EXPECT_TRUE(has_vertex(z, Vec3(0, 0.5, 0)));   // z of the file points up, y here
-  EXPECT_TRUE(has_vertex(z, Vec3(0, 0, -0.5)));  // y of the file points back
+  const Model z =
+      read_model(write("z.dae", testing::tetrahedron_dae("<up_axis>Z_UP</up_axis>",
+                                                         "<unit name=\"half\" meter=\"0.5\"/>")));
+  EXPECT_TRUE(has_vertex(z, Vec3(0, 1, 0)));   // z of the file points up, y here
+  EXPECT_TRUE(has_vertex(z, Vec3(0, 0, -1)));  // y of the file points back
   for (const Model& model : {y, z}) {
     EXPECT_EQ(model.format, "dae");
     EXPECT_EQ(model.up, UpAxis::Y);
     EXPECT_TRUE(model.up_from_format);
-    EXPECT_EQ(model.metres_per_unit, 1.0);
+  }
+  EXPECT_EQ(y.metres_per_unit, 1.0);
+  EXPECT_EQ(z.metres_per_unit, 0.5);
+}
+
+// The given unit stands for that of the file.
+TEST_F(ReadFormats, TakesTheGivenUnitForThatOfTheFile) {
+  ImportLimits limits;
+  limits.metres_per_unit = 0.001;
+  const std::string unit = "<unit name=\"centimeter\" meter=\"0.01\"/>";
+  for (const auto& [name, bytes] :
+       {std::pair<const char*, std::string>{"c.dae", testing::tetrahedron_dae("", unit)},
+        {"f.fbx", testing::tetrahedron_fbx(1, 1)},
+        {"o.obj", testing::tetrahedron_obj()}}) {
+    const Model model = import_model(write(name, bytes), limits);
+    EXPECT_EQ(model.metres_per_unit, 0.001) << name;
+    EXPECT_EQ(model.mesh.box().upper, read_model(path(name)).mesh.box().upper) << name;
   }
 }
 

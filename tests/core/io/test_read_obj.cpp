@@ -171,7 +171,7 @@ TEST_F(ReadObj, LeavesOutUnknownLinesOfMaterials) {
     expect_cube("mtllib m.mtl\nusemtl m\n" + cube_obj(), notes);
   };
   expect_note("newmtl m\nKd 1 1 1\naniso 0.5\nanisor 0.25\n", {".mtl file: aniso, anisor"});
-  expect_note("newmtl m\nKd\n  Ns x\nTr\n", {".mtl file: kd, ns, tr"});
+  expect_note("newmtl m\nKd\n  Ns x\nTr\n", {".mtl file: Kd, Ns, Tr"});
   expect_note("aniso 1\nnewmtl m\nPcr 0\nKa 0 0 0\nillum 2\n# end\n", {".mtl file: aniso"});
   expect_note("newmtl m\nKd spectral x.rfl 1\n", {"\"spectral\""});
   expect_note("\xef\xbb\xbfnewmtl m\r\nKd 1 1 1\r\nNi 1.45\r\n", {});

@@ -220,6 +220,57 @@ TEST(Mass, CountsDoubleFacesOnce) {
   }
 }
 
+// Polygons that are there twice, cut along other diagonals: back to back, or from another corner.
+TEST(Mass, CountsDoublePolygonsOnceHoweverTheyAreCut) {
+  const auto prism = [](int corners, int first, bool turned) {
+    std::vector<Vec3> base, top;
+    for (int i = 0; i < corners; ++i) {
+      const int k = (i + first) % corners;
+      const double angle = 2 * 3.14159265358979 * k / corners;
+      base.push_back(Vec3(std::cos(angle), std::sin(angle), 0));
+      top.push_back(base.back() + Vec3(0.25, 0, 1));
+    }
+    Triangles out;
+    for (int i = 1; i + 1 < corners; ++i) {
+      out.push_back({base[0], base[i + 1], base[i]});
+      out.push_back({top[0], top[i], top[i + 1]});
+    }
+    for (int i = 0; i < corners; ++i) {
+      const int j = (i + 1) % corners;
+      if (first == 0)
+        add_quad(out, base[i], base[j], top[j], top[i]);
+      else
+        add_quad(out, base[j], top[j], top[i], base[i]);
+    }
+    return turned ? inside_out(out) : out;
+  };
+  for (const int corners : {4, 5, 6, 9})
+    for (const bool turned : {false, true}) {
+      const Triangles one = prism(corners, 0, false);
+      const MassProperties alone = mass_of(one);
+      const MassProperties mass = mass_of(joined(one, prism(corners, 1, turned)));
+      EXPECT_EQ(mass.rule, MassRule::Volume);
+      EXPECT_NEAR(mass.volume, alone.volume, 1e-14);
+      expect_near(mass.centre, alone.centre, 1e-14);
+      EXPECT_EQ(mass.findings.num_double_faces, static_cast<Index>(one.size()));
+    }
+}
+
+// Domes over the same outline are no polygon twice.
+TEST(Mass, KeepsPatchesThatAreNotFlat) {
+  const Vec3 o[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  Triangles lenses;
+  for (const double height : {1.0, 0.5})
+    for (int i = 0; i < 4; ++i) {
+      lenses.push_back({o[i], o[(i + 1) % 4], Vec3(0.5, 0.5, height)});
+      lenses.push_back({o[(i + 1) % 4], o[i], Vec3(0.5, 0.5, -height)});
+    }
+  const MassProperties mass = mass_of(lenses);
+  EXPECT_EQ(mass.rule, MassRule::Volume);
+  EXPECT_NEAR(mass.volume, 1, 1e-14);
+  EXPECT_EQ(mass.findings.num_double_faces, 0);
+}
+
 // Boxes side by side, at an angle to the axes, each inside out or not; some with a cavity.
 TEST(Mass, OrientsEachPartByItself) {
   const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
