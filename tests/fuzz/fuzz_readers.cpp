@@ -60,6 +60,9 @@ class Worker {
         m_folder(fs::temp_directory_path() /
                  ("trivet_readers_" + std::to_string(getpid()) + "_" + std::to_string(id))) {
     fs::create_directories(m_folder);
+    std::ofstream(m_folder / "of_mtl.obj")
+        << "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n"
+           "usemtl n o\nf 3/1 2/1 1/1\n";
     m_limits.max_triangles = 1'000'000;
     m_limits.max_file_bytes = std::uintmax_t{64} << 20;
   }
@@ -85,8 +88,10 @@ class Worker {
  private:
   void one(std::uint64_t number) {
     m_counts.current[m_id] = number;
-    const fs::path file = m_folder / ("m" + m_corpus[number % m_corpus.size()].extension);
-    std::ofstream(file, std::ios::binary) << trivet::test::mutant(m_corpus, m_seed, number);
+    const std::string& extension = m_corpus[number % m_corpus.size()].extension;
+    const fs::path mutant = m_folder / ("m" + extension);
+    std::ofstream(mutant, std::ios::binary) << trivet::test::mutant(m_corpus, m_seed, number);
+    const fs::path file = extension == ".mtl" ? m_folder / "of_mtl.obj" : mutant;
     const auto begin = std::chrono::steady_clock::now();
     alarm(kSeconds);
     read(number, file.string());
@@ -172,8 +177,8 @@ int main(int argc, char** argv) {
   }
   std::vector<Seed> corpus;
   for (const Seed& seed : trivet::test::read_corpus(argv[1]))
-    if (trivet::test::is_own(seed.extension) || seed.extension == ".glb" ||
-        seed.extension == ".gltf")
+    if (trivet::test::is_own(seed.extension) || seed.extension == ".mtl" ||
+        seed.extension == ".glb" || seed.extension == ".gltf")
       corpus.push_back(seed);
   if (corpus.empty()) {
     std::cout << "the corpus is empty\n";

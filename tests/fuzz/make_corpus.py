@@ -183,6 +183,19 @@ def off():
     return "OFF\n4 4 6\n" + "".join("%g %g %g\n" % v for v in V) + "".join("3 %d %d %d\n" % f for f in F)
 
 
+def rich_off():
+    """Weights, normals, colours of both kinds, an edge, a point, comments."""
+    return ("# c\nCN4OFF # d\n4 6 0\n" + "".join("%g %g %g 1 0 0 1 255 128 0 255\n" % v for v in V) +
+            "".join("3 %d %d %d 1.0 0.5 0 # e\n" % f for f in F) + "2 0 1\n1 3 7\n")
+
+
+def mtl():
+    """fuzz_readers puts it beside an OBJ."""
+    return ("newmtl m\nKa 1 1 1\nKd 0.8 0.5 .25\nKs 0.5\nKe 0 0 0\nNs 250\nNi 1.45\nd 0.5\nTr 0.5\nillum 2\n"
+            "map_Kd -s 1 1 1 -o 0.5 0 -bm 0.1 -clamp on t.png\nbump -bm 1 b.png\nPr 0.5\nPm 1\nmap_Ke \"e f.png\"\n"
+            "Kf spectral x.rfl 1\n# c\nnewmtl n o\nKd xyz 1 2 3\naniso 0.5\n")
+
+
 def x3d():
     index = " ".join("%d %d %d -1" % f for f in F)
     points = " ".join("%g %g %g" % v for v in V)
@@ -197,7 +210,8 @@ def main():
     made = {"t.obj": obj(), "ascii.ply": ply(False), "binary.ply": ply(True), "ascii.stl": stl(False),
             "binary.stl": stl(True), "rich.obj": rich_obj(), "little.ply": rich_ply("<"), "big.ply": rich_ply(">"),
             "t.3mf": model_3mf(), "t.glb": glb(), "textured.glb": textured_glb(), "t.3ds": three_ds(), "t.fbx": fbx(),
-            "t.off": off(), "t.x3d": x3d()}
+            "t.off": off(), "rich.off": rich_off(), "m.mtl": mtl(),
+            "wide.obj": b"\xff\xfe" + obj().encode("utf-16-le"), "t.x3d": x3d()}
     for name, content in made.items():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
     for packed in (Path(__file__).resolve().parent.parent / "support/gltf").glob("*.glb"):

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fuzzes with mutated model files: run.sh FUZZ_IMPORT TRIVET_IMPORT WORK_FOLDER [COUNT [SEED
-# [MAKE_CAD]]], or run.sh FUZZ_READERS "" WORK_FOLDER [COUNT [SEED]]
+# [MAKE_CAD]]], or run.sh FUZZ_READERS - WORK_FOLDER [COUNT [SEED]]
 # COUNT times TRIVET_TEST_EFFORT files. With MAKE_CAD, that program generates the STEP, IGES and BREP files; "none": it was not built.
 set -euo pipefail
 here="$(dirname "${BASH_SOURCE[0]}")"
@@ -15,4 +15,6 @@ else
   python3 -B "$here/make_corpus.py" "$3/corpus"
 fi
 count="$(awk -v count="${4:-300}" -v effort="${TRIVET_TEST_EFFORT:-1}" 'BEGIN { printf "%.0f", count * effort }')"
-"$1" ${2:+"$2"} "$3/corpus" "$count" "${5:-1}" "$3/kept"
+importer=("$2")
+[ "$2" != - ] || importer=()
+"$1" "${importer[@]}" "$3/corpus" "$count" "${5:-1}" "$3/kept"

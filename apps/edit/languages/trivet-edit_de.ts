@@ -2807,6 +2807,14 @@
         <translation>ist mit gzip gepackt; erlaubt: die ausgepackte Datei</translation>
     </message>
     <message>
+        <source>is a picture or a page, not a model</source>
+        <translation>ist ein Bild oder eine Seite, kein Modell</translation>
+    </message>
+    <message>
+        <source>its unit is not above 0 metres</source>
+        <translation>seine Einheit ist nicht größer als 0 Meter</translation>
+    </message>
+    <message>
         <source>is a packed file; accepted: the unpacked model</source>
         <translation>ist eine gepackte Datei; erlaubt: das ausgepackte Modell</translation>
     </message>

@@ -33,7 +33,8 @@ std::string cube_off(const std::string& head = "OFF\n8 6 12\n", const std::strin
 TEST_F(ReadOff, TakesAnyForm) {
   const std::string plain = cube_off();
   for (const std::string& text :
-       {plain, cube_off("OFF 8 6 12\n"), cube_off("8 6 12\n"), cube_off("off\n8 6\n"),
+       {plain, cube_off("OFF 8 6 12\n"), cube_off("off\n8 6\n"),
+        cube_off("OFF\n8\n6\n\n12 # edges\n"),
         cube_off("# made by hand\n\nOFF # text\n 8  6\t12 # counts\n"),
         replaced(plain, "\n", "\r\n"), replaced(plain, "\n", "\r"), replaced(plain, " ", "\t"),
         replaced(plain, "\n", "\n\n "), plain.substr(0, plain.size() - 1), "\xef\xbb\xbf" + plain,
@@ -44,6 +45,7 @@ TEST_F(ReadOff, TakesAnyForm) {
     expect_unit_cube(write("a.off", text));
     expect_unit_cube(write("a.obj", text));
   }
+  expect_unit_cube(write("a.off", cube_off("8 6 12\n")));
   // All numbers on one line.
   expect_unit_cube(write("a.off", "OFF " + replaced(plain.substr(4), "\n", " ")));
 }
@@ -83,7 +85,7 @@ TEST_F(ReadOff, SaysWhatItIsNot) {
   expect_refused(replaced(plain, "8 6 12", "8 99999999999 12"), {"not a number of"});
   expect_refused(replaced(plain, "8 6 12", "8 2000000000 12"), {"is truncated"});
   expect_refused(replaced(plain, "0.5 0.5 0.5", "0.5 nan 0.5"), {"line 10", "not finite"});
-  expect_refused(replaced(plain, "0.5 0.5 0.5", "0.5 x 0.5"), {"line 3", "not a number"});
+  expect_refused(replaced(plain, "0.5 0.5 0.5", "0.5 x 0.5"), {"line 9", "not a number"});
 }
 
 // Digits of a survey, moved to an origin of the model's own without rounding.
