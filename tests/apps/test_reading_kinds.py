@@ -233,6 +233,9 @@ def insides():
     cases = {"one": joined(big, small.turned()), "other": joined(big.turned(), small), "both": joined(big.turned(), small.turned()),
              "hollow": mf.hollow(big, inner), "cavity": mf.hollow(big, inner.turned()), "all": mf.hollow(big.turned(), inner),
              "twice": big.twice(), "back": big.twice(turned=True), "thrice": mf.Solid(big.positions, big.faces * 3, 0.006, 0.66, [0, 0, 0])}
+    for name, places in (("stack", [(0, 0, 0), (0, 0, 1)]), ("row", [(0, 0, 0), (1, 0, 0), (2, 0, 0)]),
+                         ("square", [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])):
+        cases[name] = joined(*[box().moved(*place) for place in places])
     for name, s in cases.items():
         for kind, content in (("obj", mf.obj(s)), ("off", mf.off(s)), ("ply", mf.ply(s)), ("stl", mf.stl(s)), ("3mf", mf.threemf(s)),
                               ("dae", mf.dae(s)), ("fbx", mf.fbx(s)), ("gltf", mf.gltf(mf.gltf_parts(s))), ("x3d", mf.x3d(s))):

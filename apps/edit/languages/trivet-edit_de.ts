@@ -3139,8 +3139,8 @@
         <translation>Flächen geschlossener Teile mit anderem Umlaufsinn als die meisten, für die Masse umgekehrt</translation>
     </message>
     <message>
-        <source>faces there more than once, counted once for mass</source>
-        <translation>mehrfach vorhandene Flächen, für die Masse einmal gezählt</translation>
+        <source>copies of faces and walls between parts, left out for mass</source>
+        <translation>Kopien von Flächen und Wände zwischen Teilen, für die Masse weggelassen</translation>
     </message>
     <message>
         <source>open parts without an inside, which weigh nothing</source>
