@@ -13,7 +13,7 @@
 namespace trivet {
 namespace {
 
-/// What the keyword says of vertices; numbers stand in this order.
+/// The keyword says what vertices have; numbers stand in this order.
 struct OffKind {
   bool homogeneous = false, normals = false, colours = false, coordinates = false;
 };
