@@ -60,7 +60,7 @@ std::vector<Sentence> mass_notes(const MassProperties& mass) {
        found.num_turned_parts);
   note("faces of closed parts wound the other way than most, turned round for mass",
        found.num_flipped_faces);
-  note("faces there more than once, counted once for mass", found.num_double_faces);
+  note("copies of faces and walls between parts, left out for mass", found.num_double_faces);
   if (mass.rule == MassRule::Hull || found.num_open_parts == 0) return out;
   if (mass.rule == MassRule::Volume)
     note("open parts without an inside, which weigh nothing", found.num_open_parts);

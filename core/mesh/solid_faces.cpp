@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace trivet {
@@ -14,21 +14,53 @@ class PartCleaner {
   PartCleaner(const Mesh& mesh, const Adjacency& adjacency, SolidFaces& out)
       : m_mesh(mesh), m_adjacency(adjacency), m_out(out), m_turn(mesh.triangles.size(), 0) {}
 
-  void clean(Index component, std::vector<Index> faces) {
-    Index num_double = drop_double(faces);
-    num_double += drop_double_patches(faces);
+  void clean(Index component, const std::vector<Index>& all) {
+    std::vector<Index> faces = all;
+    Index num_double = drop_copies(faces, Copies::KeepOne);
+    bool closed = orient(faces) || (num_double == 0 && m_adjacency.components[component].balanced);
+    if (!closed && num_double > 0) {
+      std::vector<Index> outer = all;
+      const Index num_walls = drop_copies(outer, Copies::DropPairs);
+      closed = orient(outer) || is_balanced(outer);
+      num_double = closed ? num_walls : drop_copies(faces = all, Copies::KeepOne);
+    }
     m_out.num_double += num_double;
-    m_out.closed[component] = orient(faces) || (num_double == 0 && is_balanced(component));
+    m_out.closed[component] = closed;
   }
 
  private:
-  bool is_balanced(Index component) const { return m_adjacency.components[component].balanced; }
+  /// A solid's faces that are there twice have copies; solids side by side have walls in between.
+  enum class Copies { KeepOne, DropPairs };
+
+  static size_t num_kept(size_t num, Copies copies) {
+    return copies == Copies::KeepOne ? 1 : num % 2;
+  }
+
+  // All faces count as wound at first. @return how many are left out.
+  Index drop_copies(std::vector<Index>& faces, Copies copies) {
+    m_is_reached.resize(m_mesh.triangles.size(), 0);
+    for (const Index f : faces) m_out.weights[f] = 1, m_turn[f] = 0, m_is_reached[f] = 0;
+    const Index count = drop_double(faces, copies);
+    return count + drop_double_patches(faces, copies);
+  }
+
+  // Each edge is run through as often forward as backward. False without faces.
+  bool is_balanced(const std::vector<Index>& faces) const {
+    for (const Index face : faces)
+      for (const Index edge : m_adjacency.face_edges[face]) {
+        int sum = 0;
+        for (const Wing& wing : m_adjacency.edge_faces[edge])
+          if (is_kept(wing.face)) sum += wing.forward ? 1 : -1;
+        if (sum != 0) return false;
+      }
+    return !faces.empty();
+  }
 
   // Faces without area bound nothing, and stay.
   static bool is_flat(const Index3& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-  // Leaves one of the faces with the same corners. @return how many others there are.
-  Index drop_double(std::vector<Index>& faces) {
+  // Faces with the same corners.
+  Index drop_double(std::vector<Index>& faces, Copies copies) {
     std::vector<std::pair<Index3, Index>> sorted;
     for (const Index f : faces) {
       Index3 corners = m_mesh.triangles[f];
@@ -37,10 +69,10 @@ class PartCleaner {
     }
     std::sort(sorted.begin(), sorted.end());
     Index count = 0;
-    for (size_t i = 1; i < sorted.size(); ++i) {
-      if (sorted[i].first != sorted[i - 1].first) continue;
-      m_out.weights[sorted[i].second] = 0;
-      ++count;
+    for (size_t i = 0, end = 0; i < sorted.size(); i = end) {
+      while (end < sorted.size() && sorted[end].first == sorted[i].first) ++end;
+      for (size_t k = i + num_kept(end - i, copies); k < end; ++k, ++count)
+        m_out.weights[sorted[k].second] = 0;
     }
     std::erase_if(faces,
                   [&](Index f) { return m_out.weights[f] == 0 || is_flat(m_mesh.triangles[f]); });
@@ -76,21 +108,21 @@ class PartCleaner {
     return out;
   }
 
-  // Polygons that were cut along other diagonals. @return how many of their faces there are.
-  Index drop_double_patches(std::vector<Index>& faces) {
-    m_is_reached.resize(m_mesh.triangles.size(), 0);
-    std::set<std::vector<Index>> outlines;
-    std::vector<Index> dropped;
+  // Polygons that were cut along other diagonals.
+  Index drop_double_patches(std::vector<Index>& faces, Copies copies) {
+    std::map<std::vector<Index>, std::vector<std::vector<Index>>> of_outlines;
     for (const Index first : faces) {
       if (m_is_reached[first]) continue;
       Patch patch = patch_of(first);
-      if (patch.outline.empty() || !patch.is_flat()) continue;
-      if (!outlines.insert(std::move(patch.outline)).second)
-        dropped.insert(dropped.end(), patch.faces.begin(), patch.faces.end());
+      if (!patch.outline.empty() && patch.is_flat())
+        of_outlines[std::move(patch.outline)].push_back(std::move(patch.faces));
     }
-    for (const Index f : dropped) m_out.weights[f] = 0;
+    Index count = 0;
+    for (const auto& [outline, patches] : of_outlines)
+      for (size_t k = num_kept(patches.size(), copies); k < patches.size(); ++k)
+        for (const Index f : patches[k]) m_out.weights[f] = 0, ++count;
     std::erase_if(faces, [&](Index f) { return m_out.weights[f] == 0; });
-    return static_cast<Index>(dropped.size());
+    return count;
   }
 
   // The other face at an edge; -1: there is not just one.
@@ -116,12 +148,13 @@ class PartCleaner {
 
   // False: an edge has not two faces, or they cannot all be turned alike; faces stay then.
   bool orient(const std::vector<Index>& faces) {
+    const Index num_flipped = m_out.num_flipped;
     for (const Index first : faces) {
       if (m_turn[first] != 0) continue;
       std::vector<Index> reached{first};
       m_turn[first] = 1;
       for (size_t i = 0; i < reached.size(); ++i)
-        if (!reach_neighbours(reached[i], reached)) return false;
+        if (!reach_neighbours(reached[i], reached)) return m_out.num_flipped = num_flipped, false;
       keep_most(reached);
     }
     for (const Index face : faces) m_out.weights[face] = m_turn[face];

@@ -113,6 +113,8 @@ def units():
     for unit, metres in (('name="centimeter" meter="0.01"', 0.01), ('name="inch" meter="0.0254"', 0.0254), ('meter="1"', 1),
                          ('name="mile" meter="1609.344"', 1609.344)):
         yield row("u.dae", mf.dae(CUBE, unit), "" if metres == 1 else "the unit is", metres_per_unit=metres)
+    for unit in ("0", "-1"):
+        yield refused("u.dae", mf.dae(CUBE, 'meter="%s"' % unit), "unit is not above 0")
     yield row("u.gltf", mf.gltf(mf.gltf_parts(CUBE)), "", metres_per_unit=1)
 
 
@@ -137,6 +139,7 @@ def lines():
     yield row("v.obj", mf.obj(CUBE, v="v %s # corner 7"), "")
     yield row("note.off", "# made by hand\n" + mf.off(CUBE, face="%d %s # side"), "")
     yield row("between.off", mf.off(CUBE).replace("OFF\n", "OFF\n# counts\n\n"), "")
+    yield row("counts.off", mf.off(CUBE).replace("8 6 0", "8\n6\n0"), "")
     yield row("one.off", mf.off(CUBE).replace("OFF\n", "OFF "), "")
     yield row("coloured.off", mf.off(CUBE, face="%d %s 255 0 0"), "")
     yield row("coff.off", "COFF\n8 6 0\n" + "".join(mf.words(p) + " 255 0 0 255\n" for p in CUBE.positions) +
@@ -230,10 +233,13 @@ def insides():
     cases = {"one": joined(big, small.turned()), "other": joined(big.turned(), small), "both": joined(big.turned(), small.turned()),
              "hollow": mf.hollow(big, inner), "cavity": mf.hollow(big, inner.turned()), "all": mf.hollow(big.turned(), inner),
              "twice": big.twice(), "back": big.twice(turned=True), "thrice": mf.Solid(big.positions, big.faces * 3, 0.006, 0.66, [0, 0, 0])}
+    for name, places in (("stack", [(0, 0, 0), (0, 0, 1)]), ("row", [(0, 0, 0), (1, 0, 0), (2, 0, 0)]),
+                         ("square", [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])):
+        cases[name] = joined(*[box().moved(*place) for place in places])
     for name, s in cases.items():
         for kind, content in (("obj", mf.obj(s)), ("off", mf.off(s)), ("ply", mf.ply(s)), ("stl", mf.stl(s)), ("3mf", mf.threemf(s)),
                               ("dae", mf.dae(s)), ("fbx", mf.fbx(s)), ("gltf", mf.gltf(mf.gltf_parts(s))), ("x3d", mf.x3d(s))):
-            exact = kind in ("obj", "ply", "stl", "3mf")
+            exact = kind in ("obj", "off", "ply", "stl", "3mf")
             yield row(name + "." + kind, content, "", s, TOLERANCE if exact else FLOAT, mass_rule="volume")
 
 
@@ -242,7 +248,12 @@ def no_models():
     for name in ("c.glb", "c.obj", "c.stl", "c.fbx", "c.dae", "c.gltf", "c.3mf"):
         yield refused(name, pointer, "Git LFS")
         yield refused(name, "<!DOCTYPE html>\n<html><body>404</body></html>", "web page")
+        yield refused(name, '<?xml version="1.0"?>\n<Error><Code>AccessDenied</Code></Error>', "web page")
+        yield refused(name, b"\x89PNG\r\n\x1a\n" + b"\0" * 100, "picture")
+        yield refused(name, "%PDF-1.4\n", "picture or a page")
     yield refused("c.glb", "\ufeff\n  <HTML>", "web page")
+    for name in ("c.zip", "c.obj", "c.glb", "c.stl", "c.dae"):
+        yield refused(name, mf.archive({"a.obj": mf.obj(CUBE)}), "packed")
     for name in ("c.glb", "c.stl", "c.fbx"):
         yield refused(name, b"\x1f\x8b\x08\0\0\0\0\0\0\3abc", "gzip")
         yield refused(name, b"", "empty")
@@ -255,6 +266,9 @@ def extensions():
         unknown = [n for n in names if "quantization" not in n]
         yield refused("r.gltf", mf.gltf((root, data)), *unknown)
         yield refused("r.glb", mf.glb((root, data)), *unknown)
+    root, data = mf.gltf_parts(CUBE)
+    root["asset"]["minVersion"] = "2.1"
+    yield refused("r.gltf", mf.gltf((root, data)), "2.1")
     root, data = mf.gltf_parts(CUBE)
     root["extensionsUsed"] = ["VENDOR_a"]
     root["nodes"][0]["extensions"] = {"VENDOR_a": {"x": 1}}

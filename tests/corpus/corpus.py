@@ -2,10 +2,10 @@
 
     corpus.py TRIVET FOLDER
 
-Box, area and number of triangles must agree. The second reader is reader.py for OBJ, STL, PLY and OFF, three.js for
-glTF, Collada, FBX, 3DS, LightWave, AMF and 3MF (three_reader.mjs; FOLDER has node_modules), OpenSceneGraph for AC3D and
-DirectX. Whatever disagrees must be in explained.tsv, and whatever is there must disagree. Archives are unpacked below
-FOLDER. Prints a table by formats.
+Box, area, volume of solids and number of triangles must agree. The second reader is reader.py for OBJ, STL, PLY and
+OFF, three.js for glTF, Collada, FBX, 3DS, LightWave, AMF and 3MF (three_reader.mjs; FOLDER has node_modules),
+OpenSceneGraph for AC3D and DirectX. Whatever disagrees must be in explained.tsv, and whatever is there must disagree.
+Archives are unpacked below FOLDER. Prints a table by formats.
 """
 import fnmatch
 import json
@@ -88,7 +88,7 @@ def surface_of(found):
     surface = reader.Surface()
     if "error" in found:
         raise ValueError(found["error"])
-    surface.triangles, surface.area = found["triangles"], found["area"]
+    surface.triangles, surface.area, surface.volume = found["triangles"], found["area"], found["volume"]
     if surface.triangles:
         surface.lower, surface.upper = found["lower"], found["upper"]
     return surface
@@ -126,7 +126,18 @@ def disagreement(found, second, path):
     # Twelve digits are printed; bent polygons have an area by their triangles only.
     if not second.bent and differs(unit * unit * found["area"], second.area, (1e-6 if exact else 1e-4) * max(second.area, 1e-300)):
         return "area %r, not %r" % (unit * unit * found["area"], second.area)
+    within = (1e-6, 1e-9) if exact else (1e-3, 1e-5)
+    if is_plain_solid(found) and not second.bent and differs(
+            unit ** 3 * found["volume"], abs(second.volume), within[0] * abs(second.volume) + within[1] * size ** 3):
+        return "volume %r, not %r" % (unit ** 3 * found["volume"], abs(second.volume))
     return ""
+
+
+def is_plain_solid(found):
+    """Its volume is that of its triangles as they are wound."""
+    parts = found["parts"]
+    closed = found["closed"] and found["oriented"] and found["manifold"] and found["mass_rule"] == "volume"
+    return closed and not any(p["cavity"] for p in parts) and len({p["turned"] for p in parts}) == 1
 
 
 def verdict(program, name, path, three):

@@ -1,4 +1,5 @@
-"""A second reader of OBJ, STL, PLY and OFF, written from the formats' descriptions alone: box, area, triangles.
+"""A second reader of OBJ, STL, PLY and OFF, written from the formats' descriptions alone: box, area, volume,
+triangles.
 
 Plain Python, slow, in doubles; it knows nothing of materials. Polygons keep their vertices: their area is that of
 their vector area, which is right for planar ones, and `bent` counts the others.
@@ -12,6 +13,7 @@ class Surface:
     def __init__(self):
         self.triangles = 0
         self.area = 0.0
+        self.volume = 0.0  # as wound
         self.bent = 0
         self.lower = [math.inf] * 3
         self.upper = [-math.inf] * 3
@@ -31,6 +33,7 @@ class Surface:
             v = [b[i] - first[i] for i in range(3)]
             n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
             total = [total[i] + n[i] for i in range(3)]
+            self.volume += sum(n[i] * first[i] for i in range(3)) / 6
             sizes += math.sqrt(sum(x * x for x in n))
         area = math.sqrt(sum(x * x for x in total)) / 2
         self.area += area

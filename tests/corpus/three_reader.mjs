@@ -57,7 +57,7 @@ const READERS = {
 
 function measured(scene) {
   scene.updateMatrixWorld(true);
-  const out = { triangles: 0, area: 0, lower: [Infinity, Infinity, Infinity], upper: [-Infinity, -Infinity, -Infinity] };
+  const out = { triangles: 0, area: 0, volume: 0, lower: [Infinity, Infinity, Infinity], upper: [-Infinity, -Infinity, -Infinity] };
   const [a, b, c] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
   const add = (mesh, matrix) => {
     const { position } = mesh.geometry.attributes, index = mesh.geometry.index;
@@ -71,6 +71,7 @@ function measured(scene) {
         });
       });
       out.triangles += 1;
+      out.volume += a.dot(b.clone().cross(c)) / 6;
       out.area += b.clone().sub(a).cross(c.clone().sub(a)).length() / 2;
     }
   };

@@ -2895,6 +2895,14 @@
         <translation>ist mit gzip gepackt; erlaubt: die ausgepackte Datei</translation>
     </message>
     <message>
+        <source>is a picture or a page, not a model</source>
+        <translation>ist ein Bild oder eine Seite, kein Modell</translation>
+    </message>
+    <message>
+        <source>its unit is not above 0 metres</source>
+        <translation>seine Einheit ist nicht größer als 0 Meter</translation>
+    </message>
+    <message>
         <source>is a packed file; accepted: the unpacked model</source>
         <translation>ist eine gepackte Datei; erlaubt: das ausgepackte Modell</translation>
     </message>
@@ -3219,8 +3227,8 @@
         <translation>Flächen geschlossener Teile mit anderem Umlaufsinn als die meisten, für die Masse umgekehrt</translation>
     </message>
     <message>
-        <source>faces there more than once, counted once for mass</source>
-        <translation>mehrfach vorhandene Flächen, für die Masse einmal gezählt</translation>
+        <source>copies of faces and walls between parts, left out for mass</source>
+        <translation>Kopien von Flächen und Wände zwischen Teilen, für die Masse weggelassen</translation>
     </message>
     <message>
         <source>open parts without an inside, which weigh nothing</source>

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/base/bad_input.h"
 #include "core/io/assimp/stated_units.h"
 #include "core/io/colour.h"
 
@@ -106,12 +107,13 @@ void read_collada_frame(aiScene& scene, Model& model) {
   model.up = UpAxis::Y;
   model.up_from_format = true;
   aiMatrix4x4& root = scene.mRootNode->mTransformation;
+  if (!(root.Determinant() > 0)) bad_file(model.path, "its unit is not above 0 metres");
   float unit = 0;
   for (unsigned r = 0; r < 3; ++r) unit = std::max(unit, std::abs(root[r][0]));
   const auto is_turn = [&](float entry) { return entry == 0 || std::abs(entry) == unit; };
   for (unsigned r = 0; r < 3; ++r)
     for (unsigned c = 0; c < 3; ++c)
-      if (!(unit > 0) || !is_turn(root[r][c])) return set_unit(1, model);
+      if (!is_turn(root[r][c])) return set_unit(1, model);
   for (unsigned r = 0; r < 3; ++r)
     for (unsigned c = 0; c < 3; ++c) root[r][c] /= unit;
   set_unit(decimal_from(unit), model);

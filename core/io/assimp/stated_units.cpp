@@ -7,7 +7,7 @@
 namespace trivet {
 namespace {
 
-// Of the element that begins so; empty: there is none, or no such attribute.
+// Takes the first element that begins so. Empty: there is none, or no such attribute.
 std::string_view attribute(std::string_view text, std::string_view element, std::string_view name) {
   const size_t begin = text.find(element);
   if (begin == text.npos) return "";

@@ -1,6 +1,7 @@
 #include "core/io/format/model_format.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "core/base/bad_input.h"
 #include "core/io/format/other_formats.h"
@@ -52,6 +53,25 @@ bool may_be_own(const std::string& extension) {
          is_told_by_content(extension);
 }
 
+bool begins_with_any(std::string_view head, std::initializer_list<std::string_view> beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view beginning) { return head.starts_with(beginning); });
+}
+
+bool is_packed(std::string_view head) {
+  return begins_with_any(head, {"BZh", "\xfd\x37zXZ", "7z\xbc\xaf", "Rar!"});
+}
+
+// Some formats that assimp reads are ZIP archives, too.
+bool is_zip_of_others(std::string_view head, const std::string& extension) {
+  return begins_with_any(head, {"PK\3\4", "PK\5\6"}) && extension != ".3mf" && !holds_3mf(head) &&
+         (extension == ".zip" || may_be_own(extension));
+}
+
+bool is_picture(std::string_view head) {
+  return begins_with_any(head, {"\x89PNG\r\n", "\xff\xd8\xff", "GIF8", "%PDF-"});
+}
+
 }  // namespace
 
 ModelFormat model_format(std::string_view head, std::uintmax_t size, const std::string& extension) {
@@ -76,20 +96,19 @@ ModelFormat model_format(std::string_view head, std::uintmax_t size, const std::
 }
 
 void check_is_model(const std::string& path, std::string_view head) {
-  const std::string begin = beginning(head, 64);
+  const std::string begin = beginning(head, 256);
   if (begin.starts_with("version https://git-lfs"))
     bad_file(path,
              "is a pointer of Git LFS, not the model itself; accepted: the file that it "
              "stands for (git lfs pull)");
-  if (begin.starts_with("<!doctype html") || begin.starts_with("<html"))
+  const bool is_answer = begin.starts_with("<?xml") && begin.find("<error>") != begin.npos;
+  if (begin.starts_with("<!doctype html") || begin.starts_with("<html") || is_answer)
     bad_file(path, "is a web page, not a model; accepted: the file that the page offers");
   if (head.starts_with("\x1f\x8b"))
     bad_file(path, "is packed by gzip; accepted: the unpacked file");
-  if (head.starts_with("BZh") ||
-      head.starts_with("\xfd"
-                       "7zXZ") ||
-      head.starts_with("7z\xbc\xaf") || head.starts_with("Rar!"))
+  if (is_packed(head) || is_zip_of_others(head, lower_extension(path)))
     bad_file(path, "is a packed file; accepted: the unpacked model");
+  if (is_picture(head)) bad_file(path, "is a picture or a page, not a model");
 }
 
 }  // namespace trivet

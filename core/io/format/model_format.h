@@ -19,7 +19,7 @@ inline constexpr std::uintmax_t kHeadBytes = 1 << 16;
 
 /// @param head  the file's first bytes.
 /// @throws Error (BadInput) naming the file and what it is: a pointer of Git LFS, a web page, a
-///   packed file.
+///   packed file, a picture.
 void check_is_model(const std::string& path, std::string_view head);
 
 }  // namespace trivet

@@ -22,8 +22,12 @@ bool is_version_1(const GltfJson& root) {
 
 // Version 2.x, whose readers ignore what they do not know.
 void check_version(const GltfJson& root) {
-  const GltfJson& version = member(member(root, "asset"), "version");
-  if (version.is_string() && version.get_ref<const std::string&>().rfind("2.", 0) == 0) return;
+  const GltfJson& least = member(member(root, "asset"), "minVersion");
+  const bool is_later = least.is_string() && least != "2.0";
+  const GltfJson& version = is_later ? least : member(member(root, "asset"), "version");
+  const bool is_2 =
+      version.is_string() && version.get_ref<const std::string&>().rfind("2.", 0) == 0;
+  if (is_2 && !is_later) return;
   const std::string given = version.is_string() ? version.get<std::string>() : "unknown";
   bad_input("glTF version %1; accepted: 2", printable(given, 40));
 }

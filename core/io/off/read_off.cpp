@@ -13,7 +13,7 @@
 namespace trivet {
 namespace {
 
-/// What the keyword says of vertices; numbers stand in this order.
+/// The keyword says what vertices have; numbers stand in this order.
 struct OffKind {
   bool homogeneous = false, normals = false, colours = false, coordinates = false;
 };
@@ -106,7 +106,18 @@ class OffReader {
     if (equal_words(word, "binary")) bad_file(m_out.path, "is binary OFF; accepted: OFF as text");
     m_num_vertices = count(word);
     m_num_faces = count(next());
-    next_word(m_line);  // the number of edges, which many leave out
+    skip_num_edges();
+  }
+
+  // Many leave it out, and some have each number on a line of its own.
+  void skip_num_edges() {
+    if (!next_word(m_line).empty()) return;
+    TextLines ahead = m_lines;
+    std::string_view line;
+    while (ahead.next(line) && without_comment(line).empty()) {
+    }
+    line = without_comment(line);
+    if (!next_word(line).empty() && next_word(line).empty()) m_lines = ahead;
   }
 
   Vec3 vector() {

@@ -117,7 +117,9 @@ TEST(ModelSet, ReadsAssimpTestModels) {
         ++read;
       } catch (const Error& error) {
         testing::expect_parts(error.what(), {entry.path().string()});
-        refused += std::string(error.what()).find("no importer") == std::string::npos;
+        const std::string message = error.what();
+        refused +=
+            message.find("no importer") == message.npos && message.find("picture") == message.npos;
       }
     }
   std::cout << read << " read, " << refused << " refused\n";

@@ -34,7 +34,7 @@ TEST_F(ReadOff, TakesAnyForm) {
   const std::string plain = cube_off();
   for (const std::string& text :
        {plain, cube_off("OFF 8 6 12\n"), cube_off("off\n8 6\n"),
-
+        cube_off("OFF\n8\n6\n\n12 # edges\n"),
         cube_off("# made by hand\n\nOFF # text\n 8  6\t12 # counts\n"),
         replaced(plain, "\n", "\r\n"), replaced(plain, "\n", "\r"), replaced(plain, " ", "\t"),
         replaced(plain, "\n", "\n\n "), plain.substr(0, plain.size() - 1), "\xef\xbb\xbf" + plain,

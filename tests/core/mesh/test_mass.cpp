@@ -256,6 +256,42 @@ TEST(Mass, CountsDoublePolygonsOnceHoweverTheyAreCut) {
     }
 }
 
+Triangles cubes_at(const std::vector<Vec3>& corners, size_t num_inside_out) {
+  Triangles out;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    Triangles cube = make_cube();
+    for (Triangle& t : cube)
+      for (Vec3& p : t) p += corners[i];
+    out = joined(out, i < num_inside_out ? inside_out(cube) : cube);
+  }
+  return out;
+}
+
+// Bricks and voxels that share corners have walls in between that are there twice.
+TEST(Mass, LeavesOutWallsBetweenSolidsSideBySide) {
+  struct Case {
+    std::vector<Vec3> cubes;
+    Index walls;
+    bool has_edges_of_four;  // which only faces wound alike get across
+  };
+  for (const Case& c : {Case{{{0, 0, 0}, {0, 0, 1}}, 1, false},
+                        {{{0, 0, 0}, {1, 0, 0}}, 1, false},
+                        {{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}, 2, false},
+                        {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, 4, false},
+                        {{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, 2, false},
+                        {{{0, 0, 0}, {0, 0, 1}, {1, 1, 1}}, 1, true}})
+    for (size_t turned = 0; turned < (c.has_edges_of_four ? 1u : 2u); ++turned) {
+      const MassProperties mass = mass_of(cubes_at(c.cubes, turned));
+      Vec3 centre = Vec3::Constant(0.5);
+      for (const Vec3& p : c.cubes) centre += p / static_cast<double>(c.cubes.size());
+      EXPECT_EQ(mass.rule, MassRule::Volume);
+      EXPECT_NEAR(mass.volume, static_cast<double>(c.cubes.size()), 1e-14);
+      expect_near(mass.centre, centre, 1e-14);
+      EXPECT_EQ(mass.findings.num_double_faces, 4 * c.walls);
+      EXPECT_EQ(mass.findings.num_open_parts, 0);
+    }
+}
+
 // Domes over the same outline are no polygon twice.
 TEST(Mass, KeepsPatchesThatAreNotFlat) {
   const Vec3 o[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
