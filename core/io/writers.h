@@ -3,7 +3,9 @@
 
 #include <bit>
 #include <cstring>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/io/export.h"
 #include "core/io/gltf/document.h"
@@ -29,8 +31,15 @@ GltfJson material_json(const Material& material);
 struct ObjText {
   std::string obj, mtl;
 };
+/// Textures of one object in OBJ and MTL.
+struct ObjTextures {
+  std::span<const std::array<Eigen::Vector2f, 3>> coordinates;  // #F x 3, v up; empty: none
+  std::vector<std::string> files;  // of the base colours, by material; empty: none
+};
 /// `mtl_name` is the file name of the material library in the OBJ.
-ObjText obj_text(const ExportScene& scene, const std::string& mtl_name);
+/// @param textures  of the objects, in their order; objects beyond its end have none.
+ObjText obj_text(const ExportScene& scene, const std::string& mtl_name,
+                 const std::vector<ObjTextures>& textures = {});
 
 /// World coordinates relative to the scene's origin, z up, binary little endian; one mesh, geometry
 /// only.

@@ -16,6 +16,7 @@
 #include "ops/files/report/models_of_shapes.h"
 #include "ops/simulation/fitted_parts.h"
 #include "ops/simulation/overlaps.h"
+#include "ops/simulation/textures.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -125,6 +126,7 @@ class SceneMaker {
     model.link_from_object.translation = -shift;
     m_shifts.push_back(shift);
     m_shapes.push_back(object.shape.get());
+    add_textures(model, m_out.notes);
     m_out.scene.models.push_back(std::move(model));
   }
 

@@ -62,13 +62,15 @@ class ObjWriter {
     m_out.mtl = "# Trivet\n";
   }
 
-  void add(const ExportObject& object) {
+  void add(const ExportObject& object, const ObjTextures& textures) {
+    m_textures = &textures;
+    m_coordinate_ids.clear();
     m_out.obj += "o " + word(object.name, "object") + "\n";
     for (const Eigen::Vector3f& p : positions_in(m_scene, object))
       append_line(m_out.obj, "v", {p.x(), p.y(), p.z()});
     for (const MaterialFaces& group : faces_by_material(*object.model)) {
       m_out.obj += "usemtl " + material_name(*object.model, group.material) + "\n";
-      for (Index f : group.faces) add_face(object.model->mesh.triangles[f]);
+      for (Index f : group.faces) add_face(object.model->mesh.triangles[f], f);
     }
     m_first_vertex += object.model->mesh.vertices.size();
   }
@@ -76,10 +78,28 @@ class ObjWriter {
   ObjText take() { return std::move(m_out); }
 
  private:
-  void add_face(const Index3& face) {
+  void add_face(const Index3& face, Index f) {
+    const bool textured = !m_textures->coordinates.empty();
+    std::array<size_t, 3> ids{};
+    for (size_t k = 0; textured && k < 3; ++k)
+      ids[k] = coordinate_id(m_textures->coordinates[static_cast<size_t>(f)][k]);
     m_out.obj += 'f';
-    for (Index v : face) m_out.obj += ' ', m_out.obj += std::to_string(m_first_vertex + v);
+    for (size_t k = 0; k < 3; ++k) {
+      m_out.obj += ' ', m_out.obj += std::to_string(m_first_vertex + face[k]);
+      if (textured) m_out.obj += '/', m_out.obj += std::to_string(ids[k]);
+    }
     m_out.obj += '\n';
+  }
+
+  // Texture coordinates are written on first use in an object.
+  size_t coordinate_id(const Eigen::Vector2f& at) {
+    const auto [entry, is_new] =
+        m_coordinate_ids.try_emplace({at.x(), at.y()}, m_num_coordinates + 1);
+    if (is_new) {
+      append_line(m_out.obj, "vt", {at.x(), at.y()});
+      ++m_num_coordinates;
+    }
+    return entry->second;
   }
 
   // Materials are written on first use; equal names of other models get a number.
@@ -92,6 +112,9 @@ class ObjWriter {
       for (int i = 2; !m_taken.insert(name).second; ++i) name = base + "_" + std::to_string(i);
       entry->second = name;
       add_material(name, material);
+      const auto i = static_cast<size_t>(id);
+      if (i < m_textures->files.size() && !m_textures->files[i].empty())
+        m_out.mtl += "map_Kd " + m_textures->files[i] + "\n";
     }
     return entry->second;
   }
@@ -111,7 +134,9 @@ class ObjWriter {
 
   const ExportScene& m_scene;
   ObjText m_out;
-  size_t m_first_vertex = 1;
+  const ObjTextures* m_textures = nullptr;  // of the object that is added
+  size_t m_first_vertex = 1, m_num_coordinates = 0;
+  std::map<std::pair<float, float>, size_t> m_coordinate_ids;
   std::map<std::pair<const Model*, Index>, std::string> m_names;
   std::set<std::string> m_taken;
 };
@@ -136,9 +161,12 @@ Counts count(const ExportScene& scene, const char* format) {
 
 }  // namespace
 
-ObjText obj_text(const ExportScene& scene, const std::string& mtl_name) {
+ObjText obj_text(const ExportScene& scene, const std::string& mtl_name,
+                 const std::vector<ObjTextures>& textures) {
   ObjWriter writer(scene, mtl_name);
-  for (const ExportObject& object : scene.objects) writer.add(object);
+  const ObjTextures none;
+  for (size_t i = 0; i < scene.objects.size(); ++i)
+    writer.add(scene.objects[i], i < textures.size() ? textures[i] : none);
   return writer.take();
 }
 

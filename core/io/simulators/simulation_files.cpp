@@ -12,6 +12,15 @@ namespace {
 
 constexpr const char* kMtl = "materials.mtl";  // until the hash is known
 
+// Corners of textures of some faces.
+std::vector<std::array<Eigen::Vector2f, 3>> with_faces(const ModelTextures* textures,
+                                                       const std::vector<Index>& faces) {
+  std::vector<std::array<Eigen::Vector2f, 3>> out;
+  for (const Index f : faces)
+    if (textures) out.push_back(textures->coordinates[static_cast<size_t>(f)]);
+  return out;
+}
+
 /// The faces of one material as a separate model.
 std::shared_ptr<const Model> with_faces(const Model& model, const MaterialFaces& group) {
   auto out = std::make_shared<Model>();
@@ -35,17 +44,36 @@ void replace_first(std::string& text, const std::string& what, const std::string
 
 }  // namespace
 
+std::vector<std::string> add_textures(const SimulationModel& model, std::vector<MeshFile>& files) {
+  if (!model.textures) return {};
+  std::vector<std::string> names, out;
+  for (const std::string& image : model.textures->images) {
+    names.push_back(model.name + "_t" + std::to_string(names.size()) + "_" +
+                    Hash().add(image).text() + ".png");
+    files.push_back({names.back(), image});
+  }
+  for (const int image : model.textures->image_of_material)
+    out.push_back(image < 0 ? "" : names[static_cast<size_t>(image)]);
+  return out;
+}
+
+// Triangles for a file, and what they show.
+struct MeshFiles::Shown {
+  std::shared_ptr<const Model> model;
+  ObjTextures textures;
+};
+
 MeshFiles::MeshFiles(const SimulationScene& scene, bool by_material) {
   for (const SimulationModel& model : scene.models) add_model(model, by_material);
 }
 
-std::string MeshFiles::add_obj(const std::string& stem, const std::shared_ptr<const Model>& model,
+std::string MeshFiles::add_obj(const std::string& stem, const Shown& shown,
                                const Affine& link_from_object, bool with_materials) {
   ExportScene scene;
-  scene.objects.push_back({stem, model, link_from_object, ""});
-  ObjText text = obj_text(scene, kMtl);
+  scene.objects.push_back({stem, shown.model, link_from_object, ""});
+  ObjText text = obj_text(scene, kMtl, {shown.textures});
   std::string name = stem;
-  name += "_" + Hash().add(text.obj).add(text.mtl).text();
+  name += "_" + Hash().add(text.obj).add(with_materials ? text.mtl : "").text();
   if (with_materials) {
     replace_first(text.obj, kMtl, name + ".mtl");
     m_files.push_back({name + ".mtl", std::move(text.mtl)});
@@ -58,22 +86,29 @@ std::string MeshFiles::add_obj(const std::string& stem, const std::shared_ptr<co
 
 void MeshFiles::add_model(const SimulationModel& model, bool by_material) {
   ModelFiles out;
+  const ModelTextures* const textures = model.textures.get();
+  const std::vector<std::string> images = add_textures(model, m_files);
   const std::vector<MaterialFaces> groups = faces_by_material(*model.model);
   const bool needs_whole = !by_material || model.parts.empty() || groups.size() == 1;
-  if (needs_whole)
-    out.whole = add_obj(model.name, model.model, model.link_from_object, !by_material);
-  if (by_material)
-    for (const MaterialFaces& group : groups) {
-      const std::string file =
-          groups.size() == 1
-              ? out.whole
-              : add_obj(model.name + "_m" + std::to_string(group.material),
-                        with_faces(*model.model, group), model.link_from_object, false);
-      out.visuals.push_back({file, material_or_default(*model.model, group.material)});
-    }
+  Shown whole{model.model, {{}, images}};
+  if (textures) whole.textures.coordinates = textures->coordinates;
+  if (needs_whole) out.whole = add_obj(model.name, whole, model.link_from_object, !by_material);
+  const auto file_of = [&](const MaterialFaces& group) {
+    if (groups.size() == 1) return out.whole;
+    const auto coordinates = with_faces(textures, group.faces);
+    return add_obj(model.name + "_m" + std::to_string(group.material),
+                   {with_faces(*model.model, group), {coordinates, {}}}, model.link_from_object,
+                   false);
+  };
+  for (size_t i = 0; by_material && i < groups.size(); ++i) {
+    const auto material = static_cast<size_t>(groups[i].material);
+    out.visuals.push_back({file_of(groups[i]),
+                           material_or_default(*model.model, groups[i].material),
+                           images.empty() ? "" : images[material]});
+  }
   for (const ConvexPart& part : model.parts)
-    out.parts.push_back(
-        add_obj(model.name + "_c" + std::to_string(out.parts.size()), model_of(part), {}, false));
+    out.parts.push_back(add_obj(model.name + "_c" + std::to_string(out.parts.size()),
+                                {model_of(part), {}}, {}, false));
   if (out.parts.empty()) out.parts.push_back(out.whole);
   m_models.push_back(std::move(out));
 }

@@ -21,6 +21,7 @@ struct MeshFile {
 struct VisualMesh {
   std::string file;  // name of a MeshFile
   Material material;
+  std::string texture;  // name of a MeshFile; empty: none
 };
 
 struct ModelFiles {
@@ -28,6 +29,9 @@ struct ModelFiles {
   std::vector<VisualMesh> visuals;  // by material; formats with one material per mesh
   std::vector<std::string> parts;   // collision meshes; the whole mesh if the model has no parts
 };
+
+/// Adds the images of a model's textures. @return their names by material; empty: none.
+std::vector<std::string> add_textures(const SimulationModel& model, std::vector<MeshFile>& files);
 
 /// OBJ files of all models, metres, link frame.
 class MeshFiles {
@@ -39,8 +43,9 @@ class MeshFiles {
   const ModelFiles& of_model(size_t model) const { return m_models[model]; }
 
  private:
-  std::string add_obj(const std::string& stem, const std::shared_ptr<const Model>& model,
-                      const Affine& link_from_object, bool with_materials);
+  struct Shown;
+  std::string add_obj(const std::string& stem, const Shown& shown, const Affine& link_from_object,
+                      bool with_materials);
   void add_model(const SimulationModel& model, bool by_material);
 
   std::vector<MeshFile> m_files;
@@ -66,9 +71,8 @@ inline constexpr const char* kMadeBy =
     "instead. ";
 
 // One function per format. `folder` prefixes the names of meshes and ends with a slash.
-/// @param version  of MuJoCo: 2 or 3.
 std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                      const std::string& folder, int version);
+                      const std::string& folder, const SimulationFileOptions& options);
 std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
                       const std::string& folder);
 std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
@@ -76,6 +80,7 @@ std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
 /// Meshes are separate layers, see usda_meshes().
 std::string usda_text(const SimulationScene& scene, const std::vector<std::string>& layers,
                       const std::string& folder);
+/// A layer for each model, then images.
 std::vector<MeshFile> usda_meshes(const SimulationScene& scene);
 
 }  // namespace trivet

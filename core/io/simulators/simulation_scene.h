@@ -15,10 +15,18 @@
 
 namespace trivet {
 
+/// Textures of a model's base colours.
+struct ModelTextures {
+  std::vector<std::array<Eigen::Vector2f, 3>> coordinates;  // #F x 3, v up
+  std::vector<std::string> images;                          // PNG files
+  std::vector<int> image_of_material;                       // -1: none
+};
+
 /// Data shared by objects of one model, scale and up axis: mesh files.
 struct SimulationModel {
   std::string name;
   std::shared_ptr<const Model> model;
+  std::shared_ptr<const ModelTextures> textures;  // null: none
   Affine link_from_object;
   std::vector<ConvexPart> parts;  // collision parts; empty: the triangles themselves
 };
@@ -54,6 +62,8 @@ struct SimulationFileOptions {
   std::string mesh_prefix;
   /// Version of MuJoCo whose MJCF is written: 3, or 2, which refuses words of later ones.
   int mujoco = 3;
+  /// In MJCF for MuJoCo 3.9 or later free bodies sleep until something touches them.
+  bool asleep = false;
 };
 inline constexpr int kOldestMujoco = 2, kNewestMujoco = 3;
 

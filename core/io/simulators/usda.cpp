@@ -114,18 +114,44 @@ void open_mesh(UsdaText& text, const std::string& name, const std::vector<std::s
 
 std::string look_name(size_t index) { return "Material" + std::to_string(index); }
 
+/// The image of a base colour, looked up at the mesh's coordinates "st".
+void add_texture(UsdaText& text, const std::string& look, const std::string& image,
+                 const Material& m) {
+  text.open("Shader", "Coordinates");
+  text.line("uniform token info:id = \"UsdPrimvarReader_float2\"");
+  text.line("string inputs:varname = \"st\"");
+  text.line("float2 outputs:result");
+  text.close();
+  text.open("Shader", "Image");
+  text.line("uniform token info:id = \"UsdUVTexture\"");
+  text.line("asset inputs:file = @./" + image + "@");
+  text.line("float4 inputs:scale = " +
+            tuple({m.base_colour[0], m.base_colour[1], m.base_colour[2], m.base_colour[3]}));
+  text.line("token inputs:sourceColorSpace = \"sRGB\"");
+  text.line("float2 inputs:st.connect = <" + look + "/Coordinates.outputs:result>");
+  text.line("token inputs:wrapS = \"repeat\"");
+  text.line("token inputs:wrapT = \"repeat\"");
+  text.line("float3 outputs:rgb");
+  text.close();
+}
+
 void add_looks(UsdaText& text, const std::string& root, const Model& model,
-               const std::vector<MaterialFaces>& groups) {
+               const std::vector<MaterialFaces>& groups, const std::vector<std::string>& images) {
   text.open("Scope", "Looks");
   for (size_t i = 0; i < groups.size(); ++i) {
     const Material m = material_or_default(model, groups[i].material);
+    const std::string look = "/" + root + "/Looks/" + look_name(i);
+    const std::string image = images.empty() ? "" : images[static_cast<size_t>(groups[i].material)];
     text.open("Material", look_name(i));
-    text.line("token outputs:surface.connect = </" + root + "/Looks/" + look_name(i) +
-              "/Surface.outputs:surface>");
+    text.line("token outputs:surface.connect = <" + look + "/Surface.outputs:surface>");
+    if (!image.empty()) add_texture(text, look, image, m);
     text.open("Shader", "Surface");
     text.line("uniform token info:id = \"UsdPreviewSurface\"");
-    text.line("color3f inputs:diffuseColor = " +
-              tuple({m.base_colour[0], m.base_colour[1], m.base_colour[2]}));
+    if (image.empty())
+      text.line("color3f inputs:diffuseColor = " +
+                tuple({m.base_colour[0], m.base_colour[1], m.base_colour[2]}));
+    else
+      text.line("color3f inputs:diffuseColor.connect = <" + look + "/Image.outputs:rgb>");
     text.line("float inputs:opacity = " + number_text(m.base_colour[3]));
     text.line("float inputs:metallic = " + number_text(m.metallic));
     text.line("float inputs:roughness = " + number_text(m.roughness));
@@ -134,6 +160,22 @@ void add_looks(UsdaText& text, const std::string& root, const Model& model,
     text.close();
   }
   text.close();
+}
+
+void add_coordinates(UsdaText& text, const ModelTextures& textures) {
+  std::vector<Eigen::Vector2f> corners;
+  for (const auto& face : textures.coordinates)
+    corners.insert(corners.end(), face.begin(), face.end());
+  text.line("texCoord2f[] primvars:st = " +
+            array_text(corners,
+                       [](std::string& out, const Eigen::Vector2f& at) {
+                         out += '(', append_float(out, at.x());
+                         out += ", ", append_float(out, at.y());
+                         out += ')';
+                       }) +
+            " (");
+  text.line("  interpolation = \"faceVarying\"");
+  text.line(")");
 }
 
 void add_visual(UsdaText& text, const SimulationModel& model,
@@ -150,6 +192,7 @@ void add_visual(UsdaText& text, const SimulationModel& model,
           : apis({"MaterialBindingAPI"});
   open_mesh(text, "Visual", {metadata}, points, model.model->mesh.triangles);
   if (model.parts.empty()) text.line("uniform token physics:approximation = \"none\"");
+  if (model.textures) add_coordinates(text, *model.textures);
   if (groups.size() == 1) text.line(binding(0));
   if (groups.size() > 1)
     text.line("uniform token subsetFamily:materialBind:familyType = \"partition\"");
@@ -164,12 +207,12 @@ void add_visual(UsdaText& text, const SimulationModel& model,
   text.close();
 }
 
-std::string layer_text(const SimulationModel& model) {
+std::string layer_text(const SimulationModel& model, const std::vector<std::string>& images) {
   const std::vector<MaterialFaces> groups = faces_by_material(*model.model);
   UsdaText text(model.name);
   text.open("Xform", model.name);
   add_visual(text, model, groups);
-  add_looks(text, model.name, *model.model, groups);
+  add_looks(text, model.name, *model.model, groups, images);
   if (!model.parts.empty()) {
     text.open("Scope", "Collision");
     for (size_t i = 0; i < model.parts.size(); ++i) {
@@ -237,7 +280,7 @@ class Surfaces {
 };
 
 void add_body(UsdaText& text, const SimulationBody& body, const std::string& layer,
-              const Surfaces& surfaces) {
+              const Surfaces& surfaces, bool has_parts) {
   const std::string reference = "prepend references = @./" + layer + "@";
   // A collider without a rigid body is static.
   text.open("Xform", body.file_name,
@@ -255,17 +298,24 @@ void add_body(UsdaText& text, const SimulationBody& body, const std::string& lay
     text.line("bool physics:startsAsleep = 1");
   }
   add_transform(text, body.world_from_link);
+  if (!body.fixed && !has_parts) {  // PhysX takes no triangles of bodies that move
+    text.line("over \"Visual\"");
+    text.line("{");
+    text.line("  uniform token physics:approximation = \"convexDecomposition\"");
+    text.line("}");
+  }
   text.close();
 }
 
 }  // namespace
 
 std::vector<MeshFile> usda_meshes(const SimulationScene& scene) {
-  std::vector<MeshFile> out;
+  std::vector<MeshFile> out, images;
   for (const SimulationModel& model : scene.models) {
-    std::string bytes = layer_text(model);
+    std::string bytes = layer_text(model, add_textures(model, images));
     out.push_back({model.name + "_" + Hash().add(bytes).text() + ".usda", std::move(bytes)});
   }
+  out.insert(out.end(), images.begin(), images.end());
   return out;
 }
 
@@ -287,7 +337,8 @@ std::string usda_text(const SimulationScene& scene, const std::vector<std::strin
     text.close();
   }
   for (const SimulationBody& body : scene.bodies)
-    add_body(text, body, folder + layers[body.model], surfaces);
+    add_body(text, body, folder + layers[body.model], surfaces,
+             !scene.models[body.model].parts.empty());
   text.close();
   return text.take();
 }

@@ -69,13 +69,13 @@ SimulationText text_of(const SimulationScene& scene, Format format, const std::s
   if (format == Format::Usda) {
     out.meshes = usda_meshes(scene);
     std::vector<std::string> layers;
-    for (const MeshFile& file : out.meshes) layers.push_back(file.name);
+    for (size_t i = 0; i < scene.models.size(); ++i) layers.push_back(out.meshes[i].name);
     out.scene = usda_text(scene, layers, folder);
     return out;
   }
   const MeshFiles meshes(scene, format == Format::Mjcf);
   out.meshes = meshes.files();
-  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder, options.mujoco);
+  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder, options);
   if (format == Format::Urdf) out.scene = urdf_text(scene, meshes, options.mesh_prefix + folder);
   if (format == Format::Sdf) out.scene = sdf_text(scene, meshes, options.mesh_prefix + folder);
   return out;
