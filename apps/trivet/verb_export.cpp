@@ -38,11 +38,23 @@ int export_table(const ExportArguments& arguments, const CommonOptions& common) 
   return 0;
 }
 
+bool is_mjcf(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".xml" || extension == ".mjcf";
+}
+
+void check_asleep(const ExportArguments& arguments) {
+  const bool is_new = arguments.options.files.mujoco == kNewestMujoco;
+  if (arguments.options.files.asleep && !(is_new && is_mjcf(arguments.output)))
+    throw Error(Error::Kind::BadInput,
+                "--asleep: %1 has no word for it; accepted: .xml and .mjcf, without --mujoco 2",
+                arguments.output);
+}
+
 void check_can_simulate(const ExportArguments& arguments) {
   if (!(arguments.simulate > 0)) return;
-  const std::string extension = lower_extension(arguments.output);
   if (!can_simulate()) throw Error(Error::Kind::BadInput, "--simulate: %1", no_simulator());
-  if (extension != ".xml" && extension != ".mjcf")
+  if (!is_mjcf(arguments.output))
     throw Error(Error::Kind::BadInput,
                 "--simulate: MuJoCo does not read %1; accepted: .xml and .mjcf", arguments.output);
 }
@@ -51,6 +63,7 @@ int export_for_simulator(const ExportArguments& arguments, const CommonOptions& 
   SimulationOptions options = arguments.options;
   options.collision = collision_rule_from_name(arguments.collision);
   check_collision_rule(options.collision, arguments.output);
+  check_asleep(arguments);
   check_can_simulate(arguments);
   const SimulationExport done =
       export_simulation(scene_of(arguments, common), arguments.output, options);
@@ -111,6 +124,10 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
   verb.add_option("--mujoco", options.files.mujoco,
                   "Version of MuJoCo that reads the .xml or .mjcf: 3 (default) or 2")
       ->check(integer_from(kOldestMujoco, kNewestMujoco))
+      ->group(kSimulators);
+  verb.add_flag("--asleep", options.files.asleep,
+                "Let free objects sleep until something touches them: for .xml and .mjcf that "
+                "MuJoCo 3.9 or later reads")
       ->group(kSimulators);
   verb.add_option("--hull-clearance", options.hull_clearance,
                   "Move the faces of hulls inwards by these metres; default: 0")

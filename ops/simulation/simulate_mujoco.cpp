@@ -131,6 +131,7 @@ class ReadableFile {
     const std::filesystem::path file(m_path);
     if (files.mesh_folder.empty()) files.mesh_folder = file.stem().string() + "_meshes";
     files.mujoco = kOldestMujoco;
+    files.asleep = false;
     m_path = (file.parent_path() / ("." + file.stem().string() + ".mujoco2.xml")).string();
     m_is_own = true;
     SimulationScene scene = done.scene;

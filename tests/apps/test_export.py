@@ -9,7 +9,9 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 import zipfile
 
+from label_files import read_png
 from program import SLAB, Case, box_obj, main, put
+from test_textures import checker, textured_box
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 NODE_MODULES = os.environ.get("TRIVET_NODE_MODULES", "")
@@ -93,6 +95,111 @@ class Simulators(Exports):
         self.refused("export", "cube.obj", "-o", "s.xml", says="cube.obj")
         self.refused("export", "s.glb", "-o", "/proc/nowhere/s.xml", says="nowhere", status=3)
         self.refused("export", "s.glb", "-o", "s.csv", "--density", "500", says="--density")
+
+
+class Textures(Exports):
+    """A box whose sides show a picture each, beside a plain cube."""
+
+    def textured(self):
+        obj, mtl = textured_box()
+        self.write("box.obj", obj)
+        self.write("box.mtl", mtl)
+        self.write("checker.png", checker())
+        layout = self.layout([{"name": "box", "model": "box.obj"}, {"name": "cube", "model": "cube.obj"}],
+                             [put("box", 0, 0, 1), put("cube", 1, 0, 1)])
+        self.trivet("run", layout, "-o", "s.glb")
+
+    def export(self, name):
+        """Text of the scene, of all its files by ending, and the picture's name."""
+        out, _ = self.trivet("export", "s.glb", "-o", name, "--json")
+        files = json.loads(out)["files"]
+        pictures = [f for f in files if f.endswith(".png")]
+        self.assertEqual(len(pictures), 1, files)
+        width, height, channels, texels = read_png(self.read(pictures[0]))
+        expected = read_png(checker())[3]
+        self.assertEqual((width, height, channels), (32, 32, 3))  # all of it is opaque
+        self.assertEqual(list(texels), [v for i, v in enumerate(expected) if i % 4 < 3])
+        return self.read(name).decode(), {f: self.read(f).decode() for f in files if f not in pictures}, \
+            os.path.basename(pictures[0])
+
+    def shown(self, obj):
+        """Corners of the faces as (position, texture coordinates)."""
+        points, coordinates, corners = [], [], set()
+        for line in obj.splitlines():
+            word, *values = line.split(" ")
+            if word == "v":
+                points.append(tuple(map(float, values)))
+            elif word == "vt":
+                coordinates.append(tuple(map(float, values)))
+            elif word == "f":
+                for at, texel in (map(int, value.split("/")) for value in values):
+                    corners.add((points[at - 1], coordinates[texel - 1]))
+        return corners
+
+    def test_obj_of_simulators_has_coordinates_and_pictures(self):
+        self.textured()
+        rounded = {tuple(round(v, 6) for v in p + t) for p, t in self.shown(textured_box()[0])}
+        for name in ("s.urdf", "s.sdf"):
+            _, files, picture = self.export(name)
+            whole = [t for f, t in files.items() if f.endswith(".obj") and "\nvt " in t]
+            self.assertEqual(len(whole), 1)
+            self.assertEqual({tuple(round(v, 6) for v in p + t) for p, t in self.shown(whole[0])}, rounded)
+            materials = [t for f, t in files.items() if f.endswith(".mtl") and "map_Kd" in t]
+            self.assertEqual(len(materials), 1)
+            self.assertIn("map_Kd " + picture + "\n", materials[0])
+
+    def test_formats_in_one_folder_leave_each_others_files(self):
+        self.textured()
+        _, before, _ = self.export("s.urdf")
+        self.export("s.xml")
+        for name, text in before.items():
+            self.assertEqual(self.read(name).decode(), text, name)
+
+    def test_mujoco_has_textures(self):
+        self.textured()
+        text, _, picture = self.export("s.xml")
+        root = ElementTree.fromstring(text)
+        texture, = root.iter("texture")
+        self.assertEqual((texture.get("type"), texture.get("file")), ("2d", picture))
+        self.assertEqual(root.find("compiler").get("texturedir"), root.find("compiler").get("meshdir"))
+        users = [m.get("name") for m in root.iter("material") if m.get("texture") == texture.get("name")]
+        self.assertEqual(len(users), 1)
+        box = next(b for b in root.iter("body") if b.get("name") == "box")
+        self.assertEqual([g.get("material") for g in box.iter("geom") if g.get("class") == "visual"], users)
+
+    def test_usd_has_textures(self):
+        self.textured()
+        _, files, picture = self.export("s.usda")
+        layer, = (t for f, t in files.items() if "UsdUVTexture" in t)
+        self.assertIn("inputs:file = @./%s@" % picture, layer)
+        self.assertIn("color3f inputs:diffuseColor.connect = </box/Looks/Material0/Image.outputs:rgb>", layer)
+        values = layer.split("primvars:st = [")[1].split("]")[0]
+        self.assertEqual(len(values.split("), (")), 36)  # corners of 12 triangles
+        self.assertIn('interpolation = "faceVarying"', layer)
+
+
+class Mujoco(Exports):
+    def test_version_3_has_no_words_of_version_2(self):
+        layout = self.layout([{"name": "cube", "model": "cube.obj"}], [put("cube", 0, 0, 1)])
+        self.trivet("run", layout, "-o", "s.glb")
+        self.trivet("export", "s.glb", "-o", "new.xml")
+        self.trivet("export", "s.glb", "-o", "old.xml", "--mujoco", 2)
+        new, old = (ElementTree.fromstring(self.read(name)) for name in ("new.xml", "old.xml"))
+        self.assertIsNone(new.find("size"))
+        self.assertIsNotNone(old.find("size"))
+        corners = [[g for g in root.iter("geom") if g.get("class") == "corner"] for root in (new, old)]
+        self.assertEqual(corners[0], [])
+        self.assertGreaterEqual(len(corners[1]), 4)
+
+    def test_free_objects_sleep_on_request(self):
+        self.scene()
+        for options, sleeping, flag in (((), [None] * 4, None), (("--asleep",), [None, "init", "init", "init"], "enable")):
+            self.trivet("export", "s.glb", "-o", "s.xml", *options)
+            root = ElementTree.fromstring(self.read("s.xml"))
+            self.assertEqual([b.get("sleep") for b in root.iter("body")], sleeping)
+            self.assertEqual(root.find("option/flag").get("sleep"), flag)
+        self.refused("export", "s.glb", "-o", "s.sdf", "--asleep", says="--asleep")
+        self.refused("export", "s.glb", "-o", "s.xml", "--asleep", "--mujoco", 2, says="--asleep")
 
 
 class Usd(Exports):

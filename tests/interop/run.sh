@@ -40,15 +40,15 @@ fi
 # Engines: the small demos, or all with "all" behind the job, and then the folder of programs in C++.
 case "$job" in
   mujoco | mujoco2 | rapier | jolt | bullet)
-    programs="${5:-}" demos=spoon-saucer,breakfast,office1
-    [ "${4:-}" = all ] && demos=""
+    programs="${5:-}" demos=spoon-saucer,breakfast,office1 seconds=1
+    [ "${4:-}" = all ] && demos="" seconds=5
     case "$job" in
       bullet | mujoco2)
         [ -x "$programs/${job}_rest" ] || skip "no ${job}_rest was built (Debian: libbullet-dev, libmujoco-dev)" ;;
       *) install_modules ;;
     esac
     python3 -B "$here/simulators/matrix.py" --trivet "$trivet" --work "$work" --engines "$job" --bars \
-      ${demos:+--demos "$demos"} --programs "$programs"
+      --seconds "$seconds" ${demos:+--demos "$demos"} --programs "$programs"
     exit ;;
 esac
 export PYTHONDONTWRITEBYTECODE=1

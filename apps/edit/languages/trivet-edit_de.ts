@@ -1343,6 +1343,10 @@
         <translation>„%1“ wurde bewegt</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;: only base colours are written; its other maps and vertex colours are left out</source>
+        <translation>„%1“: Nur Grundfarben werden geschrieben; seine übrigen Texturen und Eckenfarben bleiben weg</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot;: its triangles collide, as no convex parts leave room for others</source>
         <translation>„%1“: seine Dreiecke stoßen an, da keine konvexen Teile anderen Platz lassen</translation>
     </message>

@@ -12,7 +12,7 @@ namespace {
 using Element = tinyxml2::XMLElement;
 
 constexpr double kCornerRadius = 1e-5;  // metres
-constexpr size_t kContactsOfPair = 4, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 1000;
+constexpr size_t kContactsOfPair = 4, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 2000;
 constexpr const char *kSolref = "0.004 1", *kSolimp = "0.95 0.99 0.0001";
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
@@ -23,12 +23,16 @@ std::string stem(const std::string& file) { return file.substr(0, file.rfind('.'
 class MjcfWriter {
  public:
   MjcfWriter(const SimulationScene& scene, const MeshFiles& meshes, const std::string& folder,
-             int version)
-      : m_scene(scene), m_meshes(meshes), m_folder(folder), m_version(version) {
+             const SimulationFileOptions& options)
+      : m_scene(scene),
+        m_meshes(meshes),
+        m_folder(folder),
+        m_version(options.mujoco),
+        m_asleep(options.asleep) {
     m_frictions.insert(scene.floor_friction);
     for (const SimulationBody& body : scene.bodies) {
       m_frictions.insert(body.friction);
-      m_corners.push_back(scene.floor && !body.fixed
+      m_corners.push_back(m_version < 3 && scene.floor && !body.fixed
                               ? floor_corners(scene.models[body.model], body.world_from_link)
                               : std::vector<Vec3>());
     }
@@ -42,16 +46,8 @@ class MjcfWriter {
                {"meshdir", m_folder},
                {"texturedir", m_folder},
                {"inertiafromgeom", "false"}});
-    add_size(root);
-    // With a single contact point per pair of meshes, the default in MuJoCo 2, boxes rock and
-    // drift. Elliptic cones with stiff friction keep objects from creeping down slopes.
-    Element* const option = add_child(root, "option",
-                                      {{"timestep", "0.001"},
-                                       {"gravity", "0 0 " + number_text(-m_scene.gravity)},
-                                       {"cone", "elliptic"},
-                                       {"impratio", "10"},
-                                       {"noslip_iterations", "5"}});
-    add_child(option, "flag", {{"multiccd", "enable"}});
+    if (m_version < 3) add_size(root);
+    add_option(root);
     add_defaults(root);
     add_assets(root);
     Element* const world = add_child(root, "worldbody");
@@ -72,6 +68,20 @@ class MjcfWriter {
   }
 
  private:
+  // With a single contact point per pair of meshes, the default up to MuJoCo 3.7, boxes rock and
+  // drift. Elliptic cones with stiff friction keep objects from creeping down slopes. In MuJoCo 2
+  // that takes further iterations and shorter steps, which cost most of the time.
+  void add_option(Element* root) const {
+    Element* const option = add_child(root, "option",
+                                      {{"timestep", m_version < 3 ? "0.001" : "0.002"},
+                                       {"gravity", "0 0 " + number_text(-m_scene.gravity)},
+                                       {"cone", "elliptic"},
+                                       {"impratio", m_version < 3 ? "10" : "100"}});
+    if (m_version < 3) option->SetAttribute("noslip_iterations", "5");
+    Element* const flag = add_child(option, "flag", {{"multiccd", "enable"}});
+    if (m_asleep) flag->SetAttribute("sleep", "enable");
+  }
+
   void add_defaults(Element* root) {
     Element* const all = add_child(root, "default");
     // Contacts yield by micrometres under load instead of MuJoCo's default tenths of a millimetre.
@@ -81,15 +91,16 @@ class MjcfWriter {
                {"condim", "4"},
                {"solref", kSolref},
                {"solimp", kSolimp}});
-    add_child(add_child(all, "default", {{"class", "corner"}}), "geom",
-              {{"type", "sphere"},
-               {"size", number_text(kCornerRadius)},
-               {"group", "3"},
-               {"contype", "2"},
-               {"conaffinity", "0"},
-               {"condim", "4"},
-               {"solref", kSolref},
-               {"solimp", kSolimp}});
+    if (m_version < 3)
+      add_child(add_child(all, "default", {{"class", "corner"}}), "geom",
+                {{"type", "sphere"},
+                 {"size", number_text(kCornerRadius)},
+                 {"group", "3"},
+                 {"contype", "2"},
+                 {"conaffinity", "0"},
+                 {"condim", "4"},
+                 {"solref", kSolref},
+                 {"solimp", kSolimp}});
     add_child(add_child(all, "default", {{"class", "visual"}}), "geom",
               {{"type", "mesh"}, {"group", "2"}, {"contype", "0"}, {"conaffinity", "0"}});
   }
@@ -157,6 +168,7 @@ class MjcfWriter {
                                         {"pos", vector_text(pose.translation)},
                                         {"quat", quaternion_text(pose.rotation)}});
     if (!body.fixed) add_child(element, "freejoint", {{"name", body.file_name}});
+    if (!body.fixed && m_asleep) element->SetAttribute("sleep", "init");
     const Mat3& i = body.inertia;
     add_child(
         element, "inertial",
@@ -177,7 +189,7 @@ class MjcfWriter {
     return element;
   }
 
-  // MuJoCo finds three contacts of a mesh on a plane, not always the same: what lies flat would
+  // MuJoCo 2 finds three contacts of a mesh on a plane, not always the same: what lies flat would
   // rattle and creep. Spheres that only the floor sees hold it at all corners.
   void add_corners(Element* element, size_t index) const {
     const SimulationBody& body = m_scene.bodies[index];
@@ -196,6 +208,7 @@ class MjcfWriter {
   const MeshFiles& m_meshes;
   const std::string m_folder;
   const int m_version;
+  const bool m_asleep;
   std::set<double> m_frictions;
   std::set<std::string> m_images;            // that are assets already
   std::vector<std::vector<Vec3>> m_corners;  // of the bodies, see floor_corners()
@@ -205,8 +218,8 @@ class MjcfWriter {
 }  // namespace
 
 std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                      const std::string& folder, int version) {
-  return MjcfWriter(scene, meshes, folder, version).text();
+                      const std::string& folder, const SimulationFileOptions& options) {
+  return MjcfWriter(scene, meshes, folder, options).text();
 }
 
 }  // namespace trivet

@@ -72,9 +72,8 @@ inline constexpr const char* kMadeBy =
     "instead. ";
 
 // One function per format. `folder` prefixes the names of meshes and ends with a slash.
-/// @param version  of MuJoCo: 2 or 3.
 std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                      const std::string& folder, int version);
+                      const std::string& folder, const SimulationFileOptions& options);
 std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
                       const std::string& folder);
 std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,

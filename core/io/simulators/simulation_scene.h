@@ -56,6 +56,8 @@ struct SimulationFileOptions {
   std::string mesh_prefix;
   /// Version of MuJoCo whose MJCF is written: 3, or 2, which refuses words of later ones.
   int mujoco = 3;
+  /// In MJCF for MuJoCo 3.9 or later free bodies sleep until something touches them.
+  bool asleep = false;
 };
 inline constexpr int kOldestMujoco = 2, kNewestMujoco = 3;
 

@@ -77,7 +77,7 @@ SimulationText text_of(const SimulationScene& scene, Format format, const std::s
   }
   const MeshFiles meshes(scene, format == Format::Mjcf);
   out.meshes = meshes.files();
-  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder, options.mujoco);
+  if (format == Format::Mjcf) out.scene = mjcf_text(scene, meshes, folder, options);
   if (format == Format::Urdf) out.scene = urdf_text(scene, meshes, options.mesh_prefix + folder);
   if (format == Format::Sdf) out.scene = sdf_text(scene, meshes, options.mesh_prefix + folder);
   return out;
