@@ -91,7 +91,7 @@ struct Stage {
     const Object& object = scene.at(id);
     SettleProblem out;
     out.shape = object.shape.get();
-    out.friction = object.material.friction;
+    out.surface = surface_of(object);
     out.start = object.pose;
     out.others = &others;
     out.clearance = kEps;

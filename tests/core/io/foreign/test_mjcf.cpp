@@ -91,7 +91,7 @@ TEST(Mjcf, FramesShiftWhatIsInThem) {
       R"(<frame pos="0 0 1" euler="90 0 0"><body name="b" pos="1 0 2"><freejoint/>
          <geom type="box" size="1 1 1"/></body></frame>)"));
   ASSERT_EQ(scene.bodies.size(), 1u);
-  EXPECT_EQ(scene.bodies[0].pose.translation, Vec3(1, -2, 1));
+  EXPECT_LT((scene.bodies[0].pose.translation - Vec3(1, -2, 1)).norm(), 1e-14);
 }
 
 TEST(Mjcf, WhatIsNotReadIsNamed) {
@@ -123,7 +123,7 @@ TEST(Mjcf, IncludedFilesStandInPlace) {
   ASSERT_EQ(scene.files.size(), 2u);
   ASSERT_EQ(scene.bodies.size(), 2u);
   EXPECT_EQ(find_body(scene, "b")->place.file, 1u);
-  const auto files = files_with_poses(scene, {{0, {{}, {1, 2, 4}}}});
+  const auto files = files_with_poses(scene, {{1, {{}, {1, 2, 4}}}});
   EXPECT_EQ(files[0], scene.files[0].bytes);
   EXPECT_NE(files[1].find("pos='1 2 4'"), std::string::npos);
 }
