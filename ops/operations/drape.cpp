@@ -35,10 +35,10 @@ std::optional<InvalidArgument> refuse_material(const DrapeOperation& o) {
 }
 
 std::optional<InvalidArgument> refuse_size(const DrapeOperation& o) {
-  if (!o.path.empty() && (o.path.size() < 2 || !(length_of(o.path) > 1e-3)))
+  if (o.of) return std::nullopt;
+  if (!o.size && (o.path.size() < 2 || !(length_of(o.path) > 1e-3)))
     return InvalidArgument{"path", std::to_string(o.path.size()) + " points",
                            "two or more, over a millimetre or more"};
-  if (!o.size && o.path.empty()) return std::nullopt;
   const double count = o.size ? 1.0 * grid_of(o).num_u * grid_of(o).num_v : num_segments_of(o);
   if (count < kMaxFlexVertices) return std::nullopt;
   return InvalidArgument{"cell", in_english(figure(o.cell)),
