@@ -1,6 +1,6 @@
 #include "ops/operations/rename.h"
 
-#include <algorithm>
+#include <memory>
 
 #include "core/flex/flexible.h"
 #include "ops/operations/edit_parts.h"
