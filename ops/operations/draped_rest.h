@@ -9,7 +9,7 @@
 
 namespace trivet {
 
-/// What came near after it had come to rest does not press on it.
+/// Things that came near after it had come to rest do not press on it.
 /// @param id  of an object that is `flexible` and in the scene.
 flex::Judgement judge_draped(const Scene& scene, ObjectId id);
 
