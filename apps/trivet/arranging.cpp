@@ -65,16 +65,17 @@ class Writer {
 }  // namespace
 
 void add_arranging_options(CLI::App& app, ArrangingOptions& options) {
-  app.add_option("--seed", options.seed, "Another arrangement; default: the file's")
+  app.add_option("--seed", options.seed, "Number that selects the arrangement; default: the file's")
       ->check(integer_from(0, static_cast<long>(kMaxSeed)));
-  app.add_option("--seconds", options.seconds, "Give up after that time; 0: never")
+  app.add_option("--seconds", options.seconds, "Give up after this time (s); 0: never")
       ->check(number_from(0, 1e9));
   app.add_option("--solutions", options.solutions,
-                 "So many that differ, of this seed and those after it; {} in the names of files "
-                 "becomes 1, 2, ...")
+                 "Number of different arrangements to find, by this seed and the next ones; {} in "
+                 "file names becomes 1, 2, ...")
       ->check(integer_from(1, kMaxSolutions));
-  app.add_option("--distinct", options.distinct,
-                 "Metres by which the things of two solutions are apart, in the mean; default 0.01")
+  app.add_option(
+         "--distinct", options.distinct,
+         "Least mean distance between the objects of two arrangements (metres); default: 0.01")
       ->check(number_from(0, kMaxLength));
 }
 

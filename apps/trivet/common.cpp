@@ -20,8 +20,6 @@ namespace {
 
 std::string quoted(const std::string& text) { return "\"" + text + "\" is not accepted"; }
 
-bool shows_progress(const CommonOptions& common) { return !common.quiet && isatty(STDERR_FILENO); }
-
 }  // namespace
 
 namespace {
@@ -119,30 +117,30 @@ void add_rule(CLI::App& app, const std::string& flags, std::optional<bool>& rule
 void add_settle_options(CLI::App& app, SettleArguments& arguments) {
   SettleOptions& settle = arguments.settle;
   const char* const group = kSettling;
-  app.add_option(
-         "--clearance", settle.clearance,
-         "Gap in metres at which motions stop; 0: 2^-20 of the size of what is within 10 m, at "
-         "most 0.0095 mm, or more for large objects")
+  app.add_option("--clearance", settle.clearance,
+                 "Gap at which motions stop (metres); 0: a millionth (2^-20) of the size of what "
+                 "is within 10 m, at most 0.0095 mm unless an object is larger")
       ->check(number_from(0, 1e6))
       ->group(group);
   app.add_option("--max-motions", settle.max_motions, "Refuse operations that need more motions")
       ->check(integer_from(1, 1'000'000'000))
       ->group(group);
-  app.add_option("--operation-seconds", arguments.operation_seconds,
-                 "Time limit of an operation, which then leaves the scene unchanged; 0: none")
+  app.add_option(
+         "--operation-seconds", arguments.operation_seconds,
+         "Time limit of an operation (s), after which it leaves the scene unchanged; 0: none")
       ->check(number_from(0, 1e9))
       ->group(group);
   app.add_flag("--accept-wedged", settle.accept_wedged,
-               "Accept wedged objects, which can neither move nor be shown to be supported")
+               "Accept wedged objects: they cannot move, but no support is proved")
       ->group(group);
   add_rule(app, "--perfect-friction,!--finite-friction", arguments.rules.perfect_friction,
-           "Settle with nearly perfect friction, each object alone, as the paper does; default: "
-           "with the friction of the materials, 0.5 where none is given");
+           "Settle each object alone with nearly perfect friction, as in the paper; default: the "
+           "friction of the materials, 0.5 where none is given");
   add_rule(app, "--whole-at-rest,!--objects-alone", arguments.rules.whole_at_rest,
-           "What an operation unbalances gives way, or it is refused (default); --objects-alone: "
-           "each object is at rest on what stands still");
+           "Settle whatever an operation unbalances, or refuse the operation (default); "
+           "--objects-alone: judge each object by itself, as if its supports stood still");
   add_rule(app, "--literal-paper-rules", arguments.rules.literal_paper_rules,
-           "Settle by exactly the paper's three cases, for comparison");
+           "Settle by the paper's three cases alone, for comparison");
 }
 
 void add_tessellation_options(CLI::App& app, Tessellation& tessellation) {
@@ -279,6 +277,8 @@ CLI::Validator one_of(std::vector<std::string> accepted) {
       },
       CLI::detail::join(accepted, "|"));
 }
+
+bool shows_progress(const CommonOptions& common) { return !common.quiet && isatty(STDERR_FILENO); }
 
 ProgressCallback terminal_progress(const CommonOptions& common) {
   if (!shows_progress(common)) return {};

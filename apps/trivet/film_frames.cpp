@@ -86,10 +86,10 @@ size_t num_frames(const MotionFilm& film, double fps) {
 void add_film_options(CLI::App& app, FilmFrames& film) {
   CLI::Option* const file =
       app.add_option("--animation", film.file,
-                     "Of a layout: render what its operations move, as an animated .webp, or "
-                     "numbered pictures, a .png with {} for the number")
+                     "Render the motions of a layout's operations, as an animated .webp or as "
+                     "numbered pictures: a .png with {} for the number")
           ->type_name("FILE");
-  app.add_option("--fps", film.fps, "Pictures of the animation in a second; default: 24")
+  app.add_option("--fps", film.fps, "Frames per second of the animation; default: 24")
       ->check(number_from(0.1, 1000))
       ->needs(file);
 }

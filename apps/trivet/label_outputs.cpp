@@ -121,24 +121,25 @@ void add_label_options(CLI::App& app, LabelArguments& arguments) {
     app.add_option(name, target, what)->type_name("FILE")->group(group);
   };
   file("--depth", arguments.depth,
-       "Metres along the camera's axis: .exr, float32; or .png, 16 bits, in --depth-unit; 0: "
-       "nothing there");
+       "Write depths along the camera's axis: .exr, float32, metres; or .png, 16 bits, in "
+       "--depth-unit; 0: nothing there");
   file("--ids", arguments.ids,
-       "Number of each pixel's object, from 1, 16 bits, .png; 0: nothing, 65535: the floor");
-  file("--classes", arguments.classes, "Number of its class, from 1, 16 bits, .png");
+       "Write object numbers, from 1, as .png of 16 bits; 0: nothing there, 65535: the floor");
+  file("--classes", arguments.classes, "Write class numbers, from 1, as .png of 16 bits");
   file("--normals", arguments.normals,
-       "Unit normals in the camera's frame: .exr, float32; or .png, 16 bits: 32767 is 0");
-  file("--boxes", arguments.boxes, "Camera, objects and their boxes, .json");
+       "Write unit normals in the camera's frame: .exr, float32; or .png, 16 bits, where 32767 is "
+       "0");
+  file("--boxes", arguments.boxes, "Write the camera, the objects and their boxes, .json");
   app.add_flag("--visibility", arguments.visibility,
-               "In --boxes also how much of each object is seen")
+               "Add to --boxes the visible share of each object")
       ->group(group);
   app.add_option("--depth-unit", arguments.depth_unit, "Metres per unit of .png depths")
       ->check(number_from(1e-9, 1e9))
       ->group(group);
-  app.add_option("--coco", arguments.coco, "A data set in this folder as COCO has it")
+  app.add_option("--coco", arguments.coco, "Write a data set in COCO's format to this folder")
       ->type_name("FOLDER")
       ->group(group);
-  app.add_option("--bop", arguments.bop, "A data set in this folder as BOP has it")
+  app.add_option("--bop", arguments.bop, "Write a data set in BOP's format to this folder")
       ->type_name("FOLDER")
       ->group(group);
   add_view_options(app, arguments.views);

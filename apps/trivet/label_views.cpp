@@ -46,21 +46,22 @@ void add_view_options(CLI::App& app, ViewArguments& arguments) {
   const char* const group = "Cameras of labelled images";
   CLI::Option* const cameras =
       app.add_option("--cameras", arguments.cameras,
-                     "Cameras of a JSON file, {\"cameras\": [{\"eye\": [x, y, z], \"target\": "
+                     "Cameras from a JSON file, {\"cameras\": [{\"eye\": [x, y, z], \"target\": "
                      "[x, y, z], \"fov_deg\": 30}]} or with \"K\" and \"camera_from_world\"")
           ->type_name("FILE")
           ->group(group);
-  app.add_option("--dome", arguments.dome, "This many cameras around the scene, looking at it")
+  app.add_option("--dome", arguments.dome, "Number of cameras around the scene, looking at it")
       ->check(integer_from(1, kMaxViews))
       ->excludes(cameras)
       ->group(group);
-  app.add_option("--dome-seed", arguments.dome_seed, "Another seed, other cameras")->group(group);
+  app.add_option("--dome-seed", arguments.dome_seed, "Number that selects the cameras")
+      ->group(group);
   app.add_option("--dome-radius", arguments.dome_radius,
-                 "Metres from the scene's middle; default: so that all of it is seen")
+                 "Distance from the scene's middle (metres); default: all of the scene is seen")
       ->check(number_from(1e-6, kMaxLength))
       ->group(group);
   app.add_option("--dome-elevation", arguments.dome_elevation_deg,
-                 "Lowest and highest elevation, degrees; default: 15 75")
+                 "Lowest and highest elevation (degrees); default: 15 75")
       ->expected(2)
       ->check(number_from(-90, 90))
       ->group(group);

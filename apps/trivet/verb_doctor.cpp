@@ -53,22 +53,22 @@ int examine(const DoctorArguments& arguments, const CommonOptions& common) {
 }  // namespace
 
 Verb add_doctor(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb =
-      app.add_subcommand("doctor",
-                         "Tell what this machine lacks for batches: importer and its sandbox, "
-                         "memory, disk, files, clock, graphics. "
-                         "Exit status 3 if anything that is needed is missing");
+  CLI::App* const verb = app.add_subcommand(
+      "doctor",
+      "Check whether this machine has what batches need: importer and its sandbox, memory, disk, "
+      "files, clock, graphics. The exit status is 3 if something is missing");
   const auto arguments = std::make_shared<DoctorArguments>();
   verb->add_option("--out", arguments->needs.out,
-                   "Folder that batches are written to: free space, hard links")
+                   "Folder for batches, to check for free space and hard links")
       ->type_name("DIR");
-  verb->add_option("--memory-mb", arguments->needs.memory_mb, "Memory that is needed")
+  verb->add_option("--memory-mb", arguments->needs.memory_mb, "Memory that a batch needs (MB)")
       ->check(number_from(0, 1e9))
       ->capture_default_str();
-  verb->add_option("--disk-mb", arguments->needs.disk_mb, "Free space that is needed in --out")
+  verb->add_option("--disk-mb", arguments->needs.disk_mb,
+                   "Free space that a batch needs in --out (MB)")
       ->check(number_from(0, 1e12))
       ->capture_default_str();
-  verb->add_flag("--gpu", arguments->gpu, "Graphics hardware is needed, too");
+  verb->add_flag("--gpu", arguments->gpu, "Require graphics hardware, too");
   return {verb, [arguments, &common] { return examine(*arguments, common); }};
 }
 

@@ -72,31 +72,31 @@ Verb add_render(CLI::App& app, const CommonOptions& common) {
   const auto arguments = std::make_shared<RenderArguments>();
   PictureRequest& request = arguments->request;
   verb->add_option("scene", arguments->scene,
-                   "The scene, or any model file; of --animation a layout")
+                   "The scene, or any model file; for --animation a layout")
       ->required()
       ->type_name("SCENE");
   verb->add_option("-o,--output", arguments->picture,
-                   "The picture, .png; of several cameras a name with {}");
-  verb->add_option("--width", request.width, "Pixels")->check(integer_from(1, 16384));
-  verb->add_option("--height", request.height, "Pixels")->check(integer_from(1, 16384));
+                   "Write the picture, .png; for several cameras a name with {} for the number");
+  verb->add_option("--width", request.width, "Width in pixels")->check(integer_from(1, 16384));
+  verb->add_option("--height", request.height, "Height in pixels")->check(integer_from(1, 16384));
   verb->add_option("--samples", request.samples,
-                   "Of each pixel: 4 for a draft, 16 (default), 64 for print; OpenGL: views to "
-                   "average, 8, 32 (default), 128")
+                   "Samples per pixel: 4 for a draft, 16 (default), 64 for print; with OpenGL, "
+                   "views to average: 8, 32 (default), 128")
       ->check(integer_from(1, 4096));
   verb->add_option("--renderer", request.renderer,
-                   "opengl, or path: rays on the processor, also through glass; auto: opengl on "
-                   "graphics hardware. Of --cameras, --dome and data sets always path")
+                   "opengl; path: path tracing on the processor, glass included; auto: opengl on "
+                   "graphics hardware. Labelled images always use path")
       ->check(one_of({"auto", "opengl", "path"}));
   verb->add_option("--bounces", request.bounces,
-                   "Reflections of path; 0: shadows and sky only, as OpenGL has them")
+                   "Reflections that a path follows; 0: shadows and sky only, as with OpenGL")
       ->check(integer_from(0, 64));
   verb->add_option("--camera", request.camera,
-                   "Eye and target, metres; default: a view from above that frames everything")
+                   "Eye and target (metres); default: a view from above that frames everything")
       ->expected(6)
       ->type_name("EX EY EZ TX TY TZ")
       ->check(number_from(-kMaxLength, kMaxLength));
   verb->add_option("--fov", request.fov_deg,
-                   "Field of view, degrees from the lower to the upper edge")
+                   "Field of view from the lower to the upper edge (degrees)")
       ->check(number_from(1, 170));
   add_film_options(*verb, arguments->film);
   add_label_options(*verb, arguments->labels);

@@ -47,17 +47,17 @@ void add_limits(CLI::App& verb, serve::ServeOptions& options) {
       ->check(integer_from(1, 1'000'000))
       ->capture_default_str();
   verb.add_option("--max-objects", options.max_objects,
-                  "Objects that clients may make of a session")
+                  "Largest number of objects in a client's session")
       ->check(integer_from(1, 1'000'000'000))
       ->capture_default_str();
   verb.add_option(
           "--max-states", options.max_states,
-          "States of objects that a session keeps for undo; a step has one and one for each "
-          "object that it changed. The oldest steps are forgotten")
+          "States that a session keeps for undo: one per step and one per object that it changed. "
+          "The oldest steps are forgotten")
       ->check(integer_from(1, 1'000'000'000))
       ->capture_default_str();
   verb.add_option("--idle-seconds", options.idle_seconds,
-                  "Close a session unused for so long when room for another is needed")
+                  "Close a session that was unused for this time (s) when another needs its place")
       ->check(number_from(0, 1e9))
       ->capture_default_str();
   verb.add_option("--max-waiting", options.max_waiting,
@@ -85,12 +85,11 @@ void add_limits(CLI::App& verb, serve::ServeOptions& options) {
 Verb add_serve(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "serve",
-      "Serve sessions over HTTP: scenes are loaded once, POST /sessions opens a session on one, "
-      "and "
-      "POST /sessions/ID asks it a line as `trivet session` takes. Prints {\"serving\": ADDRESS} "
-      "when it is ready. Clients save no files, and models are read from the folder of START "
-      "alone. SIGTERM answers what is under way, then ends. There is no authentication: whoever "
-      "reaches the address may use it");
+      "Serve sessions over HTTP. Scenes are loaded once; POST /sessions opens a session on one, "
+      "and POST /sessions/ID sends it a line in the form that `trivet session` reads. The server "
+      "prints {\"serving\": ADDRESS} when it is ready. Clients cannot save files, and models are "
+      "read from the folder of START only. On SIGTERM it answers the requests under way and exits. "
+      "There is no authentication: whoever reaches the address may use it");
   const auto arguments = std::make_shared<ServeArguments>();
   arguments->settle.operation_seconds = arguments->serve.operation_seconds;
   verb->add_option("start", arguments->serve.starts, "Layouts and scenes that sessions start from")
@@ -99,14 +98,14 @@ Verb add_serve(CLI::App& app, const CommonOptions& common) {
                    "Serve the random scenes of a recipe, too: GET /scenes/K, and sessions on them "
                    "(see trivet batch)")
       ->type_name("RECIPE.json");
-  verb->add_option("--seed", arguments->serve.seed, "Of the recipe's scenes; others are others")
+  verb->add_option("--seed", arguments->serve.seed, "Number that selects the recipe's scenes")
       ->check(integer_from(0, std::numeric_limits<long>::max()))
       ->capture_default_str();
   auto* const socket =
       verb->add_option("--socket", arguments->serve.socket,
-                       "Listen to a Unix socket of this name, which its owner alone may open")
+                       "Listen on a Unix socket of this name, which only its owner may open")
           ->type_name("PATH");
-  verb->add_option("--address", arguments->serve.address, "Listen to TCP at this address")
+  verb->add_option("--address", arguments->serve.address, "Listen on TCP at this address")
       ->type_name("ADDRESS")
       ->capture_default_str()
       ->excludes(socket);

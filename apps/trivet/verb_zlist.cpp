@@ -165,11 +165,15 @@ int zlist(const ZListArguments& arguments, const CommonOptions& common) {
 void add_motion_options(CLI::App& verb, MotionRequest& motion) {
   const char* const group = "Of a motion, instead of a direction";
   CLI::Option* const drop =
-      verb.add_option("--drop", motion.drop, "This object falls, with its loads")->group(group);
+      verb.add_option("--drop", motion.drop, "Z-lists of this object's fall, with its loads")
+          ->group(group);
   CLI::Option* const move =
-      verb.add_option("--move", motion.move, "It moves by --along")->group(group);
+      verb.add_option("--move", motion.move, "Z-lists of this object's motion by --along")
+          ->group(group);
   CLI::Option* const turn =
-      verb.add_option("--turn", motion.turn, "It turns about --axis by --angle-deg")->group(group);
+      verb.add_option("--turn", motion.turn,
+                      "Z-lists of this object's turn about --axis by --angle-deg")
+          ->group(group);
   drop->excludes(move)->excludes(turn);
   move->excludes(turn);
   for (CLI::Option* const option : {drop, move, turn}) {
@@ -177,7 +181,7 @@ void add_motion_options(CLI::App& verb, MotionRequest& motion) {
     for (const char* const other : kOfDirections) option->excludes(verb.get_option(other));
   }
   const auto number = number_from(-kMaxLength, kMaxLength);
-  verb.add_option("--along", motion.along, "Displacement, metres")
+  verb.add_option("--along", motion.along, "Displacement (metres)")
       ->expected(3)
       ->type_name("X Y Z")
       ->check(number)
@@ -189,17 +193,19 @@ void add_motion_options(CLI::App& verb, MotionRequest& motion) {
       ->check(number)
       ->needs(turn)
       ->group(group);
-  verb.add_option("--centre", motion.centre, "A point on it; default: the centre of mass")
+  verb.add_option("--centre", motion.centre,
+                  "A point on the axis; default: the centre of mass (metres)")
       ->expected(3)
       ->type_name("X Y Z")
       ->check(number)
       ->needs(turn)
       ->group(group);
-  verb.add_option("--angle-deg", motion.angle_deg, "Right-handed; default: 90")
+  verb.add_option("--angle-deg", motion.angle_deg,
+                  "Angle, right-handed about the axis (degrees); default: 90")
       ->check(number_from(-90, 90))
       ->needs(turn)
       ->group(group);
-  verb.add_option("--raise", motion.raise, "Lift it by so many metres first")
+  verb.add_option("--raise", motion.raise, "Height to lift the object by first (metres)")
       ->check(number_from(0, kMaxLength))
       ->group(group);
 }

@@ -11,8 +11,8 @@ const OperationTable& table<MaterialOperation>() {
   using R = Row<P>;
   static const OperationTable rows = make_table<P>(
       {{"material",
-        "Set an object's material; nothing moves: what its contacts no longer hold at the new "
-        "friction is named as unsupported"}},
+        "Set an object's material; nothing moves, but objects that the new friction no longer "
+        "holds are reported as unsupported"}},
       {R("material", &P::material, kMaterial, "Name of a preset, or its numbers").needed()});
   return rows;
 }

@@ -38,9 +38,10 @@ const OperationTable& table<PushOperation>() {
          "Normal of the surface, towards the object: along a wall, directions and targets are to "
          "the "
          "right and up, seen from the object; under a ceiling x and -y"),
-       R("step_up", &P::step_up, kLength, "Higher steps stop the object; it climbs lower ones"),
+       R("step_up", &P::step_up, kLength,
+         "Height of the highest step that the object climbs; higher ones stop it"),
        R("step_down", &P::step_down, kLength,
-         "Before deeper edges the object stops; it goes down lower ones"),
+         "Depth of the deepest edge that it goes down; it stops before deeper ones"),
        R("slide", &P::slide, kFlag, "Slide along walls; otherwise they stop the object")
            .otherwise("Stop at walls instead of sliding along them"),
        R("settle", &P::settle, kFlag,

@@ -228,12 +228,12 @@ OperationTable make_table(std::initializer_list<FormRow<P>> forms,
   out.fields.insert(out.fields.end(), rows.begin(), rows.end());
   if constexpr (std::is_base_of_v<JointMoveOptions, P>)
     out.fields.push_back(Row<P>("together", &P::together, kObjectName,
-                                "Objects that move along, as those of its group do; they are "
-                                "released where the object is, the lowest first"));
+                                "Objects that move along, like those of its group; they are "
+                                "released with it, the lowest first"));
   if constexpr (std::is_base_of_v<MoveOptions, P>)
-    out.fields.push_back(Row<P>("settle_left", &P::settle_left, kFlag,
-                                "Let objects that lose their support settle, in order; otherwise "
-                                "they are named and stay"));
+    out.fields.push_back(Row<P>(
+        "settle_left", &P::settle_left, kFlag,
+        "Settle objects that lose their support, in order; otherwise they stay and are named"));
   if (rule) out.rule = [rule](const void* o) { return rule(*static_cast<const P*>(o)); };
   out.choice = choice;
   return out;
