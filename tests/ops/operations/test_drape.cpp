@@ -112,6 +112,9 @@ TEST(Drape, IsRefusedWithReasons) {
   o = cloth();
   o.cell = 1e-4;
   s.refused(o, "cells");
+  o = cloth();
+  o.thickness = 0.02;
+  s.refused(o, "twice the thickness");
   s.refused(lead({{0, 0, 1}}), "two or more");
   s.refused(lead({}), "two or more");
   o = lead({{-0.2, 0, 0.5}, {0.2, 0, 0.5}, {0.2, 0.1, 0.5}, {0, 0.1, 0.5}, {0, -0.1, 0.502}});
