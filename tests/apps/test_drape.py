@@ -102,7 +102,7 @@ class Drape(SessionCase):
                        lambda f: f.pop("rest")):
             spoiled(change)
             self.refused("check", "x.glb", says=["flexible"])
-        # What is read is judged, not believed.
+        # The program judges what it reads and believes none of it.
         spoiled(lambda f: f.update(layer=f["layer"] / 2))
         self.trivet("check", "x.glb", status=1)
 
