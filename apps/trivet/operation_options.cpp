@@ -178,6 +178,7 @@ struct Set {
     if (given.field->accepts.sort == Sort::Region) *v = region_of(*v);
   }
   void operator()(std::vector<Vec3>* v) const {
+    v->clear();  // forms may begin with some
     for (size_t k = 0; k + 2 < given.numbers.size(); k += 3) v->push_back(vec3(given.numbers, k));
   }
   void operator()(PhysicsMaterial* v) const { *v = *given.material.material(); }

@@ -102,6 +102,7 @@ Mollifier Contact::mollifier(const ContactPair& of) const {
 bool Contact::find(const Points& x, std::vector<ContactPair>& out) {
   if (!holds(x)) gather(x);
   out.clear();
+  if (m_candidates.size() > kMostPairs) return false;
   for (const NearPair& near : m_candidates) {
     ContactPair pair{near, m_surroundings.points(near, x), {}};
     pair.offset = offset(near);

@@ -42,7 +42,8 @@ class Contact {
   /// Pairs of the body with itself that are nearer than its thickness keep half of their distance
   /// from now on.
   void keep_distances_of(const Points& x);
-  /// All pairs in the layer. @return false if any is at its offset or nearer.
+  /// All pairs in the layer. @return false if any is at its offset or nearer, or there
+  /// are too many.
   bool find(const Points& x, std::vector<ContactPair>& out);
   /// Energy; adds to the derivatives that are asked for.
   /// @param total  its exact or positive second derivative.

@@ -72,6 +72,10 @@ class Level {
   void share_weight(const NodalForces& forces, DrapeResult& out) const {
     const double weight = m_body.weight();
     out.shares.assign(m_surroundings.obstacles().num_owners(), 0);
+    out.touches.assign(out.shares.size(), false);
+    for (const ContactPair& p : m_state.pairs)
+      if (!p.pair.is_own())
+        out.touches[m_surroundings.obstacles().owner_of_vertex(p.points.fixed[0])] = true;
     double up = 0;
     for (size_t v = 0; v < m_body.size(); ++v) {
       const auto& by = forces.by[v];

@@ -33,6 +33,7 @@ struct DrapeResult {
   double layer = 0;  // m, of the contact on the finest level
   RestCertificate certificate;
   std::vector<double> shares;  // of the weight, by owners of obstacles
+  std::vector<bool> touches;   // the same owners: in its layer
   double pin_share = 0;
 };
 

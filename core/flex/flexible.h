@@ -7,7 +7,7 @@
 
 namespace trivet {
 
-/// Names who holds it: names outlive the objects.
+/// Names who touches it: names outlive the objects.
 struct FlexSupport {
   std::string name;  // of an object; "floor"; "pins"
   double share = 0;  // of its weight; negative: it presses down
@@ -38,7 +38,7 @@ struct Flexible {
   double layer = 0, pressure = 0;         // of its contact; see flex::ContactOptions
   flex::Points friction;                  // all of it on each vertex, N
   RestCertificate certificate;
-  std::vector<FlexSupport> supports;  // the largest share first
+  std::vector<FlexSupport> supports;  // all that touched it, the largest share first
 };
 
 }  // namespace trivet

@@ -48,7 +48,7 @@ Judgement judge(const Flexible& flexible, const Affine& world_from_object,
     out.crosses_itself_in_float32 =
         self_crossing(rounded_to_float32(flexible.vertices), flexible.faces).has_value();
   }
-  if (!fits(flexible)) {
+  if (!fits(flexible) || out.crosses_itself) {
     out.is_clear = false;
     return out;
   }

@@ -104,6 +104,7 @@ bool Surroundings::are_neighbours(const NearPair& pair) const {
 void Surroundings::find_outside(std::span<const Aabb> boxes, double margin,
                                 std::vector<NearPair>& out) const {
   const auto search = [&](const BoxTree& tree, PairKind kind, size_t a, Aabb box) {
+    if (out.size() > kMostPairs) return;
     grow(box, margin);
     tree.visit(box, [&](int b) { out.push_back({kind, static_cast<int>(a), b}); });
   };
@@ -123,7 +124,7 @@ void Surroundings::find_own(std::span<const Aabb> boxes, double margin,
     const NearPair pair{kind, a, b};
     if (!are_neighbours(pair)) out.push_back(pair);
   };
-  for (size_t v = 0; v < boxes.size(); ++v) {
+  for (size_t v = 0; v < boxes.size() && out.size() <= kMostPairs; ++v) {
     Aabb box = boxes[v];
     grow(box, margin);
     const std::array<int, 1> vertex{static_cast<int>(v)};
@@ -131,7 +132,7 @@ void Surroundings::find_own(std::span<const Aabb> boxes, double margin,
       if (!share_a_vertex(vertex, m_body.faces[f])) add(PairKind::OwnVertexFace, vertex[0], f);
     });
   }
-  for (size_t e = 0; e < m_body.edges.size(); ++e) {
+  for (size_t e = 0; e < m_body.edges.size() && out.size() <= kMostPairs; ++e) {
     Aabb box = box_of(m_body.edges[e], boxes);
     grow(box, margin);
     const int a = static_cast<int>(e);

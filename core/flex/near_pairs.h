@@ -34,6 +34,9 @@ struct PairPoints {
   Vec3 direction() const { return difference / distance; }
 };
 
+/// Pairs at most: a hostile file may have everything in one place.
+inline constexpr size_t kMostPairs = size_t{1} << 24;
+
 /// The body among the obstacles: which elements are near each other.
 class Surroundings {
  public:
@@ -45,7 +48,8 @@ class Surroundings {
   bool are_neighbours(const NearPair& pair) const;
 
   /// Appends all pairs whose boxes are no farther apart than a margin, sorted by kind, then as the
-  /// trees have them. @param boxes  of the vertices; those of edges and faces hold theirs.
+  /// trees have them; more than kMostPairs are incomplete. @param boxes  of the vertices; those of
+  /// edges and faces hold theirs.
   /// @param margin  from obstacles; @param own_margin  from itself; both in metres.
   void find(std::span<const Aabb> boxes, double margin, double own_margin,
             std::vector<NearPair>& out);

@@ -1,5 +1,6 @@
 #include "ops/operations/drape.h"
 
+#include "core/flex/judge.h"
 #include "core/flex/self_crossings.h"
 #include "ops/operations/drape_parts.h"
 #include "ops/operations/edit_parts.h"
@@ -17,7 +18,7 @@ constexpr Accepts kThickness{Sort::Number, 1e-5, 1, "metres"};
 constexpr Accepts kFlexDensity{Sort::Number, 1e-4, 1e3, "kg/m2, of a cable kg/m"};
 constexpr Accepts kBending{Sort::Number, 0, 1e6, "N m, of a cable N m2"};
 constexpr Accepts kFlexFriction{Sort::Number, 0, kMaxFriction};
-constexpr Accepts kNetForce{Sort::Number, 1e-7, 1, "weights of a vertex"};
+constexpr Accepts kNetForce{Sort::Number, 1e-7, flex::kRestingForce, "weights of a vertex"};
 constexpr Accepts kSteps{Sort::Whole, 1, 1e6};
 
 std::string names_of(bool cables) {
@@ -34,15 +35,26 @@ std::optional<InvalidArgument> refuse_material(const DrapeOperation& o) {
   return InvalidArgument{"material", "\"" + o.material + "\"", names_of(is_cable)};
 }
 
+// Else vertices would touch the neighbours of their neighbours.
+std::optional<InvalidArgument> refuse_thickness(const DrapeOperation& o) {
+  const flex::Grid grid = grid_of(o);
+  const double cell = std::min(grid.length_u / grid.num_u, grid.length_v / grid.num_v);
+  const double least = 2 * flex_material(o).thickness;
+  if (cell >= least) return std::nullopt;
+  return InvalidArgument{"cell", in_english(figure(cell)),
+                         say("cells of %1 m or more, twice the thickness", figure(least))};
+}
+
 std::optional<InvalidArgument> refuse_size(const DrapeOperation& o) {
-  if (!o.path.empty() && (o.path.size() < 2 || !(length_of(o.path) > 1e-3)))
+  if (o.of) return std::nullopt;
+  if (!o.size && (o.path.size() < 2 || !(length_of(o.path) > 1e-3)))
     return InvalidArgument{"path", std::to_string(o.path.size()) + " points",
                            "two or more, over a millimetre or more"};
-  if (!o.size && o.path.empty()) return std::nullopt;
   const double count = o.size ? 1.0 * grid_of(o).num_u * grid_of(o).num_v : num_segments_of(o);
-  if (count < kMaxFlexVertices) return std::nullopt;
-  return InvalidArgument{"cell", in_english(figure(o.cell)),
-                         say("lengths that give at most %1 cells", kMaxFlexVertices)};
+  if (count >= kMaxFlexVertices)
+    return InvalidArgument{"cell", in_english(figure(o.cell)),
+                           say("lengths that give at most %1 cells", kMaxFlexVertices)};
+  return o.size ? refuse_thickness(o) : std::nullopt;
 }
 
 std::optional<InvalidArgument> refuse_drape(const DrapeOperation& o) {
@@ -69,23 +81,36 @@ std::optional<Refusal> refuse_start(const Scene& scene, const std::string& name,
   return why;
 }
 
+Refusal not_at_rest(const Named& name, const RestCertificate& c, double net_force) {
+  const Vec3& at = c.net_force_at;
+  return {Refusal::Cause::NotAtRest,
+          {name},
+          {{"steps", 1.0 * c.num_steps},
+           {"net_force", net_force},
+           {"x", at.x()},
+           {"y", at.y()},
+           {"z", at.z()}}};
+}
+
 std::optional<Refusal> refuse_end(const Named& name, const flex::DrapeProblem& problem,
                                   const flex::DrapeResult& result) {
   const RestCertificate& c = result.certificate;
-  if (result.ending != flex::Ending::AtRest)
-    return Refusal{Refusal::Cause::NotAtRest,
-                   {name},
-                   {{"steps", 1.0 * c.num_steps},
-                    {"net_force", c.net_force},
-                    {"x", c.net_force_at.x()},
-                    {"y", c.net_force_at.y()},
-                    {"z", c.net_force_at.z()}}};
+  if (result.ending != flex::Ending::AtRest) return not_at_rest(name, c, c.net_force);
   if (c.stretch > kLargestStretch)
     return Refusal{Refusal::Cause::Overstretched,
                    {name},
                    {{"stretch", c.stretch}, {"largest_stretch", kLargestStretch}}};
   if (crosses(problem, result.x)) return Refusal{Refusal::Cause::CrossesItself, {name}};
   return std::nullopt;
+}
+
+// As check will judge it: from what is stored.
+std::optional<Refusal> refuse_judged(const Named& name, const Object& object,
+                                     const DrapeSurroundings& around) {
+  const flex::Judgement judged =
+      flex::judge(*object.flexible, object.world_from_object(), around.obstacles);
+  if (judged.is_at_rest()) return std::nullopt;
+  return not_at_rest(name, object.flexible->certificate, judged.net_force);
 }
 
 flex::DrapeOptions options_of(const DrapeOperation& o) {
@@ -196,7 +221,9 @@ OperationResult apply(Transaction& transaction, const DrapeOperation& o, Operati
     return result;
   }
   if (auto why = refuse_end(name, problem, draped)) return refused(std::move(*why));
-  return stand_draped(transaction, draped_object(scene, o, problem, around, draped), run);
+  Object object = draped_object(scene, o, problem, around, draped);
+  if (auto why = refuse_judged(name, object, around)) return refused(std::move(*why));
+  return stand_draped(transaction, std::move(object), run);
 }
 
 }  // namespace trivet

@@ -30,9 +30,10 @@ struct DrapeSurroundings {
   std::vector<Support> owners;
 };
 /// @param start  from which it comes down. @param length  of a cable, else 0.
-/// @param left_out  objects that are not in its way.
+/// @param among  only these count; null: all.
 DrapeSurroundings drape_surroundings(const Scene& scene, const flex::Points& start, double length,
-                                     const std::vector<ObjectId>& left_out = {});
+                                     const std::vector<FlexSupport>* among = nullptr);
+bool is_among(const std::vector<FlexSupport>& supports, const std::string& name);
 
 /// The object that a result is: fixed, out of the scene.
 Object draped_object(const Scene& scene, const DrapeOperation& o, const flex::DrapeProblem& problem,

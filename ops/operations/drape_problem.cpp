@@ -180,16 +180,21 @@ std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
   return out;
 }
 
+bool is_among(const std::vector<FlexSupport>& supports, const std::string& name) {
+  return std::any_of(supports.begin(), supports.end(),
+                     [&](const FlexSupport& support) { return support.name == name; });
+}
+
 DrapeSurroundings drape_surroundings(const Scene& scene, const flex::Points& start, double length,
-                                     const std::vector<ObjectId>& left_out) {
+                                     const std::vector<FlexSupport>* among) {
   DrapeSurroundings out;
   const Aabb reach = reach_of(start, length);
   for (const ObjectId id : scene.near(reach)) {
-    if (std::find(left_out.begin(), left_out.end(), id) != left_out.end()) continue;
+    if (among && !is_among(*among, scene.at(id).name)) continue;
     add_object(scene.at(id), reach, out.obstacles);
     out.owners.emplace_back(id);
   }
-  if (scene.floor) {
+  if (scene.floor && (!among || is_among(*among, "floor"))) {
     add_floor(scene.floor_material.friction, reach, out.obstacles);
     out.owners.push_back(Support::floor());
   }

@@ -11,7 +11,6 @@ namespace {
 
 // A share of half the thickness: room for the rounding to float32.
 constexpr double kInside = 1 - 1e-3;
-constexpr double kLeastShare = 1e-4;  // of the weight, of what is named as a support
 
 Vec3 middle_of(const flex::Points& x) {
   Aabb box;
@@ -23,8 +22,7 @@ std::vector<FlexSupport> supports_of(const Scene& scene, const DrapeSurroundings
                                      const flex::DrapeResult& result) {
   std::vector<FlexSupport> out;
   for (size_t i = 0; i < result.shares.size(); ++i)
-    if (std::abs(result.shares[i]) > kLeastShare)
-      out.push_back({named(scene, around.owners[i]).name, result.shares[i]});
+    if (result.touches[i]) out.push_back({named(scene, around.owners[i]).name, result.shares[i]});
   if (result.pin_share != 0) out.push_back({"pins", result.pin_share});
   std::stable_sort(out.begin(), out.end(),
                    [](const FlexSupport& a, const FlexSupport& b) { return a.share > b.share; });

@@ -8,28 +8,11 @@
 namespace trivet {
 namespace {
 
-bool carried(const Flexible& flexible, const std::string& name) {
-  return std::any_of(flexible.supports.begin(), flexible.supports.end(),
-                     [&](const FlexSupport& support) { return support.name == name; });
-}
-
-// The object itself, and what has come to touch it.
-std::vector<ObjectId> no_obstacles(const Scene& scene, ObjectId id) {
-  std::vector<ObjectId> out{id};
-  const Object& object = scene.at(id);
-  for (const ObjectContact& entry : object.contacts)
-    if (entry.with.is_object() && !carried(*object.flexible, scene.at(entry.with.object()).name))
-      out.push_back(entry.with.object());
-  return out;
-}
-
-// What is gone, what carried it, and what is near now.
+// True of what is gone, and of what it touched.
 bool concerns(const Scene& scene, ObjectId touched, ObjectId draped) {
   if (touched == draped) return false;
   if (!scene.contains(touched)) return true;
-  const Object& object = scene.at(touched);
-  if (carried(*scene.at(draped).flexible, object.name)) return true;
-  return object.placed && overlaps(scene.world_box(touched), scene.world_box(draped));
+  return is_among(scene.at(draped).flexible->supports, scene.at(touched).name);
 }
 
 }  // namespace
@@ -39,7 +22,7 @@ flex::Judgement judge_draped(const Scene& scene, ObjectId id) {
   const Affine world = object.world_from_object();
   const DrapeSurroundings around =
       drape_surroundings(scene, flex::moved(object.flexible->vertices, world),
-                         object.flexible->length, no_obstacles(scene, id));
+                         object.flexible->length, &object.flexible->supports);
   return flex::judge(*object.flexible, world, around.obstacles);
 }
 

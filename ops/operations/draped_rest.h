@@ -9,12 +9,12 @@
 
 namespace trivet {
 
-/// What was put on it, or against it, since it came to rest does not press on it.
+/// Things that came near after it had come to rest do not press on it.
 /// @param id  of an object that is `flexible` and in the scene.
 flex::Judgement judge_draped(const Scene& scene, ObjectId id);
 
-/// Names in result.unsupported the cloths and cables near what an operation touched, if they no
-/// longer rest.
+/// Names in result.unsupported the cloths and cables that no longer rest on what an operation
+/// touched.
 /// @param touched  objects, perhaps gone.
 void name_disturbed(const Scene& scene, const std::vector<ObjectId>& touched,
                     OperationResult& result);

@@ -3383,10 +3383,6 @@
         <translation>%1 durchdringt sich am Anfang selbst</translation>
     </message>
     <message>
-        <source>cells along both sides, and their lengths</source>
-        <translation>Zellen entlang beider Seiten und deren Längen</translation>
-    </message>
-    <message>
         <source>drape</source>
         <translation>drapieren</translation>
     </message>
@@ -3425,6 +3421,18 @@
     <message>
         <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, or &quot;of&quot; for a mesh</source>
         <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels oder „of“ für ein Netz</translation>
+    </message>
+    <message>
+        <source>cells along both sides that fit the vertices, and their lengths</source>
+        <translation>Zellen entlang beider Seiten, die zu den Ecken passen, und deren Längen</translation>
+    </message>
+    <message>
+        <source>cells of %1 m or more, twice the thickness</source>
+        <translation>Zellen von %1 m oder mehr, der doppelten Dicke</translation>
+    </message>
+    <message>
+        <source>has a face with two equal corners</source>
+        <translation>hat ein Dreieck mit zwei gleichen Ecken</translation>
     </message>
 </context>
 <context>

@@ -68,6 +68,7 @@ struct Read {
     for (const JsonPlace& item : place.items()) v->push_back(read_vec2(item));
   }
   void operator()(std::vector<Vec3>* v) const {
+    v->clear();  // forms may begin with some
     for (const JsonPlace& item : place.items()) v->push_back(read_vec3(item));
   }
   template <class T>

@@ -65,18 +65,22 @@ void expect_finite(const JsonPlace& place, const std::vector<T>& items, size_t c
 
 void expect_vertices(const JsonPlace& place, const Flexible& flexible) {
   const auto count = static_cast<int>(flexible.vertices.size());
-  for (const auto& face : flexible.faces)
-    for (const int v : face)
+  for (const auto& [a, b, c] : flexible.faces) {
+    for (const int v : {a, b, c})
       if (v < 0 || v >= count) place.fail(say("has ids beyond those of %1 vertices", count));
+    if (a == b || a == c || (b == c && !flexible.is_cable))
+      place.fail("has a face with two equal corners");
+  }
 }
 
 void read_rest_shape(const JsonPlace& place, Flexible& out) {
   const auto count = static_cast<int>(out.vertices.size());
   if (const auto grid = place.find("grid")) {
     const auto n = grid->numbers(4, kLeastLength, kLargest);
-    if (n[0] > count || n[1] > count || n[0] < 1 || n[1] < 1)
-      grid->refuse("cells along both sides, and their lengths");
-    out.grid = flex::Grid{static_cast<int>(n[0]), static_cast<int>(n[1]), n[2], n[3]};
+    const bool fits = n[0] >= 1 && n[1] >= 1 && n[0] <= count && n[1] <= count;
+    if (fits) out.grid = flex::Grid{static_cast<int>(n[0]), static_cast<int>(n[1]), n[2], n[3]};
+    if (!fits || (out.grid->num_u + 1.0) * (out.grid->num_v + 1.0) != count)
+      grid->refuse("cells along both sides that fit the vertices, and their lengths");
   }
   if (const auto length = place.find("length")) out.length = length->number(kLeastLength, kLargest);
   if (const auto rest = place.find("rest_vertices")) {

@@ -117,6 +117,44 @@ TEST(FlexSheets, SagAsPeirceSaysAlongWarpAndWeft) {
   EXPECT_NEAR(weft, 42.65, 0.1);
 }
 
+// A strip of these cells hangs from its upper edge. @return by how much it is longer, metres.
+double hanging_stretch(int cells, const FlexMaterial& m, double length) {
+  DrapeProblem problem = sheet(cells / 4, cells, length / 4, length, Vec3::Zero(), m);
+  for (Vec3& p : problem.start) p = Vec3(p.x(), 0, 1 - (p.y() + length / 2));
+  for (size_t v = 0; v < problem.start.size(); ++v)
+    problem.pinned[v] = problem.start[v].z() > 1 - 1e-9;
+  DrapeOptions options;
+  options.levels = 1;
+  options.layer = 1e-5;
+  options.minimiser.tolerance = 1e-6;
+  const DrapeResult result = drape(problem, built({}), options);
+  EXPECT_EQ(result.ending, Ending::AtRest);
+  EXPECT_NEAR(result.pin_share, 1, 1e-6);
+  double low = 1;
+  for (const Vec3& p : result.x) low = std::min(low, p.z());
+  return 1 - low - length;
+}
+
+// k (r^2 - 1) / 2 r = weight below, by St. Venant-Kirchhoff, where r is the ratio of lengths.
+TEST(FlexSheets, HangingClothIsStretchedByItsWeight) {
+  FlexMaterial m;
+  m.coupling = m.bending = m.friction = 0;
+  m.thickness = 1e-5;
+  m.stretch = 10;
+  const double length = 0.5;
+  const int n = 10000;
+  double exact = 0;
+  for (int i = 0; i < n; ++i) {
+    const double load = m.density * kGravity * length * (1 - (i + 0.5) / n) / m.stretch;
+    double r = 1;
+    for (int k = 0; k < 20; ++k) r -= ((r * r - 1) * r / 2 - load) / ((3 * r * r - 1) / 2);
+    exact += (r - 1) * length / n;
+  }
+  EXPECT_NEAR(exact, 0.017208, 1e-6);
+  EXPECT_NEAR(hanging_stretch(8, m, length), exact, 6e-6);
+  EXPECT_NEAR(hanging_stretch(16, m, length), exact, 2e-6);
+}
+
 // A sheet on a slope, whose steepness is `share` of its friction.
 DrapeResult on_slope(double share, int max_steps) {
   FlexMaterial m;

@@ -112,8 +112,11 @@ TEST(Drape, IsRefusedWithReasons) {
   o = cloth();
   o.cell = 1e-4;
   s.refused(o, "cells");
-  o = lead({{0, 0, 1}});
-  s.refused(o, "two or more");
+  o = cloth();
+  o.thickness = 0.02;
+  s.refused(o, "twice the thickness");
+  s.refused(lead({{0, 0, 1}}), "two or more");
+  s.refused(lead({}), "two or more");
   o = lead({{-0.2, 0, 0.5}, {0.2, 0, 0.5}, {0.2, 0.1, 0.5}, {0, 0.1, 0.5}, {0, -0.1, 0.502}});
   s.refused(o, "passes through itself");
   s.scene.floor = false;
@@ -180,6 +183,16 @@ TEST(Drape, WhatIsTakenFromBelowIsSeen) {
   ASSERT_TRUE(result.ok());
   EXPECT_TRUE(has(result.unsupported, "cloth"));
   EXPECT_TRUE(has(check_scene(s.scene, 1, 0, s.options).not_at_rest, "cloth"));
+}
+
+TEST(Drape, WhatIsRenamedBelowCarriesOn) {
+  Stage s = with_block();
+  ASSERT_TRUE(s.run(cloth()).ok());
+  const OperationResult result = s.run(RenameOperation{"block", "stone"});
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(result.unsupported.empty());
+  EXPECT_EQ(s.at("cloth").flexible->supports[0].name, "stone");
+  EXPECT_TRUE(check_scene(s.scene, 1, 0, s.options).ok());
 }
 
 TEST(Drape, CheckSeesPlantedErrors) {

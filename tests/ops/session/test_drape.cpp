@@ -11,7 +11,7 @@ DrapeOperation napkin() {
   DrapeOperation o;
   o.object = "napkin";
   o.size = Vec2(0.3, 0.2);
-  o.cell = 0.03;
+  o.cell = 0.05;
   o.start.translation = Vec3(0.07, 0.07, 0.24);
   return o;
 }
