@@ -23,6 +23,8 @@ SceneMaker::SceneMaker(const Work& work, const LoadedModels& models, const WorkL
     : m_work(work), m_models(models), m_limits(limits), m_worker(worker) {
   if (const PictureWork* const pictures = work.pictures.get())
     m_scenes.emplace(pictures->folder, pictures->scenes.format);
+  if (const ExportWork* const exports = work.exports.get())
+    m_scenes.emplace(exports->folder, exports->scenes.format);
 }
 
 // Null: BVHs.
@@ -38,6 +40,7 @@ DetectorGroup* SceneMaker::detectors() {
 
 SceneMembers SceneMaker::members(std::uint64_t k, Detector* detector) {
   if (!m_scenes) return make_members(m_work, m_models, k, detector);
+  if (m_work.exports) return make_exports(*m_work.exports, *m_scenes, m_work.recipe, m_models, k);
   const PictureWork& pictures = *m_work.pictures;
   if (pictures.make_opengl && !m_opengl) m_opengl = pictures.make_opengl(m_worker);
   return make_pictures(pictures, *m_scenes, m_work.recipe, m_models, m_work.key, k, m_opengl);
