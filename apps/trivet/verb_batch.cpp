@@ -119,6 +119,7 @@ int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedReci
                const CommonOptions& common) {
   BatchOptions options = arguments.options;
   const StopSignals from_here;  // also before the first scene
+  const WorkerDetection detection = worker_detection(common, first_worker_of(options));
   check_run(options.out, run);
   report_to_terminal(options, common);
   options.on_models_read = [&] {
@@ -126,7 +127,7 @@ int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedReci
     claim_run(options.out, run);
   };
   Work work = work_of(prepared, run, common.limits(), options.out, false);
-  work.detection = worker_detection(common, first_worker_of(options));
+  work.detection = detection;
   return print_totals(run_batch(run, work, options), options, common);
 }
 
