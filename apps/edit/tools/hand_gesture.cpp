@@ -160,13 +160,21 @@ void HandGesture::release() {
   if (!is_on()) return;
   if (m_slides && is_back())
     m_document.cancel_drag();
-  else if (m_slides)
+  else if (m_slides && falls_from_edge())
+    m_document.perform_first({m_document.ghost()->operation});
+  else if (m_slides || hangs_back_from_all())
     m_document.end_drag();
-  else if (hangs_back_from_all())
-    is_back() ? m_document.cancel_drag() : m_document.end_drag();
   else if (!put_as_shown(m_document, *m_object, *m_start, choices()))
     m_document.cancel_drag();
   end();
+}
+
+// Beyond the edge at which a PUSH stops: let go there, it falls as its ghost shows.
+bool HandGesture::falls_from_edge() const {
+  const auto& drag = m_document.snapshot()->drag;
+  const std::optional<Ghost>& ghost = m_document.ghost();
+  return drag && drag->blocked && drag->end == OperationResult::End::Edge &&
+         m_document.is_ghost_current() && ghost->ok && ghost->object == m_object;
 }
 
 // It can be put nowhere that the mouse has pointed to: it stays where it slid.

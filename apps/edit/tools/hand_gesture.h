@@ -41,6 +41,7 @@ class HandGesture {
   bool hangs_far_back() const;
   bool is_back() const;
   bool hangs_back_from_all() const;
+  bool falls_from_edge() const;
   std::optional<Picked> inside_of(const Picked& wall) const;
   void update();
   void show_rest_of_slide();
