@@ -51,7 +51,7 @@ View constraint_view(const SceneSnapshot& scene, const Selection& selection,
   view.width_px = std::max(width_px, 1);
   view.height_px = std::max(height_px, 1);
   const View::Axes axes = view.axes();
-  const auto extent = [&](const Vec3& axis) { return 2 * axis.cwiseAbs().dot(box.half_extent()); };
+  const auto extent = [&](const Vec3& way) { return 2 * way.cwiseAbs().dot(box.half_extent()); };
   const double across = extent(axes.right) * view.height_px / view.width_px;
   view.height = frame * std::max({kSmallest, extent(axes.up), across});
   return view;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLevel = 0.95;       // z of the normal of a surface to slide on
 constexpr double kSameHeight = 0.02;  // of the object's size: surfaces of one level
+constexpr double kBeside = 0.25;      // of its size, from a wall
 constexpr double kFarBack = 0.3;      // of its size, behind the mouse
 
 }  // namespace
@@ -81,13 +82,14 @@ bool HandGesture::is_level_support(const Picked& at) const {
       [&](const ObjectContact& entry) { return entry.with == with && holds_up(entry); });
 }
 
-// The floor of a box, a bowl or a shelf to which a wall belongs; nullopt: it is an outer side.
-std::optional<Picked> HandGesture::inside_of(const Picked& wall) const {
+// The surface beside a wall: the floor of a box or a bowl, or what the thing stands on. Nullopt: it
+// is the level on which the object slides.
+std::optional<Picked> HandGesture::beside(const Picked& wall) const {
   const Vec3 away(wall.normal.x(), wall.normal.y(), 0);
   if (!(away.norm() > 0.1)) return std::nullopt;
-  const Vec3 from = wall.point + 0.25 * m_size * away.normalized();
+  const Vec3 from = wall.point + kBeside * m_size * away.normalized();
   const auto below = pick(*m_document.snapshot(), {from, -Vec3::UnitZ()}, m_moving);
-  if (!below || below->object != wall.object || is_wall(*below)) return std::nullopt;
+  if (!below || is_wall(*below) || is_level_support(*below)) return std::nullopt;
   return below;
 }
 
@@ -96,12 +98,12 @@ void HandGesture::follow(const PointerEvent& event, const std::optional<Picked>&
     m_lift = std::max(0.0, m_lift + m_px * (m_last_px.y() - event.px.y()));
   } else {
     const auto level = on_plane(event.view.ray(foot_px(event.px)), m_foot, Vec3::UnitZ());
-    const auto inside = at && is_wall(*at) ? inside_of(*at) : std::nullopt;
+    const auto next_to = at && is_wall(*at) ? beside(*at) : std::nullopt;
     if (at && !is_wall(*at))
       m_at = *at;
-    else if (inside)
-      m_at = *inside;
-    else if (level)  // beside what stands there
+    else if (next_to)
+      m_at = *next_to;
+    else if (level)
       m_at = {std::nullopt, *level, -Vec3::UnitZ(), 0, 0};
     for (int k = 0; k < 2; ++k) m_at.point[k] = rounded(m_at.point[k], m_px / kGoalsPerPx);
   }
@@ -160,13 +162,21 @@ void HandGesture::release() {
   if (!is_on()) return;
   if (m_slides && is_back())
     m_document.cancel_drag();
-  else if (m_slides)
+  else if (m_slides && falls_from_edge())
+    m_document.perform_first({m_document.ghost()->operation});
+  else if (m_slides || hangs_back_from_all())
     m_document.end_drag();
-  else if (hangs_back_from_all())
-    is_back() ? m_document.cancel_drag() : m_document.end_drag();
   else if (!put_as_shown(m_document, *m_object, *m_start, choices()))
     m_document.cancel_drag();
   end();
+}
+
+// Beyond the edge at which a PUSH stops: let go there, it falls as its ghost shows.
+bool HandGesture::falls_from_edge() const {
+  const auto& drag = m_document.snapshot()->drag;
+  const std::optional<Ghost>& ghost = m_document.ghost();
+  return drag && drag->blocked && drag->end == OperationResult::End::Edge &&
+         m_document.is_ghost_current() && ghost->ok && ghost->object == m_object;
 }
 
 // It can be put nowhere that the mouse has pointed to: it stays where it slid.

@@ -2,8 +2,9 @@
 // beyond. Start with SelectTool, which makes one of each drag.
 //
 //   the foot, where the object stands seen from the mouse, is
-//     over the level that carries it, or over a wall   slides: a PUSH that hangs back when blocked
-//     over another surface, or far beyond what blocks  a PUT there, shown by the ghost
+//     over the level that carries it, or a wall there  slides: a PUSH that hangs back when blocked
+//     over another surface, beside a wall on it, or
+//     far beyond what blocks                           a PUT there, shown by the ghost
 //   turned, lifted, or without a support               a PUT, as above
 #pragma once
 
@@ -41,7 +42,8 @@ class HandGesture {
   bool hangs_far_back() const;
   bool is_back() const;
   bool hangs_back_from_all() const;
-  std::optional<Picked> inside_of(const Picked& wall) const;
+  bool falls_from_edge() const;
+  std::optional<Picked> beside(const Picked& wall) const;
   void update();
   void show_rest_of_slide();
   std::vector<Operation> choices() const;

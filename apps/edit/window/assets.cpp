@@ -72,10 +72,11 @@ void AssetDrag::hover(SceneView& view, const QPoint& at) {
   if (m_is_there) point();
 }
 
+// Directly: a drag of Qt's keeps mouse events from all widgets.
 void AssetDrag::point() {
   if (!m_view) return;
   QMouseEvent move(QEvent::MouseMove, m_at, m_view->mapToGlobal(m_at), Qt::NoButton, {}, {});
-  QApplication::sendEvent(m_view, &move);
+  static_cast<QObject*>(m_view)->event(&move);
 }
 
 void AssetDrag::leave() {

@@ -6,6 +6,7 @@ namespace trivet::edit {
 namespace {
 
 constexpr float kGhostOpacity = 0.55f;
+constexpr size_t kMostOutlined = 12;  // more outlines would hide what they are of
 
 }  // namespace
 
@@ -23,7 +24,7 @@ void add_ghosts(const SceneSnapshot& scene, const std::vector<Ghost::Member>& me
     if (!object) continue;
     LiveObject live = live_object(*object->object, member.pose);
     live.opacity = kGhostOpacity;
-    live.outlined = true;  // it is seen on any ground
+    live.outlined = members.size() <= kMostOutlined;  // seen on any ground
     live.tint = tint;
     live.moving = true;
     out.objects.push_back(std::move(live));

@@ -26,7 +26,10 @@ void add_options(QCommandLineParser& parser) {
   parser.addVersionOption();
   parser.addPositionalArgument("file", "A scene (.glb), a layout (.json), or a model to import",
                                "[FILE]");
-  parser.addOption({"demo", "Opens a demo: spoon-saucer, breakfast, office1, office2", "name"});
+  parser.addOption({"demo",
+                    "Opens a demo: spoon-saucer, breakfast, office1, office2, table-for-six, "
+                    "tight-table, bookcase, market, office3, workshop",
+                    "name"});
   parser.addOption({{"detector", "backend"},
                     "What finds candidates for contact: auto, bvh, software, gpu, framebuffer or "
                     "compute; results do not depend on it",

@@ -134,6 +134,20 @@ TEST_F(HandGestures, ClimbOntoWhatIsUnderTheMouse) {
   EXPECT_NEAR(box("cup").lower.z(), top + 0.01, kSlack);
 }
 
+// A mouse over the side of what stands on another level means the place beside it.
+TEST_F(HandGestures, GoBesideWhatStandsOnAnotherLevel) {
+  write("stage", {{{-0.2, -0.2, 0}, {0.2, 0.2, 0.1}}});
+  put("stage", "stage", 0.3, 0);
+  put("box", "box", 0.3, 0, 0.11);
+  put("cup", "cup", -0.3, -0.1);
+  hand.view.eye = Vec3(-1.6, 0, 1.2), hand.view.target = Vec3(0, 0, 0.05);
+  pull("cup", Vec3(0.25, 0, top + 0.13));  // the side of the box
+  let_go();
+  EXPECT_NEAR(box("cup").lower.z(), top + 0.1, kSlack);
+  EXPECT_LT(box("cup").upper.x(), 0.25);
+  EXPECT_EQ(new_steps(), 1u);
+}
+
 TEST_F(HandGestures, HangBackWhereTheyAreBlocked) {
   write("wall", {{{-0.02, -0.2, 0}, {0.02, 0.2, 0.4}}});
   put("wall", "wall", 0.2, 0);

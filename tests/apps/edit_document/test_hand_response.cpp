@@ -34,6 +34,7 @@ class ManyThings : public testing::Test {
     if (!document.done(document->perform(put)) ||
         !document.done(document->perform_groups("grid", array_of(*document->snapshot(), wish))))
       throw std::runtime_error(document.last_text());
+    document->select({});
     hand.look_at(document->snapshot()->box());
   }
 

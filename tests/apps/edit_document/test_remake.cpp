@@ -157,7 +157,7 @@ TEST_F(Remake, MendsAWrongUnit) {
 }
 
 TEST_F(Remake, GrowsAmongOthersFromAbove) {
-  put("beside", Vec3(0.16, 0, 0.03));
+  put("beside", Vec3(0.19, 0, 0.03));
   ASSERT_TRUE(document.done(document->rescale("beside", 2, 0.01))) << document.last_text();
   EXPECT_EQ(document.object("beside").scale, 2);
   EXPECT_EQ(wrong_with(*document->snapshot()), "");

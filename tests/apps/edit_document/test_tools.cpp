@@ -103,7 +103,7 @@ TEST_F(Tools, LayOutSpoonSaucerFromEmptyScene) {
   ASSERT_TRUE(held);
   hand.drag(*held, *held + Vec2(40, -20), 8);
   ASSERT_TRUE(document->snapshot()->find("spoon"));
-  EXPECT_EQ(document->history().steps[document->history().num_done - 1], "translate \"spoon\"");
+  EXPECT_EQ(document->history().steps[document->history().num_done - 1], "move \"spoon\"");
   expect_sound();
 
   // Undo all, and redo it all.
