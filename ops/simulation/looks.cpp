@@ -9,7 +9,7 @@
 namespace trivet {
 namespace {
 
-/// What a model has beside images of base colours.
+/// Notes on all that a model has beside images of base colours.
 void note_what_is_left_out(const Model& model, const SurfaceLook& look, SimulationLook& out) {
   const auto any = [&](auto has) {
     return std::any_of(look.finishes.begin(), look.finishes.end(), has);
