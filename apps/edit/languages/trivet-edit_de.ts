@@ -1315,6 +1315,22 @@
         <translation>„%1“ wurde bewegt</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;: its images of normals are left out; files of simulators get base colours alone</source>
+        <translation>„%1“: seine Bilder der Normalen fehlen; Dateien für Simulatoren bekommen nur Grundfarben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: its images of roughness and metal are left out; files of simulators get base colours alone</source>
+        <translation>„%1“: seine Bilder von Rauheit und Metall fehlen; Dateien für Simulatoren bekommen nur Grundfarben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: its images of light of its own are left out; files of simulators get base colours alone</source>
+        <translation>„%1“: seine Bilder eigenen Lichts fehlen; Dateien für Simulatoren bekommen nur Grundfarben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: its colours of vertices are left out; files of simulators get base colours alone</source>
+        <translation>„%1“: die Farben seiner Ecken fehlen; Dateien für Simulatoren bekommen nur Grundfarben</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot;: its triangles collide, as no convex parts leave room for others</source>
         <translation>„%1“: seine Dreiecke stoßen an, da keine konvexen Teile anderen Platz lassen</translation>
     </message>
