@@ -9,7 +9,7 @@
 namespace trivet {
 namespace {
 
-/// What a model has beside images of base colours.
+/// Notes on all that a model has beside images of base colours.
 void note_what_is_left_out(const Model& model, const SurfaceLook& look, SimulationLook& out) {
   const auto any = [&](auto has) {
     return std::any_of(look.finishes.begin(), look.finishes.end(), has);
@@ -18,13 +18,16 @@ void note_what_is_left_out(const Model& model, const SurfaceLook& look, Simulati
     if (is_left_out) out.left_out.push_back(say(text, model.path));
   };
   note(any([](const SurfaceFinish& f) { return bool(f.normal); }),
-       "\"%1\": its images of normals are left out, which simulators do not know");
+       TRIVET_SENTENCE("\"%1\": its images of normals are left out; files of simulators get base "
+                       "colours alone"));
   note(any([](const SurfaceFinish& f) { return bool(f.metallic_roughness); }),
-       "\"%1\": its images of roughness and metal are left out, which simulators do not know");
+       TRIVET_SENTENCE("\"%1\": its images of roughness and metal are left out; files of "
+                       "simulators get base colours alone"));
   note(any([](const SurfaceFinish& f) { return bool(f.emission); }),
-       "\"%1\": its images of light of its own are left out, which simulators do not know");
-  note(!look.colours.empty(),
-       "\"%1\": its colours of vertices are left out, which simulators do not know");
+       TRIVET_SENTENCE("\"%1\": its images of light of its own are left out; files of simulators "
+                       "get base colours alone"));
+  note(!look.colours.empty(), TRIVET_SENTENCE("\"%1\": its colours of vertices are left out; files "
+                                              "of simulators get base colours alone"));
 }
 
 std::shared_ptr<const SimulationLook> made_look(const Model& model) {

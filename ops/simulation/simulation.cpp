@@ -15,8 +15,8 @@
 #include "ops/files/json/text.h"
 #include "ops/files/report/models_of_shapes.h"
 #include "ops/simulation/fitted_parts.h"
-#include "ops/simulation/overlaps.h"
 #include "ops/simulation/looks.h"
+#include "ops/simulation/overlaps.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {

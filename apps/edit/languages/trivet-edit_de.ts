@@ -1343,8 +1343,20 @@
         <translation>„%1“ wurde bewegt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot;: only base colours are written; its other maps and vertex colours are left out</source>
-        <translation>„%1“: Nur Grundfarben werden geschrieben; seine übrigen Texturen und Eckenfarben bleiben weg</translation>
+        <source>&quot;%1&quot;: its images of normals are left out; files of simulators get base colours alone</source>
+        <translation>„%1“: seine Bilder der Normalen fehlen; Dateien für Simulatoren bekommen nur Grundfarben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: its images of roughness and metal are left out; files of simulators get base colours alone</source>
+        <translation>„%1“: seine Bilder von Rauheit und Metall fehlen; Dateien für Simulatoren bekommen nur Grundfarben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: its images of light of its own are left out; files of simulators get base colours alone</source>
+        <translation>„%1“: seine Bilder eigenen Lichts fehlen; Dateien für Simulatoren bekommen nur Grundfarben</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: its colours of vertices are left out; files of simulators get base colours alone</source>
+        <translation>„%1“: die Farben seiner Ecken fehlen; Dateien für Simulatoren bekommen nur Grundfarben</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: its triangles collide, as no convex parts leave room for others</source>

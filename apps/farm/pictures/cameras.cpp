@@ -42,7 +42,7 @@ PinholeCamera dome_camera(const Views& views, const PictureScene& scene, DomeOpt
   return out;
 }
 
-// What is seen of the target that is seen least, as a share of what is wanted.
+// The target that is seen least: how much, as a share of what is wanted.
 double seen_share(const DomeRanges& wanted, const LabelledScene& scene,
                   const PinholeCamera& camera) {
   const Labels labels = render_labels(scene.picture, camera, {.normals = false});

@@ -24,7 +24,7 @@ struct RoomMesh {
 RoomMesh room_of(const LookRanges& ranges, LookImages& images, const PictureScene& scene,
                  const std::vector<PinholeCamera>& cameras, const PhiloxKey& key, std::uint64_t k);
 
-/// What pictures of a scene show: objects with surfaces of their own, and the room.
+/// Content of a scene's pictures: objects with surfaces of their own, and the room.
 class DrawnScene {
  public:
   /// @param look  null: no room. The scene must outlive it.

@@ -18,7 +18,7 @@ struct DomeRanges {
   std::optional<Interval> radius;      // metres; none: so that all is seen
   Interval fov_deg{30, 30}, roll_deg;  // degrees; roll: the picture's turn
   bool around_targets = false;         // the box of the targets, not of the scene
-  // What is to be seen of every target, if one of some cameras that are tried has it.
+  // Least that is to be seen of every target, if one of some cameras that are tried has it.
   double min_visible = 0;  // share
   int min_pixels = 0;
 };

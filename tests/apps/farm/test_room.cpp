@@ -35,7 +35,7 @@ PinholeCamera camera_at(const Vec3& eye) {
   return pinhole_camera(camera, 40, 30);
 }
 
-Recipe recipe_with(const std::string& look) {
+Recipe recipe_of_things(const std::string& look) {
   return parse_recipe(
       R"({"trivet_recipe": 1, "groups": [{"name": "thing", "on": "floor", "models": [{"model": "a.obj"}])" +
           look + "}]}",
@@ -71,8 +71,8 @@ TEST(Room, ChangesNoLabelOfAnObject) {
   LookRanges look;
   look.room = RoomRanges();
   LookImages none({});
-  const PinholeCamera camera = camera_at({0.5, -0.7, 0.5});
-  const Recipe recipe = recipe_with("");
+  const PinholeCamera camera = camera_at({1, -1.4, 0.3});
+  const Recipe recipe = recipe_of_things("");
   const DrawnScene plain(boxes.scene, recipe, nullptr, nullptr, {camera}, kKey, 1);
   const DrawnScene in_room(boxes.scene, recipe, &look, &none, {camera}, kKey, 1);
   EXPECT_EQ(plain.picture().objects.size(), 2u);
@@ -86,7 +86,9 @@ TEST(Room, ChangesNoLabelOfAnObject) {
     const bool is_object = without.instances[i] == 1 || without.instances[i] == 2;
     EXPECT_EQ(with.instances[i], is_object ? without.instances[i] : kFloorInstance);
     EXPECT_GT(with.depth[i], 0);
-    if (without.depth[i] > 0) EXPECT_LE(with.depth[i], without.depth[i]);
+    if (without.depth[i] > 0) {
+      EXPECT_LE(with.depth[i], without.depth[i]);
+    }
     walls += with.depth[i] != without.depth[i];
   }
   EXPECT_GT(walls, 0);
@@ -107,11 +109,13 @@ TEST(Surfaces, AreDrawnForEachObjectOfTheGroup) {
   Boxes boxes;
   boxes.add("thing_1", boxes.small, Vec3(0.3, 0, 0.05), 1);
   boxes.add("other_0", boxes.small, Vec3(0.6, 0, 0.05), 1);
-  const Recipe recipe = recipe_with(
+  const Recipe recipe = recipe_of_things(
       R"(, "look": {"roughness": [0.2, 0.4], "metallic": 1, "colour": [[0, 0, 0], [1, 0, 0]]})");
   const DrawnScene drawn(boxes.scene, recipe, nullptr, nullptr, {}, kKey, 5);
   const auto material = [&](const PictureScene& scene, size_t i) {
-    return scene.objects[i].mesh->look(1 << 20)->materials.at(0);
+    const PictureMesh& mesh = *scene.objects[i].mesh;
+    const auto look = mesh.look(1 << 20);
+    return look ? look->materials.at(0) : mesh.materials[0];
   };
   const Material before = material(boxes.scene.picture, 0);
   for (const size_t i : {0, 1}) {
@@ -140,9 +144,9 @@ TEST(Cameras, SeeWhatIsWantedOfTargets) {
                        render_labels(boxes.scene.picture, view.camera).objects[0].visible_share());
     return share;
   };
-  EXPECT_LT(least(0), 0.5);
-  views.ranges.min_visible = 0.9;
-  EXPECT_GE(least(0), 0.9);
+  EXPECT_LT(least(0), 0.7);
+  views.ranges.min_visible = 0.8;
+  EXPECT_GE(least(0), 0.8);
   views.ranges.min_visible = 0, views.ranges.min_pixels = 1'000'000;  // none has as many
   EXPECT_EQ(cameras_of(views, boxes.scene, kKey, 0).size(), 10u);
 }
