@@ -11,7 +11,7 @@ namespace {
 using namespace trivet::test;
 
 template <class F>
-std::string error_of(const F& read) {
+std::string error_thrown_by(const F& read) {
   try {
     read();
   } catch (const Error& error) {
@@ -27,19 +27,20 @@ std::string mjcf(const std::string& bodies) {
 std::string sdf_error(const std::string& text) {
   const TemporaryFolder folder;
   write_text(folder.file("s.sdf"), text);
-  return error_of([&] { read_sdf(folder.file("s.sdf"), {}, no_mesh); });
+  return error_thrown_by([&] { read_sdf(folder.file("s.sdf"), {}, no_mesh); });
 }
 
 TEST(HostileScenes, CopiesOfCopiesOfGeomsEnd) {
   std::string geoms = "<geom type='box' size='1 1 1'/>";
   for (int i = 0; i < 4; ++i) geoms = "<replicate count='1000'>" + geoms + "</replicate>";
-  EXPECT_NE(error_of([&] { scene_of_mjcf(mjcf(geoms)); }).find("too many bodies"),
+  EXPECT_NE(error_thrown_by([&] { scene_of_mjcf(mjcf(geoms)); }).find("too many bodies"),
             std::string::npos);
 }
 
 TEST(HostileScenes, FacesAreCounted) {
   const std::string balls = mjcf("<replicate count='20000'><geom size='1'/></replicate>");
-  EXPECT_NE(error_of([&] { scene_of_mjcf(balls); }).find("too many faces"), std::string::npos);
+  EXPECT_NE(error_thrown_by([&] { scene_of_mjcf(balls); }).find("too many faces"),
+            std::string::npos);
 }
 
 TEST(HostileScenes, ManyBodiesOfOneNameGetNumbers) {
@@ -61,7 +62,7 @@ TEST(HostileScenes, NotesAreFew) {
 
 TEST(HostileScenes, BitsAreWholeNumbers) {
   const auto error = [](const std::string& type) {
-    return error_of([&] { scene_of_mjcf(mjcf("<geom size='1' contype='" + type + "'/>")); });
+    return error_thrown_by([&] { scene_of_mjcf(mjcf("<geom size='1' contype='" + type + "'/>")); });
   };
   EXPECT_EQ(error("-1"), "");
   EXPECT_NE(error("1e12").find("32 bits"), std::string::npos);
@@ -75,7 +76,7 @@ TEST(HostileScenes, LinksInARowEnd) {
     robot += "<link name='" + me + "'/><joint name='j" + me + "' type='fixed'><parent link='" +
              before + "'/><child link='" + me + "'/></joint>";
   }
-  EXPECT_NE(error_of([&] { scene_of_urdf(robot + "</robot>"); }).find("in a row"),
+  EXPECT_NE(error_thrown_by([&] { scene_of_urdf(robot + "</robot>"); }).find("in a row"),
             std::string::npos);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace trivet::test;
 
-constexpr double kClose = 1e-12;
+constexpr double kRounding = 1e-12;
 
 /// A model as MuJoCo compiles it, at the reference or at a keyframe.
 class Compiled {
@@ -64,7 +64,7 @@ void expect_as_mujoco(const std::string& path, const ForeignScene& scene, int ke
     const int id = compiled.id(body.name);
     if (id < 0) continue;  // a geom of the world
     ++compared;
-    EXPECT_LT(difference(body.pose, compiled.pose(id)), kClose) << body.name;
+    EXPECT_LT(difference(body.pose, compiled.pose(id)), kRounding) << body.name;
   }
   EXPECT_GE(compared, 3);
 }
@@ -92,7 +92,7 @@ TEST(MujocoMasses, AreOurs) {
     const int id = compiled.id(name);
     EXPECT_NEAR(body->mass->kilograms, compiled.mass(id), 1e-12 * compiled.mass(id)) << name;
     const Vec3 centre = world_from_object(body->pose, UpAxis::Z, 1).apply(*body->mass->centre);
-    EXPECT_LT((centre - compiled.centre(id)).norm(), kClose) << name;
+    EXPECT_LT((centre - compiled.centre(id)).norm(), kRounding) << name;
     ASSERT_TRUE(body->mass->inertia) << name;
     EXPECT_NEAR(body->mass->inertia->trace(), compiled.moments(id).sum(),
                 1e-10 * compiled.moments(id).sum())
