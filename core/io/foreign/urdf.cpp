@@ -14,7 +14,7 @@
 namespace trivet {
 namespace {
 
-constexpr size_t kMostLinks = 10'000;
+constexpr size_t kMostUrdfLinks = 10'000;
 constexpr int kMostInARow = 1000;  // links from the root
 constexpr double kFriction = 0.5;  // URDF states none; as Bullet has it
 
@@ -64,8 +64,8 @@ class UrdfReader {
     for (const XmlNode& node : root.children) {
       if (node.tag == "link" && !m_links.emplace(attribute(node, "name"), &node).second)
         place(node).refuse("name", attribute(node, "name"), "a name that no other link has");
-      if (m_links.size() > kMostLinks)
-        bad_file(m_path, "has too many links; accepted: %1", kMostLinks);
+      if (m_links.size() > kMostUrdfLinks)
+        bad_file(m_path, "has too many links; accepted: %1", kMostUrdfLinks);
       if (node.tag != "joint") continue;
       const XmlNode *const parent = node.child("parent"), *const child = node.child("child");
       if (!parent || !child) bad_input("%1: has no parent or no child", place(node).text());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "core/base/extension.h"
 #include "core/base/bad_input.h"
 #include "core/io/format/other_formats.h"
 #include "core/io/off/read_off.h"
