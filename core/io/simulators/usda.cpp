@@ -286,7 +286,7 @@ void add_body(UsdaText& text, const SimulationBody& body, const std::string& lay
   text.open("Xform", body.file_name,
             {body.fixed ? apis({"MaterialBindingAPI"})
                         : apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),
-             reference});
+             reference, "displayName = " + quoted(body.name)});
   text.line("custom string trivet:name = " + quoted(body.name));
   text.line(surfaces.binding(body.friction, body.restitution));
   if (!body.fixed) {
