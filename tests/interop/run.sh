@@ -41,7 +41,7 @@ fi
 case "$job" in
   mujoco | mujoco2 | rapier | jolt | bullet)
     programs="${5:-}" demos=spoon-saucer,breakfast,office1 seconds=1
-    [ "${4:-}" = all ] && demos="" seconds=5
+    [ "${4:-}" = all ] && demos="" seconds=2
     case "$job" in
       bullet | mujoco2)
         [ -x "$programs/${job}_rest" ] || skip "no ${job}_rest was built (Debian: libbullet-dev, libmujoco-dev)" ;;

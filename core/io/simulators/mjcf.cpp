@@ -12,7 +12,7 @@ namespace {
 using Element = tinyxml2::XMLElement;
 
 constexpr double kCornerRadius = 1e-5;  // metres
-constexpr size_t kContactsOfPair = 4, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 2000;
+constexpr size_t kContactsOfPair = 5, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 2000;
 constexpr const char *kSolref = "0.004 1", *kSolimp = "0.95 0.99 0.0001";
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }

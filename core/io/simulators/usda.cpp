@@ -67,7 +67,7 @@ void add_body(UsdaText& text, const SimulationBody& body, const std::string& lay
       "Xform", body.file_name,
       {body.fixed ? usda_apis({"MaterialBindingAPI"})
                   : usda_apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),
-       reference});
+       reference, "displayName = " + usda_quoted(body.name)});
   text.line("custom string trivet:name = " + usda_quoted(body.name));
   text.line(surfaces.binding(body.friction, body.restitution));
   if (!body.fixed) {
