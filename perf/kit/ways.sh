@@ -55,7 +55,7 @@ END
   return $failed
 }
 
-# What everything came to, by detector.
+# The table of all work, a column for each detector.
 write_table() {
   local work_name way line
   {

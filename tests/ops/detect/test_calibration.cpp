@@ -21,7 +21,8 @@ Calibration example(test::Random& random) {
     return CostModel{random.uniform(0, 1), random.uniform(0, 1e-3), random.uniform(0, 0.1) / 3,
                      random.uniform(0, 1e-6) / 7};
   };
-  Calibration out{{"1.2", "processor \"x\", 2 cores", "renderD128"}, 0.1 + 0.2, {}};
+  Calibration out{
+      {"1.2", "gpu compute", "processor \"x\", 2 cores", "renderD128", 2}, 0.1 + 0.2, {}};
   out.sources.push_back({"bvh", "cpu", true, "", 0, 5e-4, model(), model()});
   out.sources.push_back({"gpu compute", "card", false, "fails", 1 / 3.0, 0, model(), model()});
   return out;
@@ -111,10 +112,10 @@ TEST(Calibration, MeasuresWhatIsHere) {
       {"gpu compute", [](bool, const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
          throw Error(Error::Kind::Environment, "no EGL here");
        }}};
-  const Calibration found = calibrate({"1", "2", "3"}, gpu);
+  const Calibration found = calibrate({"1", "2", "3", "4", 5}, gpu);
   ASSERT_EQ(found.sources.size(), 3u);
   EXPECT_EQ(found.sources[2].failure, "no EGL here");
-  EXPECT_EQ(found.key.hardware, "3");
+  EXPECT_EQ(found.key.hardware, "4");
   for (const auto kind : {Motion::Kind::Translation, Motion::Kind::Rotation}) {
     const QuerySize small{kind, 2e3, 16384}, large{kind, 2e5, 16384};
     for (int i = 0; i < 2; ++i) {
@@ -144,7 +145,7 @@ TEST(CalibrationFile, RefusesWhatIsDamaged) {
   for (size_t length = 0; length + 2 < good.size(); ++length)
     EXPECT_THROW(calibration_from_json(good.substr(0, length)), Error) << length;
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-           {"\"format\": 1", "\"format\": 2"},
+           {"\"format\": 2", "\"format\": 3"},
            {"\"start_ms\": 0.0", "\"start_ms\": -1"},
            {"\"start_ms\": 0.0", "\"start_ms\": 1e999"},
            {"\"start_ms\": 0.0", "\"start_ms\": \"1\""},
