@@ -22,6 +22,7 @@ constexpr int kMaxMotionsOfAll = 120;  // of single objects with their loads, in
 constexpr int kMaxMotionsOfOne = 30;   // of these, of one object
 constexpr double kLongestTurn = 0.1;   // of an object with loads, tan(angle / 2): loads slide then
 constexpr int kMaxProgramObjects = 200;
+constexpr int kNearObjects = 12;  // judged before the whole
 
 class Whole {
  public:
@@ -35,9 +36,10 @@ class Whole {
         m_result(result),
         m_rules(rest_rules(run.options, clearance)),
         m_queries_left(budget.first_contacts),
+        m_near_first(budget.near_first),
         m_is_trial(purpose == Purpose::Trial) {}
 
-  Budget budget_left() const { return {m_queries_left}; }
+  Budget budget_left() const { return {m_queries_left, m_near_first}; }
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
@@ -60,9 +62,7 @@ class Whole {
   // All together; and if they stand, each by its own contacts: the part counts what is some
   // clearances away as a contact, which may be all that holds an object.
   PartVerdict judge() {
-    const std::vector<ObjectId> changed = touched();
-    PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
-                                      m_clearance, kMaxProgramObjects);
+    PartVerdict verdict = judge_together();
     if (!verdict.stands || m_is_trial) return verdict;
     judge_each();
     std::vector<std::string> names = m_result.unsupported;
@@ -71,6 +71,16 @@ class Whole {
       if (const auto id = m_scene.find(name); id && may_move(*id)) verdict.topples.push_back(*id);
     verdict.stands = verdict.topples.empty();
     return verdict;
+  }
+
+  PartVerdict judge_together() const {
+    const std::vector<ObjectId> changed = touched(), ids = connected_with(m_scene, changed);
+    const auto among = [&](int max_objects) {
+      return judge_parts(m_scene, ids, changed, m_clearance, max_objects);
+    };
+    if (m_near_first && ids.size() > kNearObjects)
+      if (PartVerdict near = among(kNearObjects); !near.stands) return near;
+    return among(kMaxProgramObjects);
   }
 
   std::vector<ObjectId> parts() const { return connected_with(m_scene, touched()); }
@@ -265,9 +275,18 @@ class Whole {
   const RestRules m_rules;
   const ContactMemory m_memory;  // what stays where it is, is judged again and again
   std::int64_t m_queries_left;
-  const bool m_is_trial;
+  const bool m_near_first, m_is_trial;
   std::map<std::uint32_t, Placement> m_before;  // by slot
 };
+
+// An object that settling called wedged may have come to rest since; otherwise that is the refusal.
+void refuse_wedged(Transaction& transaction, Refusal wedged, const RestRules& rules,
+                   OperationResult& result) {
+  const Scene& scene = transaction.scene();
+  const ObjectId id = *scene.find(wedged.objects.front().name);
+  rate_left_alone(transaction, id, rules, result);
+  if (scene.at(id).state != ObjectState::Stable) result.refuse(std::move(wedged));
+}
 
 /// A commit in which the whole comes to rest.
 struct WholeCommit {
@@ -280,10 +299,14 @@ WholeCommit commit_whole(Transaction& transaction, MovePlan plan, OperationRun& 
   const double clearance = plan.group ? plan.group->clearance() : 0;
   const char* const op = plan.op;
   const bool settles = keeps_whole_at_rest(run.options) && plan.changes_scene && !plan.is_free;
+  std::optional<Refusal> wedged = std::move(plan.wedged);
   WholeCommit out{commit(transaction, std::move(plan), run), budget};
   if (settles && out.result.ok()) {
     out.left = settle_whole(transaction, object, clearance, run, out.result, budget, purpose);
     if (run.interrupt.reason()) run.interrupt.refuse(op, object, out.result);
+    if (wedged && out.result.ok())
+      refuse_wedged(transaction, std::move(*wedged), rest_rules(run.options, clearance),
+                    out.result);
   }
   return out;
 }

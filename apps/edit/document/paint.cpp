@@ -68,7 +68,6 @@ ManyObjects painted(const SceneSnapshot& scene, const PaintWish& wish) {
         original,
         dice.turned(wish.turned ? RandomTurn::Yaw : RandomTurn::None, original.pose.rotation),
         wish.places[i], wish.drop_height);
-    put.tries = kTriesOfDrop;
     out.groups.push_back({DuplicateOperation{original.name, name}, put});
     out.names.push_back(name);
   }

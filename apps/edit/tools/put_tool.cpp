@@ -84,7 +84,6 @@ std::optional<Operation> PutTool::operation_at(const PointerEvent& event) {
   auto put = operation_of<PutOperation>(*object->object);
   put.start = put_start(scene(), *object->object, moving, *picked, m_options.drop_height,
                         event.modifiers.alt);
-  put.tries = kTriesOfDrop;
   return put;
 }
 

@@ -149,13 +149,12 @@ void Attempt::record(const Operation& operation, OperationResult result) {
   m_out.run.operations.push_back({op_name(operation), object_name(operation), std::move(result)});
 }
 
-// A PUT exactly from the start that it was done from: the scene's layout needs no search.
+// A PUT from the start that it was done from: the scene's layout needs no search.
 PutOperation as_done(PutOperation put, const OperationResult& result) {
+  put.within = PutOperation().within;
   if (!result.tried) return put;
-  const PutOperation exactly;
   put.start = result.tried->start;
-  put.tries = exactly.tries;
-  put.within = exactly.within;
+  put.tries = 1;
   return put;
 }
 
