@@ -19,7 +19,6 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "numpyd
 myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
 myst_heading_anchors = 3
 exclude_patterns = ["doxygen", "python/notebooks/.ipynb_checkpoints", "README.md"]
-suppress_warnings = ["toc.not_readable", "myst.ref", "ref.myst", "myst.xref_missing"]
 html_theme = "furo"
 html_title = f"Trivet {version}"
 html_show_sphinx = False

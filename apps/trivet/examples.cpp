@@ -81,6 +81,9 @@ const std::map<std::string, std::string> kExamples = {
     {"doctor",
      "trivet doctor\n"
      "trivet doctor --out . --disk-mb 100 --json\n"},
+    {"report",
+     "trivet report -o case.tar -- run layout.json -o scene.glb\n"
+     "trivet report -o case.tar --without-files -- check scene.glb\n"},
     {"schema",
      "trivet schema\n"
      "trivet schema recipe\n"},

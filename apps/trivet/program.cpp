@@ -45,7 +45,7 @@ std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
   for (Verb& verb : add_operations(app, common)) verbs.push_back(std::move(verb));
   for (const auto add :
        {add_check, add_export, add_render, add_zlist, add_arrange, add_demo, add_session, add_serve,
-        add_replay, add_backends, add_batch, add_doctor, add_schema})
+        add_replay, add_backends, add_batch, add_doctor, add_report, add_schema})
     verbs.push_back(add(app, common));
   for (const Verb& verb : verbs) {
     add_common_options(*verb.app, common);

@@ -103,13 +103,12 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
   options.before_opengl = tried_opengl;
   const Verification result = verify_batch(arguments.folder, options);
   if (common.json) {
-    std::cout << json_line({{"units", result.units},
-                            {"scenes", result.scenes},
-                            {"made_again", result.made_again},
-                            {"findings", result.findings},
-                            {"other_version", result.other_version.empty()
-                                                  ? Json()
-                                                  : Json(result.other_version)}});
+    std::cout << json_line(
+        {{"units", result.units},
+         {"scenes", result.scenes},
+         {"made_again", result.made_again},
+         {"findings", result.findings},
+         {"other_version", result.other_version.empty() ? Json() : Json(result.other_version)}});
   } else {
     for (const std::string& finding : result.findings) std::cout << finding << "\n";
     std::cout << count_of(result.units, "unit") << ", " << count_of(result.scenes, "scene") << ", "

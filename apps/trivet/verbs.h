@@ -31,6 +31,7 @@ Verb add_zlist(CLI::App& app, const CommonOptions& common);
 Verb add_backends(CLI::App& app, const CommonOptions& common);
 Verb add_doctor(CLI::App& app, const CommonOptions& common);
 Verb add_batch(CLI::App& app, const CommonOptions& common);
+Verb add_report(CLI::App& app, const CommonOptions& common);
 Verb add_schema(CLI::App& app, const CommonOptions& common);
 
 extern const char* const kLayoutSchema;   // layout.schema.in.json of ops/files/layout

@@ -62,6 +62,7 @@ void append_elsewhere(const std::vector<ContactPoint>& more, double distance,
   for (const ContactPoint& p : known) box.extend(p.point);
   int along = 0;
   if (!known.empty()) box.half_extent().maxCoeff(&along);
+  // Points known along the widest axis: only those within reach are compared.
   const auto before = [&](const ContactPoint& a, const ContactPoint& b) {
     return a.point[along] < b.point[along];
   };
@@ -116,10 +117,12 @@ class ContactSearch {
     m_node_reach = m_reach + 1e-14 * (farthest(node_a(0)) + farthest(node_b(0)));
     visit(0, 0);
     std::vector<ContactPoint> points = first_of_each(m_found);
+    // Ends of edges and corners of flush overlaps count where nothing else does.
     std::vector<ContactPoint> more = m_ends.points();
     for (const ContactPoint& p : m_flush.corners()) more.push_back(p);
     append_elsewhere(more, m_tolerance, points);
     if (!points.empty()) return points;
+    // Without a feature that faces the other one, the closest points of near faces have to do.
     m_closest_only = true;
     visit(0, 0);
     return first_of_each(m_found);
@@ -142,6 +145,7 @@ class ContactSearch {
   void visit(Index ia, Index ib) {
     const PlacedNode &in_a = node_a(ia), &in_b = node_b(ib);
     if (boxes_apart(in_a, in_b, m_node_reach) || slabs_apart(in_a, in_b, m_node_reach)) return;
+    // The descent splits the larger node until both are leaves.
     const BvhNode &a = m_object_nodes.bvh().nodes[ia], &b = m_support_nodes.bvh().nodes[ib];
     if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
     if (!a.is_leaf() && (b.is_leaf() || in_a.radius > in_b.radius)) {
@@ -162,6 +166,7 @@ class ContactSearch {
     for (size_t i = 0; i < a.num; ++i)
       for (size_t j = 0; j < b.num; ++j) {
         if (!overlaps(a.boxes[i], b.boxes[j], m_reach)) continue;
+        // The cheap test with the faces' own planes rejects most pairs whose boxes overlap.
         const PlainFace fa(a.corners[i]), fb(b.corners[j]);
         if (is_separated_by(fb, a.corners[i]) || is_separated_by(fa, b.corners[j])) continue;
         try_faces(ContactFace(fa), a.face[i], ContactFace(fb), b.face[j]);
@@ -211,9 +216,11 @@ class ContactSearch {
   // @return whether the foot is on the face, or was.
   bool try_vertex_face(const Vec3& p, Index vertex, const ContactFace& b, Index face) {
     const double height = b.normal.dot(p - b.corners[0]);
+    // A vertex belongs to several faces, and is tried once against each face of the other body.
     if (std::abs(height) > m_tolerance || !m_tried_vertices.insert(vertex, face)) return true;
     if (!b.is_below(p, slack_at(std::abs(height)))) return false;
     const Vec3 normal = height < 0 ? Vec3(-b.normal) : b.normal;
+    // A vertex from which its own body goes on downwards is not the one that rests.
     if (!vertex_dips(m_object, vertex, p, normal))
       m_found.push_back({p, normal, std::abs(height), ContactFeatures::VertexFace, vertex, face});
     return true;
@@ -246,6 +253,7 @@ class ContactSearch {
     const Vec3 unit = n / length_n;
     const double height = -unit.dot(r);  // of a over b
     if (std::abs(height) > m_tolerance) return;
+    // The feet of the common perpendicular have to lie on both edges.
     const double s = r.cross(v).dot(unit) / length_n;
     if (past_end(s, u, std::abs(height))) return;
     const double t = r.cross(u).dot(unit) / length_n;
@@ -301,6 +309,7 @@ void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index nod
 std::vector<ContactPoint> contact_points(const Body& object, const Body& support, double tolerance,
                                          double slack) {
   if (!overlaps(object.world_box, support.world_box, tolerance * 1.001)) return {};
+  // One order for both ways round: the same pair gives the same bits, whoever asks.
   const bool from_support = comes_first(support, object);
   const Body &first = from_support ? support : object, &second = from_support ? object : support;
   const auto find = [&] { return ContactSearch(first, second, tolerance, slack).run(); };
@@ -316,6 +325,7 @@ std::vector<ContactPoint> floor_contact_points(const Body& object, double tolera
   std::vector<Index> vertices;
   if (object.shape->has_faces())
     collect_floor_vertices(object, PlacedBvh(object), 0, tolerance, vertices);
+  // Faces share their vertices.
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   std::vector<ContactPoint> out;

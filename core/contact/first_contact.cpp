@@ -29,6 +29,7 @@ class Search {
       for (Index f = 0; f < static_cast<Index>(query.fixed.size()); ++f)
         if (query.fixed[f].shape->has_faces()) add_pair(m, f);
     }
+    // Pairs that may touch first are searched first: what they find bounds the others.
     std::sort(m_order.begin(), m_order.end(), [&](Index a, Index b) {
       return std::make_tuple(m_pairs[a].apart_until(), a) <
              std::make_tuple(m_pairs[b].apart_until(), b);
@@ -37,10 +38,12 @@ class Search {
 
   FirstContact run() {
     const double limit = m_query.motion.limit;
+    // The motion is searched in growing parts; a contact in one part ends the search.
     for (double until = first_part();; until *= kNextPart) {
       until = std::min(until, limit);
       for (FloorTraversal& floor : m_floors) floor.search(until);
       for (const Index pair : m_order) {
+        // All later pairs in the order are apart for longer still.
         if (m_pairs[pair].apart_until() > std::min(until, m_best.time)) break;
         m_pairs[pair].search(until);
       }

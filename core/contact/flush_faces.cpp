@@ -122,6 +122,7 @@ void FlushFaces::add(const ContactFace& a, Index face_a, const ContactFace& b, I
   if (a.normal.cross(b.normal).squaredNorm() > kConeSlope * kConeSlope) return;
   const bool over_b = b.area_normal.squaredNorm() >= a.area_normal.squaredNorm();
   const ContactFace &top = over_b ? a : b, &base = over_b ? b : a;
+  // The smaller face is clipped by the larger one.
   const std::vector<Vec3> corners = overlap(top, base);
   if (corners.size() < 3) return;
   double height = 0;  // of all together
@@ -135,6 +136,7 @@ void FlushFaces::add(const ContactFace& a, Index face_a, const ContactFace& b, I
   if (!facing && (face_dips(m_object, face_a, a.corners[0], normal) ||
                   face_dips(m_support, face_b, b.corners[0], -normal)))
     return;
+  // Corners of the overlap within the tolerance are contacts, half way between both faces.
   const size_t first = m_corners.size();
   for (const Vec3& p : corners) {
     const double above = up.dot(p - base.corners[0]);
@@ -168,6 +170,7 @@ std::vector<FlushFaces::Member> FlushFaces::members() const {
 void FlushFaces::append_hull(std::span<const Member> patch, std::vector<ContactPoint>& out) const {
   const ContactPoint& origin = m_corners[m_overlaps[patch.front().overlap].first];
   const auto [u, v] = plane_axes(origin.normal);
+  // The hull is found in the plane of contact; its corners are looked up again by their place.
   std::vector<std::pair<Vec2, size_t>> flat;
   for (const Member& m : patch)
     for (size_t i = m_overlaps[m.overlap].first; i < m_overlaps[m.overlap].end; ++i) {
@@ -191,6 +194,7 @@ std::vector<ContactPoint> FlushFaces::corners() const {
   std::vector<ContactPoint> out;
   const std::vector<Member> all = members();
   for (size_t first = 0, end = 0; first < all.size(); first = end) {
+    // Members of one patch follow each other.
     while (end < all.size() && all[end].object == all[first].object &&
            all[end].support == all[first].support)
       ++end;

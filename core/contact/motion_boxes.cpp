@@ -73,6 +73,8 @@ MotionBoxes::MotionBoxes(const FirstContactQuery& query, double horizon)
       m_origin(m_turning || query.moving.empty() ? query.motion.centre
                                                  : query.moving[0].world_box.centre()),
       m_horizon(std::min(horizon, query.motion.limit) * (1 + kSlack)) {
+  // The third axis is the motion's: a translation grows boxes along it, a turn sweeps angles about
+  // it.
   const Vec3 w = query.motion.axis, u = w.unitOrthogonal(), v = w.cross(u);
   m_local_from_world << u.transpose(), v.transpose(), w.transpose();
   double spread = m_origin.cwiseAbs().maxCoeff();
@@ -111,6 +113,7 @@ Aabb MotionBoxes::turning_box(const Triangle& t, double growth, double s_sweep) 
     out.lower.y() = std::min(out.lower.y(), p.z() - growth);
     out.upper.y() = std::max(out.upper.y(), p.z() + growth);
   }
+  // Near the axis any angle is possible, and the box keeps the whole turn.
   if (radius > 2 * m_growth) {
     // tan(asin(x) / 2) < 0.6 x for x <= 1/2
     const double s_growth = 0.6 * growth / radius;

@@ -61,6 +61,7 @@ double NodeMotion::sliding_until(const PlacedNode& moving, const PlacedNode& fix
                                  double horizon) const {
   Double2 enters = both(0), leaves = both(kInfinity);
   for (int k = 0; k < 3; ++k) {
+    // The box moves past the slab of each axis between these two times.
     const Double2 reach = moving.half[k] + fixed.half[k] + m_margin;
     const Double2 d = seen_from_still(moving.centre[k] - fixed.centre[k]);
     const Double2 x = times_sign(d, m_direction[k]);
@@ -68,6 +69,7 @@ double NodeMotion::sliding_until(const PlacedNode& moving, const PlacedNode& fix
     leaves = min(leaves, (reach - x) * m_inverse_speed[k]);
   }
   const double enter = std::max(enters[0], enters[1]), leave = std::min(leaves[0], leaves[1]);
+  // It leaves one slab before it enters another: it passes by.
   if (enter > leave) return kInfinity;
   return enter > horizon ? enter : std::max(enter, slabs_slide(moving, fixed));
 }
@@ -79,6 +81,7 @@ double NodeMotion::slabs_slide(const PlacedNode& moving, const PlacedNode& fixed
   double until = 0;
   for (const int lane : {kFixed, kMoving}) {
     const double v = speed[lane];
+    // A box above a slab stays apart until it has come down to it, and for good if it rises.
     if (above[lane] > 0)
       until = std::max(until, v < 0 ? above[lane] / -v : kInfinity);
     else if (below[lane] > 0)
@@ -93,6 +96,7 @@ double NodeMotion::turning_until(const PlacedNode& moving, const PlacedNode& fix
   const double reach = moving.radius + fixed.radius + m_margin;
   if (std::abs(moving.height + fixed.height) > reach || std::abs(moving.ring - fixed.ring) > reach)
     return kInfinity;
+  // The axes of both boxes come first, then the slabs of their faces.
   const double until = boxes_turn(moving, fixed, horizon);
   return until > 0 ? until : slabs_turn(moving, fixed, horizon);
 }

@@ -65,6 +65,7 @@ struct NormalScale {
 
 NormalScale normal_scale(const State& s, const Vec3& u, const Vec3& v, double length_n,
                          double distance, double target) {
+  // A translation keeps the edges, and with them the length of their normal.
   if (!s.turning()) return {length_n, kInfinity};
   const double largest = u.norm() * v.norm(), sine = length_n / largest;
   const double factor = std::max(1.05, 0.5 * distance / target);
@@ -78,7 +79,9 @@ double until_edge_plane(const State& s, const ClosestPoints& closest, double tar
   const Vec3 u = s.a[(i + 1) % 3] - s.a[i], v = s.b[(j + 1) % 3] - s.b[j];
   Vec3 n = u.cross(v);
   const double squared = n.squaredNorm();
+  // Parallel edges span no plane.
   if (squared <= kParallelSquaredSine * u.squaredNorm() * v.squaredNorm()) return 0;
+  // The normal points from the fixed edge to the moving one.
   const double sign = n.dot(closest.point_a - closest.point_b) < 0 ? -1 : 1;
   const NormalScale scale = normal_scale(s, u, v, std::sqrt(squared), closest.distance, target);
   n *= sign;
@@ -111,6 +114,7 @@ Vec3 face_normal(const Triangle& t, const Vec3& towards) {
 
 double until_face_planes(const State& s, const Vec3& towards_a, double target) {
   double first = 0;
+  // The plane of the fixed face stands still; that of the moving face turns with it.
   const Vec3 nb = face_normal(s.b, towards_a), na = face_normal(s.a, towards_a);
   if (nb != Vec3::Zero()) first = std::max(first, until_static_plane(s, nb, target));
   if (na == Vec3::Zero()) return first;
@@ -126,6 +130,7 @@ Vec3 plane_direction(const State& s, const ClosestPoints& closest) {
   const int i = closest.a, j = closest.b;
   for (const Vec3& edge : {Vec3(s.a[(i + 1) % 3] - s.a[i]), Vec3(s.b[(j + 1) % 3] - s.b[j])}) {
     const double squared = edge.squaredNorm(), along = edge.dot(n);
+    // A nearly perpendicular direction was meant to be perpendicular, and differs by rounding.
     if (along * along < kNearlyPerpendicular * kNearlyPerpendicular * squared)
       n -= along / squared * edge;
   }
@@ -140,6 +145,7 @@ double until_best_plane(const State& s, const ClosestPoints& closest, double tar
   if (s.turning()) first = std::max(first, until_moving_plane(s, n, target));
   if (closest.features == ClosestPoints::Features::EdgeEdge)
     first = std::max(first, until_edge_plane(s, closest, target));
+  // No other plane can do better.
   if (first == kInfinity) return first;
   return std::max(first, until_face_planes(s, towards_a, target));
 }
@@ -205,6 +211,7 @@ bool clear_of_moving_plane(const State& s, const Vec3& n, double target, double 
 // Proves cheaply, by the planes of the two faces, that the pair is free up to `horizon`.
 // @return until when the plane found proves it; 0: neither does.
 DecidedPair free_by_faces(const State& s, double largest_stop, double horizon) {
+  // The mean of the corners tells the side, without the closest points, which cost more.
   const Vec3 towards_a = (s.a[0] - s.b[0]) + (s.a[1] - s.b[1]) + (s.a[2] - s.b[2]);
   const Vec3 nb = face_normal(s.b, towards_a);
   if (nb != Vec3::Zero() && clear_of_static_plane(s, nb, largest_stop, horizon))
@@ -271,22 +278,30 @@ DecidedPair decide_pair(const Triangle& moving, const Triangle& fixed, const Mot
   for (int k = 0; k < 3; ++k) start[k] = moving[k] - centre, s.b[k] = fixed[k] - centre;
   s.a = start;
   const double horizon = std::min(best, motion.limit);
+  // Most pairs are proved free by the plane of one of the faces.
   const DecidedPair clear = free_by_faces(s, clearance.largest_stop(), horizon);
   if (clear.apart_until > 0) return clear;
 
   double time = 0, target = 0;
   Vec3 normal = Vec3::Zero();  // at the start
+  // Conservative advancement: a plane between the closest points keeps the pair apart until it is
+  // reached; the next plane starts there.
   for (int planes = 0; planes < kMaxSeparatingPlanes; ++planes) {
     const ClosestPoints closest = closest_points(s.a, s.b);
     if (planes == 0) {
+      // They cross already, as far as doubles can tell.
       if (closest.distance <= kRounding * extent(s))
         return at_contact(PairContact::Status::Crossing, 0, closest, centre, normal);
       target = clearance.target(closest.distance);
       normal = plane_direction(s, closest);
     }
+    // They are as near as they may come.
     if (closest.distance <= (1 + kTargetSlack) * target)
       return at_contact(PairContact::Status::Contact, time, closest, centre, normal);
+    // Turns compose; translations add.
     double next = later(s, time, until_best_plane(s, closest, target));
+    // Planes tilted by rounding make no progress: every direction is tried before the pair counts
+    // as stalled.
     if (next <= time) next = later(s, time, until_any_plane(s, closest, target));
     if (next > horizon) return {{}, next, normal};
     if (next <= time)

@@ -78,6 +78,7 @@ void PairTraversal::wait(const Waiting& pair) {
 
 void PairTraversal::resume(const Waiting& pair) {
   if (hopeless(pair.bound)) return wait(pair);
+  // The pair waited with a bound that this part of the motion has reached.
   if (pair.are_leaves) return try_leaves(pair.a, pair.b);
   const Next n = next(pair.a, pair.b);
   if (hopeless(n.bound)) return wait({n.bound, n.a, n.b, false});
@@ -97,9 +98,12 @@ PairTraversal::Next PairTraversal::next(Index a, Index b) {
 void PairTraversal::visit(Index ia, Index ib) {
   const BvhNode &a = m_a.bvh().nodes[ia], &b = m_b.bvh().nodes[ib];
   if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
+  // The larger node is opened.
   const bool open_a = !a.is_leaf() && (b.is_leaf() || node_a(ia).radius > node_b(ib).radius);
   Next x = open_a ? next(ia + 1, ib) : next(ia, ib + 1);
   Next y = open_a ? next(a.second_child, ib) : next(ia, b.second_child);
+  // The child that may touch first goes first; of equals the nearer one. What it finds bounds the
+  // other.
   if (y.bound < x.bound || (y.bound == x.bound && y.gap < x.gap)) std::swap(x, y);
   for (const Next& n : {x, y})
     if (hopeless(n.bound))
@@ -121,11 +125,13 @@ void PairTraversal::try_leaves(Index ia, Index ib) {
                                                     m_a.bvh().nodes[ia], m_query.motion);
   const LeafInMotion& b = m_memory.fixed.faces.get(m_search, ib, m_query.fixed[m_fixed],
                                                    m_b.bvh().nodes[ib], m_query.motion);
+  // The plane that separated the last faces often separates these leaves as a whole.
   if (m_plane != Vec3::Zero())
     if (const double until = apart_by_plane(a.all(), b.all(), m_plane, m_query.motion,
                                             m_query.clearance.largest_stop(), horizon());
         until > 0)
       return wait({until, ia, ib, true});
+  // Otherwise every pair of their faces is decided.
   double apart_until = kInfinity;
   for (size_t i = 0; i < a.num; ++i)
     for (size_t j = 0; j < b.num; ++j) {
@@ -139,6 +145,7 @@ void PairTraversal::try_leaves(Index ia, Index ib) {
 // @return time until which they are apart. The plane between them may separate others, too, and the
 // same faces in the next motion.
 double PairTraversal::decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j) {
+  // The plane of an earlier motion is tried before a new one is looked for.
   if (const Vec3* n = m_planes.find(a.face[i], b.face[j]))
     if (const double until =
             apart_by_plane({&a.corners[i], 1}, {&b.corners[j], 1}, *n, m_query.motion,

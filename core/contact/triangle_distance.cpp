@@ -66,6 +66,8 @@ struct CornersOver {
     return ~(misses | face.beside(p[k] + h / (h - h_next) * (p[next] - p[k])));
   }
   bool any_pierces() const {
+    // A triangle with all corners on one side cannot pierce, nor can anything pierce one without
+    // inside.
     const Mask2 may = (face.squared_area > 0.0) & ~one_side();
     return any(may) && any(may & (pierces(0) | pierces(1) | pierces(2)));
   }
@@ -87,6 +89,7 @@ void put_foot(const CornersOver& c, int of, int k, ClosestPoints& out) {
 
 // Feet of the corners inside the faces.
 void vertices_over(const CornersOver& c, double& best, ClosestPoints& out) {
+  // Only feet inside a face count; the others are nearer to an edge.
   const Mask2 flat = c.face.squared_area == 0.0;
   std::array<Mask2, 3> inside;
   for (int k = 0; k < 3; ++k) inside[k] = ~(flat | c.face.beside(c.p[k]));
@@ -95,6 +98,7 @@ void vertices_over(const CornersOver& c, double& best, ClosestPoints& out) {
   for (int i = 0; i < 6; ++i) {
     const int of = i / 3, k = i % 3;
     const double squared = c.height[k][of] * c.height[k][of] / c.face.squared_area[of];
+    // The first of equals wins, so that the answer does not depend on the lanes.
     if (!inside[k][of] || squared >= best) continue;
     best = squared;
     nearest = i;
@@ -154,6 +158,7 @@ Double2 clamped_ratio(Double2 x, Double2 y) {
 SegmentPointsLanes closest_on_lanes(const SegmentLanes& a, const SegmentLanes& b) {
   const Vec3Lanes r = a.p - b.p;
   const Double2 uv = dot(a.u, b.u), ur = dot(a.u, r), vr = dot(b.u, r);
+  // The closest points of the two lines; then both are clamped to the segments.
   const Double2 determinant = a.uu * b.uu - uv * uv;
   Double2 s = clamped_ratio(uv * vr - ur * b.uu, determinant);
   Double2 t = (uv * s + vr) / b.uu;
@@ -202,6 +207,7 @@ class EdgePairs {
     for (int k = 0; k < 9; ++k) {
       const auto [pair, l] = kWhere[k];
       SegmentPointsLanes& found = m_found[pair];
+      // Points and parallel edges go one by one, through the branches.
       if (found.known[l]) continue;
       const SegmentPoints c =
           closest_on_segments(lane(m_faces.p[k / 3], 1), lane(m_faces.edge[k / 3], 1),
@@ -228,6 +234,7 @@ class EdgePairs {
 SegmentPoints closest_on_segments(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v) {
   const Vec3 r = p - q;
   const double uu = u.squaredNorm(), vv = v.squaredNorm();
+  // A segment without length is a point.
   if (uu == 0 || vv == 0) {
     const double s = uu > 0 ? clamp01(-u.dot(r) / uu) : 0;
     const double t = vv > 0 ? clamp01(v.dot(r) / vv) : 0;
@@ -237,6 +244,7 @@ SegmentPoints closest_on_segments(const Vec3& p, const Vec3& u, const Vec3& q, c
   const double determinant = uu * vv - uv * uv;
   double s = determinant > 0 ? clamp01((uv * vr - ur * vv) / determinant) : 0;
   double t = (uv * s + vr) / vv;
+  // The end of one segment sets the place on the other.
   if (t < 0) {
     t = 0;
     s = clamp01(-ur / uu);
@@ -252,12 +260,14 @@ SegmentPoints closest_on_segments(const Vec3& p, const Vec3& u, const Vec3& q, c
 ClosestPoints closest_points(const Triangle& a, const Triangle& b) {
   const CornersOver corners(a, b);
   ClosestPoints out;
+  // The distance is 0 if an edge of one passes through the other.
   if (corners.any_pierces()) {
     out.distance = 0;
     out.features = ClosestPoints::Features::Crossing;
     return out;
   }
   double best = kInfinity;
+  // Else the closest points are a corner over a face or lie on two edges.
   vertices_over(corners, best, out);
   EdgePairs(corners.face).nearest(best, out);
   out.distance = std::sqrt(best);

@@ -39,6 +39,7 @@ int sum_terms(const double* e, int num_e, const double* f, int num_f, double* ou
   int size = 0;
   double carry = 0;
   for (int i = 0, j = 0; i < num_e || j < num_f;) {
+    // The smaller term goes first.
     const bool take_e = j == num_f || (i < num_e && std::abs(e[i]) < std::abs(f[j]));
     const Pair s = two_sum(carry, take_e ? e[i++] : f[j++]);
     if (s.low != 0) out[size++] = s.low;
@@ -56,6 +57,7 @@ int scale_terms(const double* e, int num_e, double factor, double* out) {
     if (term != 0) out[size++] = term;
   };
   for (int i = 0; i < num_e; ++i) {
+    // Each product has two parts. The low one joins the carry, the high one what is left of that.
     const Pair p = two_product(e[i], factor);
     const Pair low = two_sum(carry, p.low);
     put(low.low);

@@ -56,7 +56,9 @@ std::optional<int> crossing_sign(const UnitRay& ray, const Triangle& t) {
                         orient3d(ray.from, ray.to, t[1], t[2]),
                         orient3d(ray.from, ray.to, t[2], t[0])};
   const auto [lowest, highest] = std::minmax_element(turns, turns + 3);
+  // The line of the ray turns both ways around the edges: it passes outside.
   if (*lowest < 0 && *highest > 0) return 0;
+  // Both ends on one side of the plane never reach it.
   const int side_from = orient3d(t[0], t[1], t[2], ray.from);
   const int side_to = orient3d(t[0], t[1], t[2], ray.to);
   if (side_from * side_to > 0) return 0;
@@ -78,6 +80,7 @@ std::optional<bool> starts_inside(const UnitRay& ray, const PlacedShape& outer) 
       const Index face = outer.shape->bvh().faces[slot];
       const Index id = adjacency.face_component[face];
       const Component& component = adjacency.components[id];
+      // Open components have no inside.
       if (!component.balanced && !component.even) continue;
       const std::optional<int> sign = crossing_sign(ray, world_triangle(outer, face));
       grazes = grazes || !sign;
@@ -90,6 +93,7 @@ std::optional<bool> starts_inside(const UnitRay& ray, const PlacedShape& outer) 
     return true;
   });
   if (grazes) return std::nullopt;
+  // A component without a winding is entered by every odd crossing.
   std::sort(crossed_by_ray.begin(), crossed_by_ray.end());
   const bool any_odd = std::any_of(crossed_by_ray.begin(), crossed_by_ray.end(), [&](Index id) {
     const auto [first, last] = std::equal_range(crossed_by_ray.begin(), crossed_by_ray.end(), id);
@@ -101,6 +105,7 @@ std::optional<bool> starts_inside(const UnitRay& ray, const PlacedShape& outer) 
 // Ray upwards, to a point outside the box of `outer` if it starts inside. Tilts follow a sequence
 // that fills the square evenly [Roberts 2018].
 UnitRay ray_from(const Vec3& point, const PlacedShape& outer, int attempt) {
+  // The ray has to end outside of everything, so it is longer than the box is wide.
   const Vec3 half =
       outer.world_from_object.linear.cwiseAbs() * outer.shape->bvh().nodes[0].box().half_extent();
   // The last term moves the end even if the box is tiny and far from the origin.
@@ -157,6 +162,7 @@ std::int64_t count_crossings(const PlacedShape& a, const PlacedShape& b, std::in
   std::int64_t count = 0;
   const auto add = [&](Index face_a, Index face_b) {
     ++count;
+    // The pair with the smallest numbers is the witness, in whatever order the trees are visited.
     if (first &&
         (!*first || std::tie(face_a, face_b) < std::tie((*first)->face_a, (*first)->face_b)))
       *first = CrossingPair{face_a, face_b};

@@ -44,9 +44,11 @@ void SeparatingAxes::add(const Vec3& direction, const BoxFrame& a, const BoxFram
     return n.cwiseAbs().dot(w.linear.cwiseAbs() * f.reach + w.translation.cwiseAbs());
   };
   Axis& axis = m_axes[m_num_axes++];
+  // Boxes stay in their own frames; the axis is turned into each of them.
   axis.of_a = a.world_from_object.linear.transpose() * n;
   axis.of_b = b.world_from_object.linear.transpose() * n;
   axis.offset = n.dot(b.world_from_object.translation - a.world_from_object.translation);
+  // The margin covers slack and rounding: boxes may only be called apart if they are.
   axis.margin =
       (1 + kBoxRounding) * (a.slack + b.slack) + kBoxRounding * (magnitude(a) + magnitude(b));
 }
@@ -56,6 +58,7 @@ bool SeparatingAxes::separate(const Aabb& box_a, const Aabb& box_b) const {
   const Vec3 centre_b = box_b.centre(), half_b = box_b.half_extent();
   for (int i = 0; i < m_num_axes; ++i) {
     const Axis& axis = m_axes[i];
+    // The boxes are apart along an axis if their centres are further than both half extents reach.
     const double distance =
         std::abs(axis.of_b.dot(centre_b) - axis.of_a.dot(centre_a) + axis.offset);
     const double reach = axis.of_a.cwiseAbs().dot(half_a) + axis.of_b.cwiseAbs().dot(half_b);

@@ -62,6 +62,8 @@ bool intervals_overlap(const Triangle& a, const Signs& sides_a, const Triangle& 
   int first = 0;
   for (int i = 1; i <= 2; ++i)
     for (int j = 1; j <= 2; ++j) {
+      // The sign tells which end comes first on the common line; two different ones, or a zero,
+      // mean overlap.
       const int sign = sign_of(a[apex_a], a[(apex_a + i) % 3], b[apex_b], b[(apex_b + j) % 3]);
       if (sign == 0 || sign == -first) return true;
       first = sign;
@@ -111,8 +113,10 @@ bool edge_separates(const Simplex& a, const Simplex& b, int axis) {
   const int num_edges = a.size == 3 ? 3 : a.size - 1;
   for (int i = 0; i < num_edges; ++i) {
     const Vec2 from = point(a, i), to = point(a, i + 1);
+    // The inside of the edge is where the third corner lies.
     const int own = a.size == 3 ? orient2d(from, to, point(a, i + 2)) : 0;
     const int other = orient2d(from, to, point(b, 0));
+    // Every corner of the other set has to lie strictly beyond the edge.
     bool apart = other != 0 && other != own;
     for (int k = 1; k < b.size; ++k) apart = apart && orient2d(from, to, point(b, k)) == other;
     if (apart) return true;
@@ -124,6 +128,7 @@ bool edge_separates(const Simplex& a, const Simplex& b, int axis) {
 // difference of both sets has an interior, unless all is on one line.
 bool coplanar_intersect(const Simplex& a, const Simplex& b) {
   const Triangle &p = a.corners, &q = b.corners;
+  // A plane needs three corners that are not on one line, of one set or of both.
   std::optional<int> axis = projection_axis(p[0], p[1], p[2]);
   for (int k = 0; k < 3 && !axis; ++k) axis = projection_axis(p[0], p[1], q[k]);
   if (!axis) return collinear_intersect(a, b);
@@ -143,6 +148,8 @@ bool simplices_intersect(const Simplex& a, const Simplex& b) {
   const Triangle &p = a.corners, &q = b.corners;
   if (a.size == 3 && b.size < 3) {
     const Signs s = sides(p, q);
+    // Both ends on one side never touch the plane; on different sides the segment pierces it,
+    // inside the triangle or not.
     if (s[0] * s[1] > 0) return false;
     if (s[0] != s[1]) return segment_pierces(q[0], q[1], p);
   }

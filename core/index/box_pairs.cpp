@@ -36,6 +36,7 @@ class Scaling {
   BoxSet apply(std::span<const Aabb> boxes) const {
     BoxSet out;
     for (Index i = 0; i < static_cast<Index>(boxes.size()); ++i) {
+      // Boxes beside all of b overlap none of them.
       if (!overlaps(boxes[i], m_extent)) continue;
       out.boxes.push_back(scaled(boxes[i]));
       out.ids.push_back(i);
@@ -129,6 +130,7 @@ std::optional<std::vector<BoxPair>> overlapping_boxes(std::span<const Aabb> a,
   const Scaling scaling(b);
   const BoxSet boxes_a = scaling.apply(a), boxes_b = scaling.apply(b);
   if (boxes_a.boxes.empty() || boxes_b.boxes.empty()) return std::vector<BoxPair>();
+  // Too many pairs would take longer to list than the caller saves.
   if (estimated_pairs(boxes_a.boxes, boxes_b.boxes) > static_cast<double>(most))
     return std::nullopt;
   Found found{boxes_a, boxes_b, {}, {}};

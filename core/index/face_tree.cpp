@@ -94,6 +94,7 @@ class FaceTree {
 
   // Too deep: leaves out.nodes empty.
   bool append(Faces faces, int depth, bool by_median, Bvh& out) const {
+    // Traversals keep a stack of this depth; make_face_tree() halves instead.
     if (depth > kMaxBvhDepth) return out.nodes.clear(), false;
     const size_t id = out.nodes.size();
     out.nodes.emplace_back();
@@ -101,6 +102,7 @@ class FaceTree {
     if (half == faces.size()) {
       out.nodes[id].second_child = static_cast<Index>(out.faces.size());
       out.nodes[id].num_faces = static_cast<Index>(faces.size());
+      // Faces of a leaf come in the order of the mesh, whatever moved them here.
       std::sort(faces.begin(), faces.end());
       out.faces.insert(out.faces.end(), faces.begin(), faces.end());
       return true;
@@ -115,6 +117,7 @@ class FaceTree {
   bool append_in_parallel(std::span<const Faces, 2> children, int depth, bool by_median, size_t id,
                           Bvh& out) const {
     Bvh parts[2];
+    // Each half grows a tree of its own; their numbers are shifted when they are joined.
     in_parallel(2, [&](size_t k) { append(children[k], depth + 1, by_median, parts[k]); });
     for (const Bvh& part : parts) {
       if (part.nodes.empty()) return out.nodes.clear(), false;
@@ -140,6 +143,7 @@ class FaceTree {
     const Split split =
         is_small ? best_split<kFewBins>(faces, bins) : best_split<kMaxBins>(faces, bins);
     if (split.axis < 0) return halve(faces);
+    // Faces in bins before the split go to the first child.
     const auto second = std::partition(faces.begin(), faces.end(), [&](Index f) {
       return bins.of(centre(f), split.axis) < split.bin;
     });
@@ -174,6 +178,7 @@ class FaceTree {
     const size_t count = faces.size();
     std::array<float, kFewOfTree> cost_after;  // of this face and those after it
     Bounds all;
+    // One sweep from the end prices the second children, one from the start the first.
     for (size_t k = count; --k > 0;) {
       all.extend(m_boxes[faces[k]].lower, m_boxes[faces[k]].upper);
       cost_after[k] = static_cast<float>(count - k) * all.half_area();
@@ -224,6 +229,7 @@ class FaceTree {
   static void improve(const std::array<Bin, kBins>& bins, int axis, Split& best) {
     std::array<float, kBins> cost_after;  // of this bin and those after it
     Bin all;
+    // The same two sweeps over bins.
     for (int k = kBins; --k > 0;) {
       all.bounds.extend(bins[k].bounds);
       all.num_faces += bins[k].num_faces;
@@ -247,6 +253,7 @@ class FaceTree {
     if (faces.size() <= kMaxLeafFaces) return faces.size();
     const int axis = bounds_of_centres(faces).widest_axis();
     const size_t half = faces.size() / 2;
+    // Equal centres are told apart by their numbers, so that every library orders them alike.
     const auto key = [&](Index f) { return std::pair(centre(f)[axis], f); };
     std::nth_element(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(half), faces.end(),
                      [&](Index f, Index g) { return key(f) < key(g); });

@@ -39,6 +39,7 @@ void pass_face(const RTCFilterFunctionNArguments* arguments) {
       light *=
           mesh.passed_at(mesh.see_through_ids[face], RTCHitN_u(arguments->hit, arguments->N, i),
                          RTCHitN_v(arguments->hit, arguments->N, i));
+    // The ray goes on while enough light is left.
     if (light.maxCoeff() >= kDark) arguments->valid[i] = 0;
   }
 }
@@ -94,6 +95,7 @@ std::uint32_t InstanceRays::add_mesh(std::span<const Vec3f> vertices,
     mesh->vertices.insert(mesh->vertices.end(), {v.x(), v.y(), v.z()});
   mesh->vertices.insert(mesh->vertices.end(), 6, 0.0f);
   for (std::size_t f = 0; f < triangles.size(); ++f) {
+    // Only see-through faces pay for a callback.
     const bool opaque = passed.empty() || passed[f].maxCoeff() < kDark;
     (opaque ? mesh->opaque : mesh->see_through).push_back(triangles[f]);
     (opaque ? mesh->opaque_ids : mesh->see_through_ids).push_back(static_cast<std::uint32_t>(f));

@@ -34,6 +34,8 @@ struct LocalRay {
   double meets(const Triangle& t) const {
     std::array<double, 3> x, y, z;
     for (int i = 0; i < 3; ++i) {
+      // The shear makes the ray the z axis: the triangle is hit if the origin lies inside its
+      // projection.
       const Vec3 p = t[i] - origin;
       x[i] = p[axis[0]] - shear[0] * p[axis[2]];
       y[i] = p[axis[1]] - shear[1] * p[axis[2]];
@@ -42,6 +44,7 @@ struct LocalRay {
     const double u = x[2] * y[1] - y[2] * x[1];
     const double v = x[0] * y[2] - y[0] * x[2];
     const double w = x[1] * y[0] - y[1] * x[0];
+    // Edge functions of both signs: the origin is outside.
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return kInfinity;
     const double sum = u + v + w;
     if (sum == 0) return kInfinity;

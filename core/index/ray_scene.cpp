@@ -122,10 +122,12 @@ void RayScene::visit(const Vec3& origin, const Vec3& direction, double until,
   const Vec3 from = (origin - m_centre) * m_scale, along = direction * m_scale;
   const double speed = along.norm();
   const bool fits = from.cwiseAbs().maxCoeff() < kFarthestRay && speed > 0 && speed < kInfinity;
+  // Beyond what float32 can hold, every face is visited.
   if (m_scale == 0 || !fits) {
     for (Index face = 0; face < m_num_faces; ++face) visit(face);
     return;
   }
+  // Embree gets the piece of the ray near the mesh, where float32 has digits to spare.
   const RayPiece piece = ray_piece(from, along, until);
   if (!(piece.start <= piece.end)) return;
   FaceQuery query;

@@ -169,7 +169,7 @@ std::vector<ZLists> FeedbackRaster::read_depths(std::span<const ZListView> views
     const ZListView& v = views[layer];
     glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, 0,
                               static_cast<GLint>(layer));
-    glReadPixels(0, 0, v.width, v.height, format, GL_FLOAT, reinterpret_cast<void*>(at));
+    glReadPixels(0, 0, v.width, v.height, format, GL_FLOAT, const_cast<void*>(buffer_offset(at)));
     at += sizeof(float) * floats * v.width * v.height;
   };
   for (std::size_t i = 0; i < views.size(); ++i) {

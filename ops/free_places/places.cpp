@@ -222,6 +222,7 @@ class PlaceSearch {
   std::vector<Pose> ranked(std::vector<int>& places) const {
     if (m_request.near) {
       std::vector<std::pair<double, int>> order;
+      order.reserve(places.size());
       for (const int i : places)
         order.emplace_back((centre_at(i) - *m_request.near).squaredNorm(), i);
       std::sort(order.begin(), order.end());
@@ -230,6 +231,7 @@ class PlaceSearch {
       Shuffler(m_request.seed).shuffle(places);
     }
     std::vector<Pose> out;
+    out.reserve(places.size());
     for (const int i : places) out.push_back(m_setting.start(m_request.rotation, centre_at(i)));
     return out;
   }

@@ -5,7 +5,6 @@
 #include <CoinMessage.hpp>
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace trivet {
@@ -13,22 +12,12 @@ namespace {
 
 constexpr double kNoise = 1e-12;  // forces and torques of size one: rounding below this
 
-// Every solver takes up to 1 MiB, which glibc gives back to the system after each and asks for
-// again: a twentieth of a PUT. A block that is mapped, not taken from a hole of the heap, raises
-// the limits of the process when it is freed, M_TRIM_THRESHOLD to twice its size: mallopt(3).
-bool keep_freed_memory() {
-  void* volatile block = std::malloc(size_t{1} << 20);
-  std::free(block);
-  return true;
-}
-
 }  // namespace
 
 /// Its messages are copied: making them takes as long as solving a small program.
 class LinearProgram::Solver : public ClpSimplex {
  public:
   Solver(const LinearProgram& program, bool scale) : ClpSimplex(true) {
-    [[maybe_unused]] static const bool keeps = keep_freed_memory();
     static const ClpMessage clp_messages;
     static const CoinMessage coin_messages;
     messages_ = clp_messages;

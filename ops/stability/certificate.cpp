@@ -33,6 +33,8 @@ std::vector<double> shares_of_segment(const std::vector<Vec2>& hull, const Vec2&
 std::vector<double> shares_of_polygon(const std::vector<Vec2>& hull, const Vec2& p) {
   const size_t n = hull.size();
   std::vector<double> out(n, 0.0);
+  // Each corner spans a fan of triangles; the target lies in one of them. The mean over all fans
+  // treats the corners alike.
   for (size_t apex = 0; apex < n; ++apex) {
     std::array<double, 3> best{-kInfinity, -kInfinity, -kInfinity};
     size_t best_k = 0;
@@ -43,7 +45,9 @@ std::vector<double> shares_of_polygon(const std::vector<Vec2>& hull, const Vec2&
       best = w;
       best_k = k;
     }
+    // Corners on one line span no triangle.
     if (best_k == 0) continue;
+    // A target that rounding puts outside gets the nearest shares that push.
     for (double& w : best) w = std::max(w, 0.0);
     const double sum = best[0] + best[1] + best[2];
     out[apex] += best[0] / sum;
@@ -96,12 +100,14 @@ class Descent {
 
   // Bodies in a ring of supports are never reached, and so not certified.
   Certificate run() {
+    // The descent begins with the bodies that carry nothing.
     std::vector<Index> ready;
     for (size_t i = 0; i < m_all.bodies.size(); ++i) {
       m_waiting_for[i] = m_sides.above[i].size();
       if (m_waiting_for[i] == 0) ready.push_back(static_cast<Index>(i));
     }
     while (!ready.empty()) {
+      // Forces of everything that lies on this body are known by now.
       const Index body = ready.back();
       ready.pop_back();
       visit(body);
@@ -115,6 +121,7 @@ class Descent {
  private:
   void visit(Index i) {
     const FreeBody& body = m_all.bodies[i];
+    // Loads press straight down, so that all of them together act at one point, seen from above.
     double weight = body.weight;
     Vec2 moment = body.weight * body.centre.head<2>();
     bool loads_certified = true;
@@ -124,6 +131,7 @@ class Descent {
       weight += force;
       moment += force * m_all.touches[s.touch].contact.point.head<2>();
     }
+    // The body is held up if that point lies inside the hull of the contacts below it.
     std::vector<Vec2> points;
     for (const Sides::Side& s : m_sides.below[i])
       points.push_back(m_all.touches[s.touch].contact.point.head<2>());
@@ -132,6 +140,7 @@ class Descent {
     out.margin = hull_margin(points, resultant);
     out.certified = loads_certified && out.margin >= kRestMargin * body.size;
     if (!out.certified) return;
+    // Any shares that balance at the point will do; these are handed to the supports.
     const std::vector<double> parts = shares(points, resultant, 0);
     for (size_t k = 0; k < parts.size(); ++k) {
       const size_t touch = m_sides.below[i][k].touch;
@@ -167,6 +176,7 @@ void add_certified_loads(const FreeBodies& all, const Certificate& certificate, 
     for (const auto& [body, sign] : {std::pair(t.on, 1.0), {t.from, -1.0}}) {
       const auto at = by_slot.find(all.bodies[body].id.index);
       if (at == by_slot.end()) continue;
+      // The force acts at the contact, and so turns the body about its centre, too.
       const Vec3 force(0, 0, sign * certificate.forces[i]);
       at->second->load += force;
       at->second->load_torque += (t.contact.point - at->second->centre).cross(force);

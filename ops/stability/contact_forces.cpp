@@ -39,12 +39,14 @@ class ForceProgram {
   // body's weight, at `cost`.
   void add_missing(double cost, double limit) {
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
+      // Both signs of each component count against the tolerance, which costs nothing.
       for (int row = 0; row < 6; ++row)
         for (const double sign : {1.0, -1.0}) {
           const Entry entries[] = {{row_of(i) + row, sign}, {row_of(i) + kMissingRow, 1}};
           add_column(entries, 0);
         }
       const double own = m_part.bodies[i].weight / m_carried[i];
+      // Beyond the tolerance each part of the weight has its price.
       const Entry entries[] = {{row_of(i) + kMissingRow, -1}};
       add_column(entries, cost / own, own * limit);
     }
@@ -77,6 +79,7 @@ class ForceProgram {
     double best = 0;
     for_each_force(t, unit_of(t), [&](const Vec3&, const std::vector<Entry>& entries) {
       double sum = 0;
+      // The dual prices tell what the force is worth in the rows that it enters.
       for (const Entry& e : entries) sum += e.value * solution.prices[static_cast<size_t>(e.row)];
       best = std::max(best, sum);
     });
@@ -89,6 +92,7 @@ class ForceProgram {
     out.residual = solution.objective;
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       const double own = m_part.bodies[i].weight / m_carried[i];
+      // This column holds what is missing beyond the tolerance.
       const size_t beyond = m_first_missing + kMissingColumns * (i + 1) - 1;
       double motion = 0;
       for (int k = 0; k < 6; ++k)
@@ -97,6 +101,7 @@ class ForceProgram {
       out.moves.push_back(own * motion > kMoves);
     }
     out.motions = motions_of(solution);
+    // A contact force is the sum of its edges, each times the value of its column.
     for (const Spanned& s : m_spanned) {
       Vec3 force = Vec3::Zero();
       for (size_t k = 0; k < s.edges.size(); ++k)
@@ -151,6 +156,7 @@ class ForceProgram {
     std::vector<double> out(n, 0.0);
     for (size_t i = 0; i < n; ++i) {
       std::vector<char> seen(n, 0);
+      // The search walks up through everything that lies on the body.
       std::vector<Index> open{static_cast<Index>(i)};
       seen[i] = 1;
       while (!open.empty()) {
@@ -167,8 +173,10 @@ class ForceProgram {
   void add_rows() {
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       const FreeBody& body = m_part.bodies[i];
+      // Contacts have to balance the weight and what certified bodies press with.
       const Vec3 force = (Vec3(0, 0, body.weight) - body.load) / m_carried[i];
       const Vec3 torque = -body.load_torque / (m_carried[i] * body.size);
+      // Force and torque are equations; friction, pushes and what is missing have limits.
       for (const Vec3& balance : {force, torque})
         for (int k = 0; k < 3; ++k) m_program.add_row(balance[k], balance[k]);
       m_program.add_row(0, kFrictionLimit);
@@ -183,11 +191,14 @@ class ForceProgram {
     const double friction = m_factor * t.friction;
     const auto column = [&](const Vec3& edge, double across) {
       std::vector<Entry> entries;
+      // The force pushes one body and, reversed, the other.
       append_force(t.on, t.contact.point, unit * edge, unit, across, entries);
       if (t.from != BodyContact::kGround)
         append_force(t.from, t.contact.point, -unit * edge, unit, across, entries);
       f(edge, entries);
     };
+    // The normal and the edges of a pyramid inside the friction cone span the forces that are
+    // allowed.
     column(t.contact.normal, 0);
     if (friction > 0)
       for (const Vec3& edge : friction_pyramid(t.contact.normal, friction))
@@ -213,6 +224,8 @@ class ForceProgram {
     const FreeBody& body = m_part.bodies[i];
     const Vec3 f = force / m_carried[i];
     const Vec3 torque = (point - body.centre).cross(f) / body.size;
+    // A contact point is known to about a clearance, so that each push may be off by a little
+    // torque.
     const double tolerance = residual_tolerance(body.size, m_clearance);
     push /= m_carried[i];
     for (int k = 0; k < 3; ++k) entries.push_back({row_of(i) + k, f[k]});
@@ -247,10 +260,13 @@ bool join_best(FreeBodies& part, const Gain& gain) {
   for (const BodyContact& t : part.more) gains.push_back(gain(t));
   std::vector<char> joins(part.more.size(), 0);
   for (size_t first = 0, end = 0; first < part.more.size(); first = end) {
+    // Candidates of one pair of bodies are neighbours in the list.
     const BodyContact& t = part.more[first];
     while (end < part.more.size() && part.more[end].on == t.on &&
            part.more[end].partner == t.partner)
       ++end;
+    // A few join at a time: the program stays small, and different places of a large face take
+    // part.
     for (int n = 0; n < kJoinAtOnce; ++n) {
       size_t best = first;
       for (size_t k = first; k < end; ++k)
@@ -280,6 +296,7 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
     if (!solution.optimal) return {};
     PartForces out = program.forces_of(solution);
     const auto gain = [&](const BodyContact& t) { return program.gain(t, solution); };
+    // Without a contact that lowers what is missing, this is the optimum over all contacts.
     if (out.balanced() || !join_best(part, gain)) return out;
   }
 }
@@ -297,6 +314,8 @@ double shift_margin(const FreeBodies& part, double clearance) {
   for (const FreeBody& body : part.bodies) largest = std::max(largest, body.size);
   ForceProgram program(part, clearance);
   program.add_missing(0, kMissing);
+  // Eight ways, seen from above, to shift all centres of mass: the margin is the least shift that
+  // no forces balance.
   std::vector<LinearProgram::Column> shifts;
   for (const Vec2& way : {Vec2(1, 0), Vec2(d, d), Vec2(0, 1), Vec2(-d, d), Vec2(-1, 0),
                           Vec2(-d, -d), Vec2(0, -1), Vec2(d, -d)})

@@ -77,6 +77,7 @@ FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
   const BodyIndex index(ids);
   for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
     for (const ObjectContact& entry : scene.at(ids[i]).contacts) {
+      // A contact across a gap carries nothing.
       if (entry.across_gap) continue;
       const Index from = index.find(entry.with);
       if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
@@ -98,12 +99,16 @@ FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double
     for (const ContactsWith& c :
          contacts_with(body_of(scene.at(ids[i])), later, tolerance, kFootSlack * clearance)) {
       const Index from = index.find(c.with);
+      // A neighbour that could move is not ground. The caller decides whether it joins these
+      // bodies.
       if (from == BodyContact::kGround && c.with.is_object() &&
           !is_ground(c.with.object(), scene.at(c.with.object()))) {
         out.left_out.push_back(c.with.object());
         continue;
       }
       const double of_pair = friction.value_or(friction_between(scene, ids[i], c.with));
+      // The program begins with points that span the contact; the others wait until they are worth
+      // it.
       const std::vector<ContactPoint> all = merged(c.points, tolerance);
       const std::vector<ContactPoint> chosen = reduced(all, kPairContacts);
       for (const ContactPoint& p : all)
@@ -118,6 +123,8 @@ FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double
 std::vector<Index> connected_parts(const FreeBodies& all) {
   std::vector<Index> root(all.bodies.size());
   std::iota(root.begin(), root.end(), 0);
+  // Union-find with path halving. The smallest index is the root, so that parts come in the order
+  // of the bodies.
   const auto find = [&](Index i) {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;

@@ -117,6 +117,7 @@ class Judgement {
       if (t.from != BodyContact::kGround)
         next[t.on].push_back(t.from), next[t.from].push_back(t.on);
     std::vector<char> seen(m_ids.size(), 1);
+    // Only open bodies can be chosen; all others count as seen.
     for (const Index i : open) seen[i] = 0;
     std::vector<Index> out;
     const auto add = [&](Index i) {
@@ -124,6 +125,7 @@ class Judgement {
     };
     for (const Index i : open)
       if (std::find(m_changed.begin(), m_changed.end(), m_ids[i]) != m_changed.end()) add(i);
+    // A change elsewhere reaches this part through bodies that are certified.
     if (out.empty()) add(open.front());
     for (size_t k = 0; k < out.size(); ++k)
       for (const Index i : next[out[k]]) add(i);
@@ -167,6 +169,8 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
                      const IsGround& is_ground, std::optional<double> friction) {
   while (true) {
     std::sort(ids.begin(), ids.end(), by_name(scene));
+    // Contacts within the tolerance may reach bodies outside of the part: these join it, until none
+    // is left out.
     FreeBodies part = near_bodies(scene, ids, clearance, is_ground, friction);
     if (part.left_out.empty()) return part;
     std::vector<ObjectId> more = connected_with(scene, part.left_out);

@@ -36,6 +36,7 @@ std::vector<ObjectId> judged_with(const Scene& scene, ObjectId object,
                                   const StabilityOptions& options) {
   std::vector<ObjectId> ids = linked_with(scene, {object});
   while (true) {
+    // Each pass adds what lies within the tolerance, and everything that is linked with that.
     const FreeBodies near =
         near_part(scene, ids, clearance_of(scene, options), is_fixed, options.friction);
     if (near.bodies.size() == ids.size()) return ids;
@@ -56,6 +57,8 @@ class StabilityCheck {
   Stability run() {
     m_out.friction = m_options.friction;
     if (const Object* invalid = first_invalid()) return not_judged(*invalid);
+    // The cheap proof goes first: vertical forces from the top down. The second one has a little
+    // less friction in reserve.
     const Certificate certificate = vertical_certificate(m_all);
     const Certificate reserve = vertical_certificate(m_all, kMarginalFriction);
     const std::vector<Index> part_of = connected_parts(m_all);
@@ -67,6 +70,7 @@ class StabilityCheck {
       if (!certificate.bodies[i].certified) failed[part_of[i]] = 1;
       if (!reserve.bodies[i].certified) no_reserve[part_of[i]] = 1;
     }
+    // A part with a body that is not certified needs the linear program.
     std::vector<char> solved(num_parts, 0);
     for (Index p = 0; p < num_parts; ++p)
       if (failed[p] && !solved[p]) solve_part(p, part_of, solved);
@@ -140,6 +144,7 @@ class StabilityCheck {
   // Judges a part that holds with a little less friction, too.
   void judge_reserve(FreeBodies part) {
     if (is_small(part)) {
+      // The dual simplex usually answers at once; the slower way lets more contacts join.
       if (quickly_balanced(part, m_clearance, kMarginalFriction)) return;
       const PartForces found = contact_forces(part, m_clearance, kMarginalFriction);
       if (found.solved && found.balanced()) return;
@@ -159,6 +164,7 @@ class StabilityCheck {
     const PartForces found = contact_forces(part, m_clearance);
     if (!found.solved) return worsen("the linear program was not solved");
     m_out.residual = std::max(m_out.residual, found.residual);
+    // Forces that balance everything are the proof; without them gravity moves these bodies.
     const bool balanced = found.balanced();
     if (!balanced) m_out.status = Stability::Status::Unstable;
     const double margin = balanced ? std::max(0.0, shift_margin(part, m_clearance)) : 0.0;
@@ -183,6 +189,7 @@ class StabilityCheck {
     if (m_out.status != Stability::Status::Unknown) m_out.why_unknown.clear();
     for (const ObjectStability& o : m_out.objects) m_out.margin = std::min(m_out.margin, o.margin);
     judge_marginal();
+    // Forces come in the order of the bodies they act on, whichever part was solved first.
     std::map<std::uint32_t, size_t> rank;  // of slots
     for (const FreeBody& body : m_all.bodies) rank.emplace(body.id.index, rank.size());
     std::stable_sort(m_out.forces.begin(), m_out.forces.end(),
@@ -241,6 +248,7 @@ std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& st
   if (!stability.stable()) return out;
   for (auto f = stability.forces.begin(); f != stability.forces.end();) {
     const ObjectId on = f->on;
+    // The upward forces of each partner are added up, as one partner may touch at many points.
     std::vector<std::pair<Support, double>> upward;
     for (; f != stability.forces.end() && f->on == on; ++f) {
       auto at = std::find_if(upward.begin(), upward.end(),

@@ -218,6 +218,7 @@ CompleteZLists::CompleteZLists(std::span<const Body> bodies, const ProjectionOpt
   const int cores = tbb::this_task_arena::max_concurrency();
   const int threads = options.num_threads > 0 ? options.num_threads : cores;
   for (const Body& body : bodies) m_winding.push_back(winding_of(*body.shape));
+  // The window fits what is seen, unless a region is asked for.
   const Aabb extent = extent_of(bodies, rows_of(m_projection));
   if (extent.empty()) return;
   set_window(extent, options, m_projection);
@@ -238,6 +239,8 @@ void CompleteZLists::draw(size_t most_bytes, int num_threads) {
   m_ends.resize(size_t(view.width) * view.height);
   const size_t most = (most_bytes - m_ends.size() * sizeof(m_ends[0])) / sizeof(ZListItem);
   std::atomic<size_t> total = 0;
+  // Faces are drawn twice: once to count the entries of each pixel, once to store them in their
+  // places.
   draw_all<CountSink>(layer, view, num_threads,
                       [&] { return CountSink(m_ends, view.width, total, most); });
   require(total <= most, say("%1 have more than %2 entries, the most that fit into the %3 MiB "

@@ -34,6 +34,7 @@ Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, i
   m_last_column = floor_of(clamped(high.x() + half_x - 0.5, -1, width - 1));
   m_first_row = ceiling(clamped(low.y() - half_y - 0.5, 0, height));
   m_last_row = floor_of(clamped(high.y() + half_y - 0.5, -1, height - 1));
+  // Rows and columns of the box come first; the edges narrow each row.
   if (is_empty()) return;
   const Vec2 e = p[1] - p[0], f = p[2] - p[0];
   const double signed_area2 = e.x() * f.y() - e.y() * f.x();
@@ -45,6 +46,7 @@ Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, i
     m_edges[k] = {-d.y(), d.x(), p[k]};
     m_reach[k] = std::abs(d.y()) * half_x + std::abs(d.x()) * half_y;
   }
+  // A triangle without inside is drawn as a band.
   if (m_area2 <= kNoInside * m_squared_size) use_longest_edge();
 }
 
@@ -69,6 +71,7 @@ Coverage::Columns Coverage::columns(int row, const std::array<double, 3>& reach)
     const Edge& e = m_edges[k];
     // a i + q >= 0
     const double q = e.b * (row + 0.5 - e.p.y()) + e.a * (0.5 - e.p.x()) + reach[k];
+    // The sign of the slope tells which end of the row the edge bounds.
     if (e.a > 0) {
       first = std::max(first, -q / e.a);
     } else if (e.a < 0) {

@@ -36,6 +36,7 @@ void DepthMap::add(const Span& s) {
     low[i] = std::min(low[i], s.lower[i]);
     high[i] = std::max(high[i], s.upper[i]);
   }
+  // Depths at centres bound what is met for certain; badly known ones bound nothing.
   if (!(s.centre_error <= kLargestCentreError)) return;
   float *nearest = &lowest_centre[at], *farthest = &highest_centre[at];
   for (int i = 0; i < s.count; ++i) {
@@ -69,6 +70,7 @@ bool draw_depth_map(const Layer& layer, const View& view, int num_threads, Depth
                                     : draw_part<false>(layer, view, first, last, maps[part], boxes);
   });
   if (boxes && !view.turning()) boxes->noted = true;
+  // Minima and maxima do not depend on how the faces were shared among threads.
   out = std::move(maps[0]);
   for (size_t i = 1; i < parts; ++i) out.add(maps[i]);
   return std::find(complete.begin(), complete.end(), 0) == complete.end();

@@ -32,6 +32,7 @@ void cut(DepthMap& map, const std::vector<char>& mask) {
 }  // namespace
 
 CandidatePairs ZListSearch::run(const Doubt& doubt) {
+  // The other stage has found an upper bound; a float32 above it is still one.
   m_upper.lower_to(static_cast<float>(std::min(doubt.upper, 1e30)) * 1.000001F);
   Lists lists;
   const bool drawn = doubt.pixels.empty() || draw_doubtful(doubt.pixels, lists);
@@ -42,6 +43,7 @@ bool ZListSearch::draw_doubtful(const std::vector<std::uint32_t>& pixels, Lists&
   m_moving.project(m_options.num_threads);
   m_fixed.project(m_options.num_threads);
   const View moving = View::whole(m_frame, true), fixed = View::whole(m_frame, false);
+  // Only pixels in doubt are drawn, in both images.
   std::vector<char> mask(static_cast<std::size_t>(moving.width) * moving.height);
   for (const std::uint32_t pixel : pixels) mask[pixel] = 1;
   DepthMap map(moving.width, moving.height);

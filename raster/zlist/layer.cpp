@@ -28,6 +28,7 @@ class Map {
 };
 
 ImageVertex turning(const Eigen::Array4d& p, double first_radius, double low) {
+  // The image of a rotation has radius, height and, as depth, the angle.
   const double angle = wrapped(fast_atan2(p.y(), p.x()), low);
   return {static_cast<float>(std::sqrt(p.x() * p.x() + p.y() * p.y()) - first_radius),
           static_cast<float>(p.z()), static_cast<float>(angle), 0};
@@ -62,6 +63,7 @@ void Layer::project(int num_threads) {
     });
     ImageVertex high = ImageVertex::Zero();
     for (const ImageVertex& x : largest) high = high.max(x);
+    // Rounding of vertices is covered by drawing each face this much larger.
     m.position_error = kVertexError * std::max(high[0], high[1]);
     m.depth_error = kVertexError * high[2] + (is_turn ? kAngleError : 0);
   }

@@ -58,6 +58,7 @@ void find_doubtful(float upper, MotionDepths& out) {
     if (!out.has_both(i)) continue;
     ++out.num_pixels;
     const float gap = out.gap(i);
+    // Only pixels within the bound can hold the first contact.
     if (!(gap <= upper)) continue;
     out.doubtful[i] = 1;
     ++out.num_doubtful;

@@ -87,8 +87,10 @@ bool ZListSearch::draw_base(Lists& lists) {
   m_fixed.project(m_options.num_threads);
   const View moving = View::whole(m_frame, true), fixed = View::whole(m_frame, false);
   DepthMap map;
+  // The moving side is drawn as a depth map, so that fixed faces out of its reach are never kept.
   if (!draw_depth_map(m_moving, moving, m_options.num_threads, map, &m_moving_boxes))
     return give_up("a moving face has too many pieces near the axis");
+  // Every kStride-th face of a large mesh gives a first bound.
   if (m_fixed.num_faces() >= kManyFaces) sample_upper_bound(fixed, map);
   return collect_fixed(fixed, map, lists.fixed) &&
          collect_moving(moving, lists.fixed, lists.moving);
@@ -113,6 +115,7 @@ bool ZListSearch::collect_fixed(const View& view, const DepthMap& map, std::vect
     sink.most = m_options.most_fragments / static_cast<size_t>(m_options.num_threads);
     return sink;
   };
+  // Fixed faces wholly outside of the moving depths and the bound are skipped unseen.
   const Wanted wanted = wanted_of(map.lower, map.upper, map.width, m_upper.get());
   const auto done = [&](FixedSink& sink) {
     sink.compact();
@@ -137,6 +140,7 @@ bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& 
     limits.lower[f.pixel] = std::min(limits.lower[f.pixel], f.lower - upper);
     limits.upper[f.pixel] = std::max(limits.upper[f.pixel], f.upper);
   }
+  // Without fixed faces the motion is free.
   if (fixed.empty()) return true;
   bool overflow = false;
   const auto make = [&] {
@@ -161,6 +165,7 @@ std::vector<ZListSearch::Pixel> ZListSearch::pixels_of(Lists& lists) {
   sort_fragments(lists.fixed);
   std::vector<Pixel> out;
   for (size_t i = 0, j = 0; i < lists.moving.size() && j < lists.fixed.size();) {
+    // Both lists are in the order of pixels, and are walked together.
     const auto a = same_pixel(lists.moving, i), b = same_pixel(lists.fixed, j);
     const int pixel_a = a.front().pixel, pixel_b = b.front().pixel;
     if (pixel_a <= pixel_b) i += a.size();
@@ -183,8 +188,10 @@ bool ZListSearch::resolve(const View& view, int level, size_t pairs_before, List
   if (level == 0) m_work.doubtful_pixels = static_cast<std::int64_t>(pixels.size());
   size_t num_pairs = 0;
   for (const Pixel& p : pixels) num_pairs += p.moving.size() * p.fixed.size();
+  // Zooming that did not shorten the lists will not do so next time.
   if (num_pairs * kZoomGain > pairs_before * pixels.size()) level = m_options.zoom_levels;
   for (const Pixel& p : pixels) {
+    // All further pixels are farther away still.
     if (p.bound > m_upper.get()) break;
     if (!resolve_pixel(view, level, p)) return false;
   }
@@ -197,12 +204,14 @@ bool ZListSearch::resolve_pixel(const View& view, int level, const Pixel& pixel)
   float front = -kFloatInfinity, nearest = kFloatInfinity;
   for (const Fragment& f : p.moving) front = std::max(front, f.upper);
   for (const Fragment& f : p.fixed) nearest = std::min(nearest, f.lower);
+  // Fragments beyond the bound leave the pixel, on both sides.
   const auto a = std::partition(p.moving.begin(), p.moving.end(),
                                 [&](const Fragment& f) { return f.upper >= nearest - upper; });
   const auto b = std::partition(p.fixed.begin(), p.fixed.end(),
                                 [&](const Fragment& f) { return f.lower <= front + upper; });
   p.moving = {p.moving.begin(), a};
   p.fixed = {p.fixed.begin(), b};
+  // Flush surfaces are equally near everywhere; a finer image cannot part them.
   const bool tied = upper - p.bound <= m_tie;
   const bool finer =
       level < m_options.zoom_levels && m_num_zooms < kMostZooms && view.growth() * kZoom <= 1;
@@ -212,6 +221,7 @@ bool ZListSearch::resolve_pixel(const View& view, int level, const Pixel& pixel)
 }
 
 bool ZListSearch::zoom(const View& view, int level, const Pixel& pixel) {
+  // The pixel becomes an image of its own, with the faces of its lists.
   const View finer = view.zoomed(pixel.pixel % view.width, pixel.pixel / view.width, kZoom);
   ++m_num_zooms;
   DepthMap map(finer.width, finer.height);
@@ -249,10 +259,13 @@ bool ZListSearch::add_pairs(const Pixel& p) {
   });
   for (const Fragment& a : p.moving)
     for (const Fragment& b : p.fixed) {
+      // The fixed fragments are in order: all others are too far.
       if (b.lower - a.upper > upper) break;
+      // This one lies behind the moving face.
       if (b.upper < a.lower) continue;
       m_candidates.push_back({a.face, b.face, std::max(0.0F, b.lower - a.upper)});
     }
+  // A pair of faces often meets in many pixels: it is counted once before the search gives up.
   if (m_candidates.size() <= m_options.most_pairs) return true;
   drop_duplicates();
   return m_candidates.size() <= m_options.most_pairs / 2 ? true

@@ -151,18 +151,22 @@ void TriangleRaster::for_each_copy(const Piece& p, F f) const {
 bool TriangleRaster::draw_turning(const Triangle& corners, SpanSink& sink) {
   std::vector<Triangle> open{corners};
   for (int num = 0; !open.empty(); ++num) {
+    // Near the axis a face may need more pieces than it is worth.
     if (num > kMostPieces) return false;
     const Piece p = make_piece(open.back());
     open.pop_back();
     if (outside(p)) continue;
+    // Pieces whose angles are never within the sweep are dropped.
     bool matters = !p.narrow;
     if (p.narrow) for_each_copy(p, [&](double) { matters = true; });
     if (!matters) continue;
     const double scale = m_view.scale;
+    // A piece is drawn once its chords stay close to their circles.
     if (p.narrow && p.bulge() * scale <= kLargestBulge &&
         p.last_angle - p.first_angle <= kLongestPiece) {
       for_each_copy(p, [&](double shift) { draw_narrow(p, shift, sink); });
     } else if (p.size * scale <= kBlock) {
+      // Small pieces fill their block; without known angles at all depths.
       if (p.narrow)
         for_each_copy(p, [&](double shift) {
           draw_block(p, {p.first_angle + shift, p.last_angle + shift}, sink);
@@ -177,6 +181,7 @@ bool TriangleRaster::draw_turning(const Triangle& corners, SpanSink& sink) {
             (c[(longest + 1) % 3] - c[longest]).squaredNorm())
           longest = k;
       const Vec3 &a = c[longest], &b = c[(longest + 1) % 3], &apex = c[(longest + 2) % 3];
+      // The rest is bisected at the longest edge.
       const Vec3 middle = 0.5 * (a + b);
       open.push_back({a, middle, apex});
       open.push_back({middle, b, apex});
@@ -218,6 +223,7 @@ void TriangleRaster::draw_narrow(const Piece& piece, double shift, SpanSink& sin
             (piece.corners[k].z() - m_view.row) * scale};
   const Coverage cover(p, half_x, half_y, m_view.width, m_view.height);
   if (cover.is_empty()) return;
+  // Angles in a pixel follow from the plane, where it is known well enough.
   const TurningPlane plane(piece.corners, piece.largest_radius);
   const double base = plane.normal_angle();
   const double q0 = wrapped(piece.first_angle - base, -kPi);

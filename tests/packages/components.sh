@@ -69,3 +69,5 @@ says "--output DIR is missing" deb
 says "is no build" deb --no-build --build "$work/none" --output "$work/out"
 rm -rf "$work"
 echo "components: $components"
+
+"$source_dir/apps/packages/release.sh" --notes | grep -q '^- ' || fail "the change log has no notes of this version"

@@ -8,6 +8,7 @@
 #include "apps/edit/window/language.h"
 #include "apps/edit/window/main_window.h"
 #include "core/base/error.h"
+#include "core/io/process/freed_memory.h"
 #include "core/io/process/standard_streams.h"
 
 namespace {
@@ -92,6 +93,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   trivet::open_standard_streams();
+  trivet::keep_freed_memory();
   try {
     return run(argc, argv);
   } catch (const trivet::Error& error) {

@@ -100,14 +100,14 @@ class DocumentReader {
     bad_file(m_path, "names \"%1\", which is missing", printable(uri, 100));
   }
 
-  void read_buffers(std::string chunk) {
+  void read_buffers(const std::string& chunk) {
     const GltfJson& buffers = member(m_document.json, "buffers");
     for (size_t i = 0; i < buffers.size(); ++i) {
       const GltfJson& uri = member(buffers[i], "uri");
       const bool placeholder = gltf::is_placeholder(buffers[i]) || (!uri.is_string() && i > 0);
       std::string bytes;
       if (uri.is_string() && !placeholder) bytes = bytes_of_uri(uri.get<std::string>());
-      if (!uri.is_string() && i == 0) bytes = std::move(chunk);
+      if (!uri.is_string() && i == 0) bytes = chunk;
       const size_t length = placeholder ? 0 : index_from(member(buffers[i], "byteLength"));
       if (length > bytes.size())
         bad_input("buffer %1 has %2 bytes, expected %3", i, bytes.size(), length);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/tunables.h"
@@ -165,6 +166,18 @@ void expect_falling_energy(const Object& object, const Pose& start, double clear
   }
 }
 
+// A link is of contacts within their tolerance; or of what carries by the forces that balance an
+// object that leans, within the tolerance of balance.
+void expect_consistent(const ObjectContact& entry, double clearance) {
+  EXPECT_FALSE(entry.contact.points.empty());
+  EXPECT_TRUE(!entry.across_gap || entry.carries || entry.is_carried) << "a link for nothing";
+  const double tolerance = entry.across_gap ? kBalanceTolerance : kContactTolerance;
+  for (const ContactPoint& p : entry.contact.points) {
+    EXPECT_GT(p.gap, entry.across_gap ? kContactTolerance * clearance : 0);
+    EXPECT_LE(p.gap, tolerance * clearance);
+  }
+}
+
 void expect_consistent(const Scene& scene, ObjectId id, double clearance,
                        const OperationResult& result) {
   const Object& object = scene.at(id);
@@ -173,13 +186,11 @@ void expect_consistent(const Scene& scene, ObjectId id, double clearance,
   EXPECT_FALSE(object.contacts.empty());
   EXPECT_EQ(result.num_motions, static_cast<int>(result.steps.size()));
   EXPECT_GE(result.num_queries, result.num_motions);
-  for (const ObjectContact& entry : object.contacts) {
-    EXPECT_FALSE(entry.contact.points.empty());
-    for (const ContactPoint& p : entry.contact.points) {
-      EXPECT_GT(p.gap, 0);
-      EXPECT_LE(p.gap, kContactTolerance * clearance);
-    }
-  }
+  for (const ObjectContact& entry : object.contacts) expect_consistent(entry, clearance);
+  EXPECT_TRUE(std::any_of(
+      object.contacts.begin(), object.contacts.end(),
+      [](const ObjectContact& entry) { return !entry.across_gap && holds_up(entry.contact); }))
+      << "nothing within the tolerance of contacts bears on it from below";
 }
 
 }  // namespace

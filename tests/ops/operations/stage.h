@@ -81,7 +81,7 @@ class Stage {
   /// afresh.
   OperationResult run(const Operation& operation) {
     const std::string before = snapshot(scene);
-    const OperationResult result = perform(scene, operation, options);
+    OperationResult result = perform(scene, operation, options);
     if (!result.ok()) {
       EXPECT_NE(result.reason(), "");
       EXPECT_EQ(snapshot(scene), before);
@@ -92,7 +92,7 @@ class Stage {
   }
 
   OperationResult refused(const Operation& operation, const std::string& reason) {
-    const OperationResult result = run(operation);
+    OperationResult result = run(operation);
     EXPECT_FALSE(result.ok());
     EXPECT_NE(result.reason().find(reason), std::string::npos) << result.reason();
     return result;

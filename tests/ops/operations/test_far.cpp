@@ -1,5 +1,6 @@
 // Distant objects, and small objects in a large scene: the clearance becomes too coarse. A small
 // scene that is far out as a whole is as good as one that is near.
+#include "core/base/tunables.h"
 #include "core/io/atomic_file.h"
 #include "core/io/mesh_model.h"
 #include "core/io/read_model.h"

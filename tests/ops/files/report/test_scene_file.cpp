@@ -167,7 +167,7 @@ TEST_F(SceneFileTest, RoundTripsGeometryUnderTurnedNodesBitwise) {
 }
 
 TEST_F(SceneFileTest, ReportsRoundedGeometryWhenModelIsGone) {
-  m_layout = R"({"trivet": 1, "objects": [{"name": "a", "model": "cube.obj"}],
+  m_layout = R"({"trivet": 1, "objects": [{"name": "a", "model": "cube.glb"}],
     "operations": [{"op": "put", "object": "a", "position": [0, 0, 1]}]})";
   const Layout layout = parse_layout(m_layout, "a.json");
   const LayoutRun made = run_layout(
@@ -177,7 +177,7 @@ TEST_F(SceneFileTest, ReportsRoundedGeometryWhenModelIsGone) {
   write_scene_file(made.scene, layout, {}, file("scene.glb"));
   const SceneFile rounded = read_scene_file(file("scene.glb"));
   ASSERT_EQ(rounded.notes.size(), 1u);
-  EXPECT_NE(in_english(rounded.notes[0]).find("\"cube.obj\""), std::string::npos);
+  EXPECT_NE(in_english(rounded.notes[0]).find("\"cube.glb\""), std::string::npos);
   EXPECT_NE(in_english(rounded.notes[0]).find("float32"), std::string::npos);
   EXPECT_EQ(check_scene(rounded.scene).interpenetrating_pairs(), 0);
 }
