@@ -16,7 +16,7 @@ constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones
 constexpr int kStartsOfTry = 2;  // looked at for each try: some interpenetrate
 /// First contacts by which the whole may come to rest in a try, and in the last; see whole.h. More
 /// are seldom worth the time that another start takes.
-constexpr Budget kBudgetOfTry{40, true}, kBudgetOfLast{600, true};
+constexpr Budget kBudgetOfTry{40}, kBudgetOfLast{600};
 
 // Between half a turn either way.
 double wrapped_deg(double deg) { return std::remainder(deg, 360); }

@@ -22,7 +22,6 @@ constexpr int kMaxMotionsOfAll = 120;  // of single objects with their loads, in
 constexpr int kMaxMotionsOfOne = 30;   // of these, of one object
 constexpr double kLongestTurn = 0.1;   // of an object with loads, tan(angle / 2): loads slide then
 constexpr int kMaxProgramObjects = 200;
-constexpr int kNearObjects = 12;  // judged before the whole
 
 class Whole {
  public:
@@ -36,15 +35,18 @@ class Whole {
         m_result(result),
         m_rules(rest_rules(run.options, clearance)),
         m_queries_left(budget.first_contacts),
-        m_near_first(budget.near_first),
         m_is_trial(purpose == Purpose::Trial) {}
 
-  Budget budget_left() const { return {m_queries_left, m_near_first}; }
+  /// @param ids  what a hand has moved and still holds where it does not rest.
+  void keep_in_hand(std::vector<ObjectId> ids) { m_in_hand = std::move(ids); }
+
+  Budget budget_left() const { return {m_queries_left}; }
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
       if (m_scene.at(id).placed) return;  // no other verdict counts until that is resolved
     PartVerdict verdict = judge();
+    if (!verdict.stands && hold(verdict.topples)) verdict = judge();
     for (int round = 0; !verdict.stands && round < kMaxRounds && m_queries_left > 0; ++round) {
       [[maybe_unused]] const double before = energy_gained().sum;
       if (stopped() || !give_way(verdict)) break;
@@ -59,10 +61,23 @@ class Whole {
  private:
   bool stopped() const { return m_run.interrupt.reason().has_value(); }
 
+  // What would rest alone, pinched by others, and would not with them: the hand does not let go.
+  bool hold(const std::vector<ObjectId>& topples) {
+    bool any = false;
+    for (const ObjectId id : m_in_hand) {
+      if (std::find(topples.begin(), topples.end(), id) == topples.end()) continue;
+      m_transaction.edit(id, [](Object& object) { object.state = ObjectState::Held; });
+      any = true;
+    }
+    return any;
+  }
+
   // All together; and if they stand, each by its own contacts: the part counts what is some
   // clearances away as a contact, which may be all that holds an object.
   PartVerdict judge() {
-    PartVerdict verdict = judge_together();
+    const std::vector<ObjectId> changed = touched();
+    PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
+                                      m_clearance, kMaxProgramObjects);
     if (!verdict.stands || m_is_trial) return verdict;
     judge_each();
     std::vector<std::string> names = m_result.unsupported;
@@ -71,16 +86,6 @@ class Whole {
       if (const auto id = m_scene.find(name); id && may_move(*id)) verdict.topples.push_back(*id);
     verdict.stands = verdict.topples.empty();
     return verdict;
-  }
-
-  PartVerdict judge_together() const {
-    const std::vector<ObjectId> changed = touched(), ids = connected_with(m_scene, changed);
-    const auto among = [&](int max_objects) {
-      return judge_parts(m_scene, ids, changed, m_clearance, max_objects);
-    };
-    if (m_near_first && ids.size() > kNearObjects)
-      if (PartVerdict near = among(kNearObjects); !near.stands) return near;
-    return among(kMaxProgramObjects);
   }
 
   std::vector<ObjectId> parts() const { return connected_with(m_scene, touched()); }
@@ -275,7 +280,8 @@ class Whole {
   const RestRules m_rules;
   const ContactMemory m_memory;  // what stays where it is, is judged again and again
   std::int64_t m_queries_left;
-  const bool m_near_first, m_is_trial;
+  const bool m_is_trial;
+  std::vector<ObjectId> m_in_hand;
   std::map<std::uint32_t, Placement> m_before;  // by slot
 };
 
@@ -300,9 +306,15 @@ WholeCommit commit_whole(Transaction& transaction, MovePlan plan, OperationRun& 
   const char* const op = plan.op;
   const bool settles = keeps_whole_at_rest(run.options) && plan.changes_scene && !plan.is_free;
   std::optional<Refusal> wedged = std::move(plan.wedged);
+  std::vector<ObjectId> in_hand;
+  if (settles && plan.otherwise == ObjectState::Held && !plan.settled)
+    in_hand = plan.group->driven();
   WholeCommit out{commit(transaction, std::move(plan), run), budget};
   if (settles && out.result.ok()) {
-    out.left = settle_whole(transaction, object, clearance, run, out.result, budget, purpose);
+    Whole whole(transaction, object, clearance, run, out.result, budget, purpose);
+    whole.keep_in_hand(std::move(in_hand));
+    whole.settle();
+    out.left = whole.budget_left();
     if (run.interrupt.reason()) run.interrupt.refuse(op, object, out.result);
     if (wedged && out.result.ok())
       refuse_wedged(transaction, std::move(*wedged), rest_rules(run.options, clearance),

@@ -22,13 +22,10 @@ namespace trivet {
 /// machine.
 struct Budget {
   std::int64_t first_contacts = 300;
-  /// Judge what is near before the whole: if that does not stand alone, it gives way at once. In
-  /// time for large heaps; others may give way than by a judgement of the whole.
-  bool near_first = false;
 
   /// The smaller of both.
   Budget within(const Budget& other) const {
-    return {std::min(first_contacts, other.first_contacts), near_first};
+    return {std::min(first_contacts, other.first_contacts)};
   }
 };
 

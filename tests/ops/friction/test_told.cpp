@@ -8,6 +8,7 @@
 #include <map>
 
 #include "apps/demo/demo.h"
+#include "core/base/tunables.h"
 #include "core/io/read_model.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
@@ -97,6 +98,27 @@ void expect_lift_takes_along(const Scene& scene, ObjectId support, const std::st
       << object.name << " leaves " << load << " behind";
 }
 
+// What it lies on is known to PICK-UP and PUSH, too; and once it was lifted, it is held.
+void expect_lies_on_something(const Scene& scene, const Object& object) {
+  Scene copy = scene;
+  PickUpOperation up;
+  up.object = object.name;
+  up.distance = 0.004;
+  const OperationResult lifted = perform(copy, up);
+  if (lifted.ok() && lifted.moved > kBalanceTolerance * default_clearance(copy)) {
+    EXPECT_NE(copy.at(*copy.find(object.name)).state, ObjectState::Stable) << object.name;
+  } else if (!lifted.ok()) {
+    EXPECT_NE(lifted.refusal->cause, Refusal::Cause::LiesOnNothing) << lifted.reason();
+  }
+  copy = scene;
+  PushOperation push;
+  push.object = object.name;
+  push.distance = 0.01;
+  const OperationResult pushed = perform(copy, push);
+  const bool is_lost = !pushed.ok() && pushed.refusal->cause == Refusal::Cause::NothingToSlideOn;
+  EXPECT_FALSE(is_lost) << pushed.reason();
+}
+
 void expect_told(const Scene& scene, Told& told) {
   const Carriers carriers = carriers_of(scene);
   for (const ObjectId id : scene.ids()) {
@@ -107,6 +129,7 @@ void expect_told(const Scene& scene, Told& told) {
     const auto found = carriers.find(object.name);
     ASSERT_TRUE(found != carriers.end()) << object.name << " is held by nothing";
     told.supports += static_cast<int>(found->second.size());
+    expect_lies_on_something(scene, object);
     for (const Support& by : found->second)
       if (by.is_object()) expect_lift_takes_along(scene, by.object(), object.name, told);
   }
