@@ -61,7 +61,7 @@ class Whole {
  private:
   bool stopped() const { return m_run.interrupt.reason().has_value(); }
 
-  // What would rest alone, pinched by others, and would not with them: the hand does not let go.
+  // The hand does not let go of what would rest alone, pinched by others, but not with them.
   bool hold(const std::vector<ObjectId>& topples) {
     bool any = false;
     for (const ObjectId id : m_in_hand) {

@@ -38,10 +38,10 @@ struct MayCarry {
   bool on = true, from = true;
 };
 
-/// Of a part that contact_forces() balances: forces that balance it, too, and push up as little as
-/// can be where touches are not meant to. Friction leaves many forces open; these are those of
-/// known supports, as far as such do.
-/// @param may  of each touch. @return newtons, of each touch, on its body `on`; empty: not solved.
+/// Forces that balance a part, as contact_forces() did, and push up as little as can be where
+/// touches are not meant to: friction leaves many open, and these are those of known supports, as
+/// far as they suffice.
+/// @param may  for each touch. @return newtons, of each touch, on its body `on`; empty: not solved.
 std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
                                      std::span<const MayCarry> may);
 

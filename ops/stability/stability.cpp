@@ -196,7 +196,7 @@ class StabilityCheck {
       add_force(part, part.touches[k], forces.empty() ? found.forces[k] : forces[k]);
   }
 
-  // Those of the supports that the scene's links name, where these suffice.
+  // Forces of the supports that the scene's links name, where these suffice.
   std::vector<Vec3> told_forces(const FreeBodies& part) const {
     std::vector<MayCarry> may;
     for (const BodyContact& t : part.touches) {

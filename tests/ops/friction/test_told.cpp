@@ -1,4 +1,4 @@
-// What is told of rest in pairs, bins and heaps of real models by the default rules: who carries,
+// Reports of rest in pairs, bins and heaps of real models by the default rules: who carries,
 // how much friction holds, and that no pose is refused as wedged where it rests.
 //
 // TRIVET_TEST_EFFORT=50 judges 1,000 PUTs of pairs and 50 bins.
@@ -98,7 +98,7 @@ void expect_lift_takes_along(const Scene& scene, ObjectId support, const std::st
       << object.name << " leaves " << load << " behind";
 }
 
-// What it lies on is known to PICK-UP and PUSH, too; and once it was lifted, it is held.
+// PICK-UP and PUSH know what it lies on, too; and once it was lifted, it is held.
 void expect_lies_on_something(const Scene& scene, const Object& object) {
   Scene copy = scene;
   PickUpOperation up;
@@ -156,7 +156,8 @@ TEST(Told, InBinsAndHeapsOfRealModels) {
   TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
   Told told;
   int num_placed = 0, num_all = 0;
-  for (int k = 0; k < with_effort(2); ++k) {
+  const int num = std::max(1, with_effort(2));
+  for (int k = 0; k < num; ++k) {
     SCOPED_TRACE(k);
     Random random(100 + k);
     Scene scene;
@@ -169,7 +170,7 @@ TEST(Told, InBinsAndHeapsOfRealModels) {
   }
   tell("bins and heaps", told);
   EXPECT_GE(num_placed, 0.98 * num_all);
-  EXPECT_GT(told.lifted, told.objects / 10);
+  EXPECT_GE(told.lifted, told.objects / 10);
 }
 
 TEST(Told, InDemos) {
