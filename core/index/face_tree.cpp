@@ -11,9 +11,9 @@
 namespace trivet {
 namespace {
 
-constexpr int kMaxBins = 16;
-constexpr size_t kFewOfTree = 8;       // are split by all their places along one axis
-constexpr size_t kManyFaces = 65'536;  // children of so many are made in parallel
+constexpr int kMaxBins = 16, kFewBins = 8;
+constexpr size_t kFewOfBins = 64;  // are split by kFewBins
+constexpr size_t kFewOfTree = 8;   // are split by all their places along one axis
 constexpr float kLeastExtent = 1e-30F;
 
 using Array4 = Eigen::Array4f;
@@ -37,20 +37,20 @@ struct Bounds {
 
 /// Intervals of equal width along each axis, of the centres of some faces.
 struct Bins {
+  int count;
   Array4 first, per_length;  // of twice the centres
 
-  explicit Bins(const Bounds& centres) : first(centres.lower) {
+  Bins(const Bounds& centres, int num_bins) : count(num_bins), first(centres.lower) {
     for (int k = 0; k < 4; ++k) {
       const float extent = centres.upper[k] - centres.lower[k];
-      per_length[k] = extent > kLeastExtent ? kMaxBins / extent : 0;
+      per_length[k] = extent > kLeastExtent ? static_cast<float>(count) / extent : 0;
     }
   }
   Eigen::Array4i of(const Array4& centre) const {
-    return ((centre - first) * per_length).cast<int>().min(kMaxBins - 1);
+    return ((centre - first) * per_length).cast<int>().min(count - 1);
   }
   int of(const Array4& centre, int axis) const {
-    return std::min(static_cast<int>((centre[axis] - first[axis]) * per_length[axis]),
-                    kMaxBins - 1);
+    return std::min(static_cast<int>((centre[axis] - first[axis]) * per_length[axis]), count - 1);
   }
 };
 
@@ -82,6 +82,7 @@ class FaceTree {
 
  private:
   using Faces = std::span<Index>;
+  using Few = std::array<Index, kFewOfTree>;
 
   Array4 centre(Index face) const { return m_boxes[face].lower + m_boxes[face].upper; }
 
@@ -137,8 +138,10 @@ class FaceTree {
   size_t divide(Faces faces) const {
     if (faces.size() == 1) return 1;
     if (faces.size() <= kFewOfTree) return divide_few(faces);
-    const Bins bins(bounds_of_centres(faces));
-    const Split split = best_split(faces, bins);
+    const bool is_small = faces.size() <= kFewOfBins;
+    const Bins bins(bounds_of_centres(faces), is_small ? kFewBins : kMaxBins);
+    const Split split =
+        is_small ? best_split<kFewBins>(faces, bins) : best_split<kMaxBins>(faces, bins);
     if (split.axis < 0) return halve(faces);
     // Faces in bins before the split go to the first child.
     const auto second = std::partition(faces.begin(), faces.end(), [&](Index f) {
@@ -151,14 +154,15 @@ class FaceTree {
   size_t divide_few(Faces faces) const {
     const bool may_be_leaf = faces.size() <= kMaxLeafFaces;
     Split best;
+    Few chosen;
     for (int axis = 0; axis < 3; ++axis) {
-      sort_along(axis, faces);
-      const Split found = best_split_of_few(faces, axis);
-      if (found.cost < best.cost) best = found;
+      Few order = sorted_along(axis, faces);
+      const Split found = best_split_of_few({order.data(), faces.size()}, axis);
+      if (found.cost < best.cost) best = found, chosen = order;
     }
     if (may_be_leaf && !(best.cost < leaf_cost(faces))) return faces.size();
     if (best.axis < 0) return halve(faces);
-    sort_along(best.axis, faces);
+    std::copy_n(chosen.begin(), faces.size(), faces.begin());
     return static_cast<size_t>(best.bin);
   }
 
@@ -189,15 +193,23 @@ class FaceTree {
     return best;
   }
 
-  void sort_along(int axis, Faces faces) const {
-    std::array<std::pair<float, Index>, kFewOfTree> order;
-    for (size_t k = 0; k < faces.size(); ++k) order[k] = {centre(faces[k])[axis], faces[k]};
-    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(faces.size()));
-    for (size_t k = 0; k < faces.size(); ++k) faces[k] = order[k].second;
+  // By insertion: they are few.
+  Few sorted_along(int axis, Faces faces) const {
+    std::array<float, kFewOfTree> keys;
+    Few out;
+    for (size_t n = 0; n < faces.size(); ++n) {
+      const float key = centre(faces[n])[axis];
+      size_t k = n;
+      for (; k > 0 && std::pair(key, faces[n]) < std::pair(keys[k - 1], out[k - 1]); --k)
+        keys[k] = keys[k - 1], out[k] = out[k - 1];
+      keys[k] = key, out[k] = faces[n];
+    }
+    return out;
   }
 
+  template <int kBins>
   Split best_split(Faces faces, const Bins& bins) const {
-    std::array<std::array<Bin, kMaxBins>, 3> filled;
+    std::array<std::array<Bin, kBins>, 3> filled;
     for (const Index f : faces) {
       const FaceBox& box = m_boxes[f];
       const Eigen::Array4i at = bins.of(box.lower + box.upper);
@@ -213,17 +225,18 @@ class FaceTree {
     return best;
   }
 
-  static void improve(const std::array<Bin, kMaxBins>& bins, int axis, Split& best) {
-    std::array<float, kMaxBins> cost_after;  // of this bin and those after it
+  template <size_t kBins>
+  static void improve(const std::array<Bin, kBins>& bins, int axis, Split& best) {
+    std::array<float, kBins> cost_after;  // of this bin and those after it
     Bin all;
     // The same two sweeps over bins.
-    for (int k = kMaxBins; --k > 0;) {
+    for (int k = kBins; --k > 0;) {
       all.bounds.extend(bins[k].bounds);
       all.num_faces += bins[k].num_faces;
       cost_after[k] = cost(all);
     }
     all = {};
-    for (int k = 1; k < kMaxBins; ++k) {
+    for (int k = 1; k < static_cast<int>(kBins); ++k) {
       all.bounds.extend(bins[k - 1].bounds);
       all.num_faces += bins[k - 1].num_faces;
       if (const float sum = cost(all) + cost_after[k]; sum < best.cost) best = {axis, k, sum};

@@ -5,6 +5,9 @@
 
 namespace trivet {
 
+/// Children of nodes with more faces are made by several threads.
+inline constexpr size_t kManyFaces = 4'096;
+
 /// Box for grouping alone: the mesh's centre is 0, its largest extent 1 to either side, so that
 /// huge, tiny or distant coordinates do not spoil the arithmetic of float32.
 struct FaceBox {

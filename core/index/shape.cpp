@@ -2,13 +2,16 @@
 
 #include <atomic>
 
+#include "core/index/face_tree.h"
 #include "core/index/shape_index.h"
 
 namespace trivet {
 Shape::Shape() : index(std::make_shared<ShapeIndex>()) {}
 
 const Bvh& Shape::bvh() const {
-  return index->bvh.get([this] { return isolated([this] { return build_bvh(mesh); }); });
+  const auto build = [this] { return build_bvh(mesh); };
+  const bool by_several = mesh.triangles.size() > kManyFaces;  // else threads need not be started
+  return index->bvh.get([&] { return by_several ? isolated(build) : build(); });
 }
 
 bool Shape::has_bvh() const { return index->bvh.is_made(); }

@@ -42,8 +42,8 @@ struct Run {
 struct PutOptions {
   Vec3 position;
   Quaternion rotation;
-  int tries = 1;        // starts near by, where it would topple or be wedged; 1: this one alone
-  double within = 0.5;  // distance of these starts, in parts of the object's size
+  int tries = 12;       // starts: near by, too, where it would topple or be wedged; 1: only this
+  double within = 0.5;  // distance of the others, in parts of the object's size
   bool settle_left = false;  // release what the object carried or held; see Result::unsupported
 };
 TRIVET_API Result put(Scene& scene, ObjectId object, const PutOptions& options,

@@ -53,6 +53,7 @@ std::optional<Conflict> put_pattern(World& world, const Pattern& pattern, std::u
   placed.reserve(slots.slots.size());
   for (const Slot& slot : slots.slots) {
     PutOperation put;
+    put.tries = 1;
     put.object = world.things()[slot.thing].thing->object;
     put.start = slot.start;
     placed.push_back({slot.thing, world.perform(put)});

@@ -59,6 +59,7 @@ std::optional<Sentence> Placer::put(const PlaceCandidate& candidate, OperationRe
   const Combination& c = m_combinations[candidate.combination];
   const Vec2 at = refined(candidate);
   PutOperation put;
+  put.tries = 1;
   put.object = name();
   put.start.rotation = turned_to_face(candidate, at);
   const double height = c.landing.start_z - c.outline.bottom + m_clearance;

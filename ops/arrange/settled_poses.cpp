@@ -20,6 +20,7 @@ SettledPose settled_pose(const std::shared_ptr<const Shape>& shape, UpAxis up, d
   object.up = up;
   object.scale = scale;
   PutOperation put;
+  put.tries = 1;
   put.object = object.name;
   put.start.rotation = pose.rotation;
   const Aabb box = body_of(object, put.start).world_box;

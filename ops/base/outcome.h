@@ -35,9 +35,9 @@ struct GaveWay {
   double turned_deg = 0;
 };
 
-/// Start from which a PUT with several tries came to rest.
+/// Start from which a PUT came to rest, where it is another than the one that was asked for.
 struct StartTried {
-  int number = 1;         // 1: the one that was asked for
+  int number = 2;         // 1 would be the one that was asked for
   double shifted = 0;     // metres from it, horizontally, of the centre of mass
   double turned_deg = 0;  // about the vertical through the centre of mass
   Pose start;

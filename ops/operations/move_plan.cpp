@@ -156,9 +156,14 @@ void MovePlanner::end_settled(SettleOutcome outcome) {
   outcome.status = rated(outcome);
   m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
   if (interrupted()) return;
-  if (const auto why = refuse_unsettled(*m_group, outcome, options())) {
-    if (!is_too_far()) refuse(*why);
-    return;
+  if (auto why = refuse_unsettled(*m_group, outcome, options())) {
+    // The whole goes on with other motions: only where it ends is known who is wedged.
+    const bool goes_on = why->cause == Cause::Wedged && keeps_whole_at_rest(options());
+    if (!goes_on) {
+      if (!is_too_far()) refuse(std::move(*why));
+      return;
+    }
+    m_why_wedged = std::move(why);
   }
   m_released = true;
   m_wedged = outcome.status == SettleOutcome::Status::Wedged;
@@ -174,7 +179,10 @@ bool MovePlanner::is_too_far() {
 MovePlan MovePlanner::finish(ObjectState otherwise) {
   if (refused()) return plan();
   if (m_released) otherwise = m_wedged ? ObjectState::Wedged : ObjectState::Stable;
-  if (!m_is_put && !releases_each() && !m_group->has_moved()) return plan();
+  if (!m_is_put && !releases_each() && !m_group->has_moved()) {
+    if (m_why_wedged) refuse(*m_why_wedged);
+    return plan();
+  }
   if (m_group->object().placed)
     m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
   if (!is_too_far())
@@ -184,6 +192,7 @@ MovePlan MovePlanner::finish(ObjectState otherwise) {
   out.changes_scene = out.result.ok();
   out.otherwise = otherwise;
   out.settled = m_released;
+  out.wedged = m_why_wedged;
   return out;
 }
 

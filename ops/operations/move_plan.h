@@ -19,6 +19,7 @@ struct MovePlan {
   bool changes_scene = false;        // there is something to commit
   ObjectState otherwise = ObjectState::Held;  // state of the object when it is not at rest
   bool settled = false;                       // `otherwise` is known to be its state
+  std::optional<Refusal> wedged = {};         // unless it comes to rest where the whole gives way
   bool is_free = false;                       // moved through everything
   std::vector<Interpenetration> crossed;      // of a free move
   /// Objects to release after the commit if they are left without support; nullopt: none; an empty
@@ -88,6 +89,7 @@ class MovePlanner {
   OperationResult m_result;
   std::optional<MovingGroup> m_group;
   bool m_is_put = false, m_joint = false, m_released = false, m_wedged = false;
+  std::optional<Refusal> m_why_wedged;  // unless it is accepted
 };
 
 }  // namespace trivet

@@ -71,7 +71,8 @@ OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOper
     return commit_at_rest(inner, plan_put(inner.scene(), id, move, run, try_commit_there), run,
                           name, budget);
   };
-  if (o.tries > 1 && !o.place) return put_by_tries(transaction, id, o, put_from, kBudgetOfPut);
+  const bool is_exact = o.tries == 1 || o.place || run.options.literal_paper_rules;
+  if (!is_exact) return put_by_tries(transaction, id, o, put_from, kBudgetOfPut);
   return put_from(transaction, o, kBudgetOfPut);
 }
 

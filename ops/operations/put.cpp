@@ -25,7 +25,7 @@ constexpr Accepts kTries{Sort::Whole, 1, kMaxTriesOfPut};
 constexpr Accepts kSizes{Sort::Number, 0, kMaxWithin};
 
 std::optional<InvalidArgument> refuse_tries_of_place(const PutOperation& o) {
-  if (!o.place || o.tries == 1) return std::nullopt;
+  if (!o.place || o.tries == 1 || o.tries == kTriesOfPut) return std::nullopt;
   return InvalidArgument{"tries", std::to_string(o.tries), "1 where a place is searched for"};
 }
 

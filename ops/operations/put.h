@@ -21,19 +21,20 @@ struct PlaceOptions {
   double most_friction = kInfinity;  // that it may need to stay there
 };
 
+inline constexpr int kTriesOfPut = 12;
+inline constexpr int kMaxTriesOfPut = 64;
+inline constexpr double kMaxWithin = 10;
+
 /// From a start pose down along gravity to the first contact, then settle. "put"
 struct PutOperation : MoveOptions {
   Pose start;                              // with a place: its rotation only
   std::optional<PlaceOptions> place = {};  // search for a start from which it rests on this alone
   /// Starts to try, without a place: where it would topple or be wedged, nearby ones; see tries.h.
-  /// 1: exactly from `start`.
-  int tries = 1;
+  /// 1: exactly from `start`, or not at all; so it is by the paper's literal rules, too. With more,
+  /// too, `start` is taken where it can be.
+  int tries = kTriesOfPut;
   double within = 0.5;  // of it, in parts of the object's size
 };
-/// Tries of a PUT that drops an object, where the user did not say how many.
-inline constexpr int kTriesOfDrop = 12;
-inline constexpr int kMaxTriesOfPut = 64;
-inline constexpr double kMaxWithin = 10;
 
 template <>
 const OperationTable& table<PutOperation>();

@@ -147,6 +147,7 @@ class FreePlaceSearch {
     put.start = start;
     MovePlan plan = plan_put_from_start(
         m_scene, m_id, put, m_run, [this](const MovingGroup& group) { return refuse_end(group); });
+    if (plan.result.ok() && plan.wedged) plan.result.refuse(*plan.wedged);
     if (plan.result.ok() && m_try_commit)
       if (auto why = m_try_commit(plan)) plan.result.refuse(std::move(*why));
     return plan;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kTurnDeg = 137.5;          // of a start from that before it: the golden angle
 constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
-constexpr int kStartsOfTry = 2;             // looked at for each try: some interpenetrate
+constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
+constexpr int kStartsOfTry = 2;  // looked at for each try: some interpenetrate
 /// First contacts by which the whole may come to rest in a try, and in the last; see whole.h. More
 /// are seldom worth the time that another start takes.
 constexpr Budget kBudgetOfTry{40}, kBudgetOfLast{600};
@@ -55,13 +56,12 @@ class Tries {
   OperationResult go_on(OperationResult first) {
     int num_tries = 1;
     for (int n = 2; n <= kStartsOfTry * m_operation.tries && num_tries < m_operation.tries; ++n) {
-      const StartTried start = start_to_try(object(), m_operation, n);
-      if (!m_container.holds(centre(start.start))) continue;
       const bool is_last = num_tries + 1 == m_operation.tries;
-      OperationResult result = try_from(start, is_last ? kBudgetOfLast : kBudgetOfTry);
-      const bool is_over = result.ok() || result.status != OperationResult::Status::Refused;
-      if (is_over) return result;
-      num_tries += !starts_blocked(result);
+      const auto result = try_number(n, is_last ? kBudgetOfLast : kBudgetOfTry);
+      if (!result) continue;
+      const bool is_over = result->ok() || result->status != OperationResult::Status::Refused;
+      if (is_over) return *result;
+      ++num_tries;
     }
     if (num_tries > 1) {
       first.refusal->numbers.push_back({"tries", static_cast<double>(num_tries)});
@@ -73,6 +73,17 @@ class Tries {
  private:
   const Object& object() const { return m_transaction.scene().at(m_id); }
   Vec3 centre(const Pose& pose) const { return centre_at(object(), pose); }
+
+  // As far from the first start as it is free and in the container. @return nothing: nowhere.
+  std::optional<OperationResult> try_number(int number, Budget budget) {
+    for (const double part : kPartsOfShift) {
+      const StartTried start = start_to_try(object(), m_operation, number, part);
+      if (!m_container.holds(centre(start.start))) continue;
+      OperationResult result = try_from(start, budget);
+      if (!starts_blocked(result)) return result;
+    }
+    return std::nullopt;
+  }
 
   OperationResult try_from(const StartTried& start, Budget budget) {
     PutOperation put = m_operation;
@@ -96,11 +107,11 @@ class Tries {
 
 }  // namespace
 
-StartTried start_to_try(const Object& object, const PutOperation& o, int number) {
+StartTried start_to_try(const Object& object, const PutOperation& o, int number, double part) {
   StartTried out{number, 0, 0, o.start};
   if (number <= 1) return out;
-  const double n = number - 1, part = std::min(1.0, n / std::max(1, o.tries - 1));
-  out.shifted = o.within * size_of(object) * std::sqrt(part);
+  const double n = number - 1, area = std::min(1.0, n / std::max(1, o.tries - 1));
+  out.shifted = part * o.within * size_of(object) * std::sqrt(area);
   out.turned_deg = wrapped_deg(n * kTurnDeg);
   const Vec3 way = about_vertical(wrapped_deg(n * kWayDeg)).matrix() * Vec3::UnitX();
   out.start.rotation = (about_vertical(out.turned_deg) * o.start.rotation).normalized();
@@ -116,10 +127,7 @@ OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOpe
   {
     Transaction inner(transaction);
     first = put(inner, o, budget);
-    if (first.ok()) {
-      first.tried = StartTried{1, 0, 0, o.start};
-      inner.commit();
-    }
+    if (first.ok()) inner.commit();
   }
   if (!may_do_better_nearby(first)) return first;
   return Tries(transaction, id, o, put).go_on(std::move(first));

@@ -3,7 +3,8 @@
 //
 //   start n (n = 1, 2, ...)  turned about the vertical by n x 137.5 degrees, shifted by within x
 //                            size x sqrt(n / (tries - 1)) in a direction of 2.1 times that angle
-//   interpenetrates, or leaves the container (container.h)  -> skipped
+//   interpenetrates, or leaves the container (container.h)
+//                            shifted by a half, a quarter, nothing instead; then skipped
 //   else                     an operation of its own, proved as any other, with a third of the time
 //                            to bring the whole to rest (the last: with five times as much); the
 //                            first that is done and ends in the container is taken
@@ -18,7 +19,8 @@
 namespace trivet {
 
 /// A start of the sequence. @param number  1: the one that was asked for.
-StartTried start_to_try(const Object& object, const PutOperation& o, int number);
+/// @param part  of its shift.
+StartTried start_to_try(const Object& object, const PutOperation& o, int number, double part = 1);
 
 /// A PUT of which each start is an operation of its own.
 using PutFrom = std::function<OperationResult(Transaction&, const PutOperation&, Budget)>;

@@ -37,12 +37,16 @@ class Whole {
         m_queries_left(budget.first_contacts),
         m_is_trial(purpose == Purpose::Trial) {}
 
+  /// @param ids  what a hand has moved and still holds where it does not rest.
+  void keep_in_hand(std::vector<ObjectId> ids) { m_in_hand = std::move(ids); }
+
   Budget budget_left() const { return {m_queries_left}; }
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
       if (m_scene.at(id).placed) return;  // no other verdict counts until that is resolved
     PartVerdict verdict = judge();
+    if (!verdict.stands && hold(verdict.topples)) verdict = judge();
     for (int round = 0; !verdict.stands && round < kMaxRounds && m_queries_left > 0; ++round) {
       [[maybe_unused]] const double before = energy_gained().sum;
       if (stopped() || !give_way(verdict)) break;
@@ -56,6 +60,17 @@ class Whole {
 
  private:
   bool stopped() const { return m_run.interrupt.reason().has_value(); }
+
+  // The hand does not let go of what would rest alone, pinched by others, but not with them.
+  bool hold(const std::vector<ObjectId>& topples) {
+    bool any = false;
+    for (const ObjectId id : m_in_hand) {
+      if (std::find(topples.begin(), topples.end(), id) == topples.end()) continue;
+      m_transaction.edit(id, [](Object& object) { object.state = ObjectState::Held; });
+      any = true;
+    }
+    return any;
+  }
 
   // All together; and if they stand, each by its own contacts: the part counts what is some
   // clearances away as a contact, which may be all that holds an object.
@@ -266,8 +281,18 @@ class Whole {
   const ContactMemory m_memory;  // what stays where it is, is judged again and again
   std::int64_t m_queries_left;
   const bool m_is_trial;
+  std::vector<ObjectId> m_in_hand;
   std::map<std::uint32_t, Placement> m_before;  // by slot
 };
+
+// An object that settling called wedged may have come to rest since; otherwise that is the refusal.
+void refuse_wedged(Transaction& transaction, Refusal wedged, const RestRules& rules,
+                   OperationResult& result) {
+  const Scene& scene = transaction.scene();
+  const ObjectId id = *scene.find(wedged.objects.front().name);
+  rate_left_alone(transaction, id, rules, result);
+  if (scene.at(id).state != ObjectState::Stable) result.refuse(std::move(wedged));
+}
 
 /// A commit in which the whole comes to rest.
 struct WholeCommit {
@@ -280,10 +305,20 @@ WholeCommit commit_whole(Transaction& transaction, MovePlan plan, OperationRun& 
   const double clearance = plan.group ? plan.group->clearance() : 0;
   const char* const op = plan.op;
   const bool settles = keeps_whole_at_rest(run.options) && plan.changes_scene && !plan.is_free;
+  std::optional<Refusal> wedged = std::move(plan.wedged);
+  std::vector<ObjectId> in_hand;
+  if (settles && plan.otherwise == ObjectState::Held && !plan.settled)
+    in_hand = plan.group->driven();
   WholeCommit out{commit(transaction, std::move(plan), run), budget};
   if (settles && out.result.ok()) {
-    out.left = settle_whole(transaction, object, clearance, run, out.result, budget, purpose);
+    Whole whole(transaction, object, clearance, run, out.result, budget, purpose);
+    whole.keep_in_hand(std::move(in_hand));
+    whole.settle();
+    out.left = whole.budget_left();
     if (run.interrupt.reason()) run.interrupt.refuse(op, object, out.result);
+    if (wedged && out.result.ok())
+      refuse_wedged(transaction, std::move(*wedged), rest_rules(run.options, clearance),
+                    out.result);
   }
   return out;
 }

@@ -28,10 +28,12 @@ constexpr int kMissingColumns = 13;  // of a body: 6 rows with both signs; beyon
 
 class ForceProgram {
  public:
-  ForceProgram(const FreeBodies& part, double clearance, double factor = 1)
+  ForceProgram(const FreeBodies& part, double clearance, double factor = 1,
+               std::span<const MayCarry> may = {})
       : m_part(part), m_clearance(clearance), m_factor(factor), m_carried(carried_weights(part)) {
     add_rows();
-    for (const BodyContact& t : m_part.touches) add_touch(t);
+    for (size_t k = 0; k < m_part.touches.size(); ++k)
+      add_touch(m_part.touches[k], may.empty() ? MayCarry{} : may[k]);
     m_first_missing = m_num_columns;
   }
 
@@ -210,11 +212,16 @@ class ForceProgram {
                                           : std::min(m_carried[t.on], m_carried[t.from]);
   }
 
-  void add_touch(const BodyContact& t) {
+  void add_touch(const BodyContact& t, const MayCarry& may) {
     Spanned spanned{m_num_columns, unit_of(t), {}};
     for_each_force(t, spanned.unit, [&](const Vec3& edge, const std::vector<Entry>& entries) {
       spanned.edges.push_back(edge);
-      add_column(entries, 0);
+      // Pushing up what it is not meant to carry has its price.
+      const double up = spanned.unit * edge.z();
+      double cost = may.on ? 0 : std::max(0.0, up) / m_carried[t.on];
+      if (!may.from && t.from != BodyContact::kGround)
+        cost += std::max(0.0, -up) / m_carried[t.from];
+      add_column(entries, cost);
     });
     m_spanned.push_back(std::move(spanned));
   }
@@ -299,6 +306,14 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
     // Without a contact that lowers what is missing, this is the optimum over all contacts.
     if (out.balanced() || !join_best(part, gain)) return out;
   }
+}
+
+std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
+                                     std::span<const MayCarry> may) {
+  ForceProgram program(part, clearance, 1, may);
+  program.add_missing(0, kMissing);
+  const LinearProgram::Solution solution = program.solve();
+  return solution.optimal ? program.forces_of(solution).forces : std::vector<Vec3>{};
 }
 
 bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {

@@ -3,6 +3,9 @@
 // missing penalised; here with linear costs, so that the prices are a motion.]
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "ops/stability/free_bodies.h"
 
 namespace trivet {
@@ -29,6 +32,18 @@ struct PartForces {
 ///   missing join the touches (column generation). @param clearance  metres.
 /// @param factor  of all coefficients of friction.
 PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1);
+
+/// Whom a touch may carry: its body `on`, its body `from`.
+struct MayCarry {
+  bool on = true, from = true;
+};
+
+/// Forces that balance a part, as contact_forces() did, and push up as little as can be where
+/// touches are not meant to: friction leaves many open, and these are those of known supports, as
+/// far as they suffice.
+/// @param may  for each touch. @return newtons, of each touch, on its body `on`; empty: not solved.
+std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
+                                     std::span<const MayCarry> may);
 
 /// True if forces that leave nothing missing of any body are found by the dual simplex method, in a
 /// part of the time. False: contact_forces() knows.

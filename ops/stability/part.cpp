@@ -11,6 +11,8 @@
 namespace trivet {
 namespace {
 
+constexpr size_t kManyBodies = 24;  // for which it pays to look for balance alone, at first
+
 // False if a body has no contact that could push it up, but by what is tolerated.
 bool may_all_be_held_up(const FreeBodies& part) {
   std::vector<char> held;
@@ -81,6 +83,7 @@ class Judgement {
   }
 
   void note(FreeBodies part) {
+    if (part.bodies.size() > kManyBodies && quickly_balanced(part, m_clearance)) return;
     const PartForces forces = contact_forces(part, m_clearance);
     if (!forces.solved) m_out.known = false;
     if (!forces.solved || forces.balanced()) return;

@@ -52,7 +52,10 @@ class StabilityCheck {
       : m_scene(scene),
         m_options(options),
         m_clearance(clearance_of(scene, options)),
-        m_all(std::move(bodies)) {}
+        m_all(std::move(bodies)) {
+    for (size_t i = 0; i < m_all.bodies.size(); ++i)
+      m_index_of[m_all.bodies[i].id.index] = static_cast<Index>(i);
+  }
 
   Stability run() {
     m_out.friction = m_options.friction;
@@ -65,7 +68,9 @@ class StabilityCheck {
     const Index num_parts =
         part_of.empty() ? 0 : 1 + *std::max_element(part_of.begin(), part_of.end());
     std::vector<char> failed(num_parts, 0), no_reserve(num_parts, 0);
+    m_ids_of_part.resize(num_parts);
     for (size_t i = 0; i < part_of.size(); ++i) {
+      m_ids_of_part[part_of[i]].push_back(m_all.bodies[i].id);
       m_out.objects.push_back({m_all.bodies[i].id, m_all.bodies[i].weight});
       if (!certificate.bodies[i].certified) failed[part_of[i]] = 1;
       if (!reserve.bodies[i].certified) no_reserve[part_of[i]] = 1;
@@ -73,10 +78,12 @@ class StabilityCheck {
     // A part with a body that is not certified needs the linear program.
     std::vector<char> solved(num_parts, 0);
     for (Index p = 0; p < num_parts; ++p)
+      if (failed[p] && touches_nothing(p)) solved[p] = 1, let_fall(p);
+    for (Index p = 0; p < num_parts; ++p)
       if (failed[p] && !solved[p]) solve_part(p, part_of, solved);
     take_certified(certificate, part_of, solved);
     for (Index p = 0; p < num_parts; ++p)
-      if (no_reserve[p] && !solved[p]) judge_reserve(near(p, part_of));
+      if (no_reserve[p] && !solved[p]) judge_reserve(near(p));
     finish();
     return std::move(m_out);
   }
@@ -120,20 +127,14 @@ class StabilityCheck {
   }
 
   // The bodies of one part, with all contacts that settling would count on, and what these join.
-  FreeBodies near(Index p, const std::vector<Index>& part_of) const {
-    std::vector<ObjectId> ids;
-    for (size_t i = 0; i < part_of.size(); ++i)
-      if (part_of[i] == p) ids.push_back(m_all.bodies[i].id);
-    return near_part(m_scene, std::move(ids), m_clearance, is_fixed, m_options.friction);
+  FreeBodies near(Index p) const {
+    return near_part(m_scene, m_ids_of_part[p], m_clearance, is_fixed, m_options.friction);
   }
 
   // Indices in m_all of a part's bodies.
   std::vector<Index> members_of(const FreeBodies& part) const {
-    std::map<std::uint32_t, Index> index_of;
-    for (size_t i = 0; i < m_all.bodies.size(); ++i)
-      index_of[m_all.bodies[i].id.index] = static_cast<Index>(i);
     std::vector<Index> out;
-    for (const FreeBody& body : part.bodies) out.push_back(index_of.at(body.id.index));
+    for (const FreeBody& body : part.bodies) out.push_back(m_index_of.at(body.id.index));
     return out;
   }
 
@@ -152,9 +153,23 @@ class StabilityCheck {
     for (const Index i : members_of(part)) m_out.objects[i].marginal = true;
   }
 
+  // However near something is: rest needs contacts within their tolerance.
+  bool touches_nothing(Index p) const {
+    const std::vector<ObjectId>& ids = m_ids_of_part[p];
+    return ids.size() == 1 && m_scene.at(ids[0]).contacts.empty();
+  }
+
+  void let_fall(Index p) {
+    ObjectStability& object = m_out.objects[m_index_of.at(m_ids_of_part[p][0].index)];
+    object.topples = true;
+    object.motion.velocity = -Vec3::UnitZ();
+    m_out.status = Stability::Status::Unstable;
+    m_out.residual = std::max(m_out.residual, 1.0);
+  }
+
   // With the parts that it takes along: these are solved, too.
   void solve_part(Index p, const std::vector<Index>& part_of, std::vector<char>& solved) {
-    FreeBodies part = near(p, part_of);
+    FreeBodies part = near(p);
     const std::vector<Index> members = members_of(part);
     m_out.method = Stability::Method::LinearProgram;
     for (const Index i : members) solved[part_of[i]] = 1;
@@ -170,13 +185,29 @@ class StabilityCheck {
     const double margin = balanced ? std::max(0.0, shift_margin(part, m_clearance)) : 0.0;
     for (size_t k = 0; k < members.size(); ++k) {
       ObjectStability& object = m_out.objects[members[k]];
+      if (object.topples) continue;  // it touches nothing
       object.topples = !balanced && found.moves[k];
       if (object.topples) object.motion = found.motions[k];
       if (balanced) set_margin(members[k], margin);
     }
     if (balanced) judge_reserve(part);
+    const std::vector<Vec3> forces = balanced ? told_forces(part) : std::vector<Vec3>{};
     for (size_t k = 0; k < part.touches.size(); ++k)
-      add_force(part, part.touches[k], found.forces[k]);
+      add_force(part, part.touches[k], forces.empty() ? found.forces[k] : forces[k]);
+  }
+
+  // Forces of the supports that the scene's links name, where these suffice.
+  std::vector<Vec3> told_forces(const FreeBodies& part) const {
+    std::vector<MayCarry> may;
+    for (const BodyContact& t : part.touches) {
+      const auto& links = m_scene.at(part.bodies[t.on].id).contacts;
+      const auto link = std::find_if(links.begin(), links.end(), [&](const ObjectContact& entry) {
+        return entry.with == t.partner;
+      });
+      may.push_back(link == links.end() ? MayCarry{false, false}
+                                        : MayCarry{holds_up(*link), weighs_on(*link)});
+    }
+    return forces_of_carriers(part, m_clearance, may);
   }
 
   void worsen(const std::string& why) {
@@ -209,6 +240,8 @@ class StabilityCheck {
   const StabilityOptions& m_options;
   const double m_clearance;
   const FreeBodies m_all;
+  std::map<std::uint32_t, Index> m_index_of;  // in m_all, by slot
+  std::vector<std::vector<ObjectId>> m_ids_of_part;
   Stability m_out;
 };
 

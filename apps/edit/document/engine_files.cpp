@@ -247,7 +247,6 @@ bool Engine::import_model(const ImportModel& model) {
   PutOperation put;
   put.object = append.object;
   if (model.put) put.start = *model.put;
-  put.tries = kTriesOfDrop;
   const bool is_done =
       (model.put && perform_all({append, put}, select)) || perform_all({append}, select);
   if (is_done) tell_notes(append.object);

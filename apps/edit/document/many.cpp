@@ -101,7 +101,6 @@ PutOperation piled_put(const SceneSnapshot& scene, const std::string& name, Obje
   const Vec3 centre = box.centre();
   PutOperation put = put_from(
       name, {object.pose.rotation, Vec3(x - centre.x(), y - centre.y(), above - box.lower.z())});
-  put.tries = kTriesOfDrop;
   return put;
 }
 

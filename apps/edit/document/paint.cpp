@@ -81,7 +81,6 @@ ManyObjects painted(const SceneSnapshot& scene, const PaintWish& wish) {
         dice.turned(wish.turned ? RandomTurn::Yaw : RandomTurn::None, original.pose.rotation),
         wish.places[i],
         wish.drop_height + (wish.pile ? kHeapPerCopy * static_cast<double>(i) * width : 0));
-    put.tries = kTriesOfDrop;
     out.groups.push_back({DuplicateOperation{original.name, name}, put});
     out.names.push_back(name);
   }

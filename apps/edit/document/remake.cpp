@@ -65,7 +65,7 @@ class Remade {
     PutOperation out;
     out.object = m_old.name;
     out.start = start_in_place_of(m_old, m_new, m_drop_height + lift);
-    if (lift > 0) out.tries = kTriesOfDrop;
+    if (lift <= 0) out.tries = 1;  // it stays where it was, or the change is refused
     return out;
   }
 
@@ -82,7 +82,6 @@ class Remade {
     out.start.translation.head<2>() += (now - before).head<2>() + (ratio - 1) * aside;
     out.start.translation.z() +=
         world_box(there).upper.z() - world_box(m_old).upper.z() + m_drop_height;
-    out.tries = kTriesOfDrop;
     return out;
   }
 

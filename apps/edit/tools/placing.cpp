@@ -117,10 +117,11 @@ std::vector<Operation> put_choices(const SceneSnapshot& scene, const Object& obj
                                    PutOperation put, double drop_height, double lift) {
   const double close = kClose * world_box(object).diagonal();
   put.start = put_start(scene, object, moving, at, close + lift, true);
+  put.tries = 1;
   std::vector<Operation> choices{put};
   if (is_wall(at)) return choices;
   put.start = put_start(scene, object, moving, at, drop_height + lift, false);
-  put.tries = kTriesOfDrop;
+  put.tries = kTriesOfPut;
   choices.push_back(put);
   return choices;
 }

@@ -92,7 +92,6 @@ std::optional<Operation> PutTool::operation_at(const PointerEvent& event) {
   auto put = operation_of<PutOperation>(*object->object);
   put.start =
       put_start(scene(), turned, moving, *picked, m_options.drop_height, event.modifiers.alt);
-  put.tries = kTriesOfDrop;
   return put;
 }
 

@@ -149,16 +149,6 @@ void Attempt::record(const Operation& operation, OperationResult result) {
   m_out.run.operations.push_back({op_name(operation), object_name(operation), std::move(result)});
 }
 
-// A PUT exactly from the start that it was done from: the scene's layout needs no search.
-PutOperation as_done(PutOperation put, const OperationResult& result) {
-  if (!result.tried) return put;
-  const PutOperation exactly;
-  put.start = result.tried->start;
-  put.tries = exactly.tries;
-  put.within = exactly.within;
-  return put;
-}
-
 PutResult Attempt::try_to_put(const RecipeGroup& group, const std::string& name, int number) {
   const std::string prefix = name + (number > 0 ? "/try " + std::to_string(number) : "");
   Decision turn = decide(prefix + "/rotation"), where = decide(prefix + "/place");
@@ -174,7 +164,7 @@ PutResult Attempt::try_to_put(const RecipeGroup& group, const std::string& name,
     return {result, result.reason()};
   }
   PutResult put = put_by(m_out.run.scene, *placing, m_options.settle, m_clock.context());
-  record(as_done(placing->put, put.result), put.result);
+  record(placing->put, put.result);
   return put;
 }
 

@@ -117,7 +117,6 @@ std::optional<Placing> draw_placing(const Scene& scene, const RecipeGroup& group
     }
   }
   out.put.object = name;
-  if (!out.put.place) out.put.tries = kTriesOfDrop;
   if (out.container) out.put.within = kWithinContainer;
   return out;
 }

@@ -54,7 +54,7 @@ class Result:
     seconds : float
         Wall clock.
     try_number : int
-        Of a `put` with `tries`: which start it was; 1 is the one that was asked for.
+        Of a `put`: which start it was; 1 is the one that was asked for.
     start_shifted, start_turned_deg : float
         Metres and degrees about the vertical of that start from the one that was asked for.
     """

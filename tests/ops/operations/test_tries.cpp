@@ -117,7 +117,7 @@ int num_in_bin(int num, int tries, std::string& poses) {
     put.tries = tries;
     const OperationResult result = perform(scene, put);
     done += result.ok();
-    EXPECT_EQ(result.ok() && tries > 1, result.tried.has_value());
+    EXPECT_TRUE(!result.tried || (2 <= result.tried->number && result.tried->number <= tries));
     if (!result.ok()) continue;
     EXPECT_LT(scene.at(id).centre_of_mass().head<2>().cwiseAbs().maxCoeff(), 0.15) << name;
   }
@@ -182,8 +182,33 @@ TEST(Tries, SkipStartsThatInterpenetrate) {
   const auto answer = [](int k) { return k == 1 || k == 5 ? topples() : blocked(); };
   const OperationResult result = answers.run(3, answer);
   ASSERT_FALSE(result.ok());
-  EXPECT_EQ(answers.starts.size(), 6u) << "twice as many starts as tries are looked at";
+  EXPECT_EQ(answers.starts.size(), 1u + 4 * 5) << "twice as many as tries, each at four distances";
+  const Vec3 last = answers.starts[4].translation;
+  EXPECT_LT((last - answers.starts[0].translation).norm(), 1e-12) << "turned only";
   EXPECT_EQ(result.refusal->number("tries"), 2);
+}
+
+TEST(Tries, ArePulledBackIntoTheContainer) {
+  Answers answers;
+  add_at(answers.scene, "bin", bin(0.5, 2, 0.01), {0, 0, 1e-4}, true);  // of the object's size
+  const OperationResult result = answers.run(12, [](int) { return topples(); });
+  EXPECT_EQ(answers.starts.size(), 12u) << "none is skipped";
+  double farthest = 0;
+  for (const Pose& start : answers.starts) {
+    EXPECT_LT(start.translation.head<2>().cwiseAbs().maxCoeff(), 0.25);
+    farthest = std::max(farthest, start.translation.head<2>().norm());
+  }
+  EXPECT_GT(farthest, 0.1);
+  EXPECT_EQ(result.refusal->number("tries"), 12);
+}
+
+TEST(Tries, AreTwelveUnlessAsked) {
+  EXPECT_EQ(PutOperation().tries, 12);
+  Answers answers;
+  const OperationResult first = answers.run(12, [](int) { return OperationResult(); });
+  EXPECT_TRUE(first.ok());
+  EXPECT_FALSE(first.tried) << "from the start that was asked for";
+  EXPECT_EQ(answers.starts.size(), 1u);
 }
 
 TEST(Tries, EndWithTheFirstThatIsDone) {

@@ -11,6 +11,7 @@
 #include "ops/base/stopwatch.h"
 #include "ops/files/json/operations.h"
 #include "ops/operations/perform.h"
+#include "support/real_models.h"
 #include "support/same_scene.h"
 #include "support/settle_options.h"
 #include "support/shared_data.h"
@@ -21,21 +22,6 @@ namespace {
 
 // --- models ------------------------------------------------------------------------------------
 
-struct RealModel {
-  const char* file;
-  double scale;
-  UpAxis up;
-};
-constexpr RealModel kRealModels[] = {{"sh3d_by_choppingBoard.obj", 0.00998942, UpAxis::Y},
-                                     {"contactdb_bowl.stl", 1, UpAxis::Z},
-                                     {"gazebo_plastic_cup.obj", 1, UpAxis::Z},
-                                     {"sh3d_by_spoon.obj", 0.00998615, UpAxis::Y},
-                                     {"sh3d_s_toaster.obj", 0.00999713, UpAxis::Y},
-                                     {"gso_silver_tape.obj", 1, UpAxis::Z},
-                                     {"sh3d_s_bandeja.obj", 0.00998825, UpAxis::Y},
-                                     {"ripc_nut-big.obj", 0.004, UpAxis::Y},
-                                     {"sh3d_c0_bread.obj", 0.00999396, UpAxis::Y},
-                                     {"sh3d_s_marteau.obj", 0.0100125, UpAxis::Y}};
 constexpr const char* kMadeModels[] = {"saucer", "plate", "cup",   "glass", "bowl", "spoon",
                                        "knife",  "apple", "toast", "loaf",  "egg"};
 
