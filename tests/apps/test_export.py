@@ -53,6 +53,7 @@ class Simulators(Exports):
                     self.assertIn(os.path.basename(file), text)
             for exported in names:
                 self.assertIn('"%s"' % exported, text)
+        self.assertIn('displayName = "a cube, \\"red\\""', self.read("s.usda").decode())
 
     def test_run_writes_the_same_files(self):
         self.scene()
