@@ -107,16 +107,16 @@ class NamedFiles(Case):
         return self.write("cameras.json", json.dumps([{"eye": [1, 1, 1], "target": [0, 0, 0]}]))
 
     def test_data_sets(self):
-        for kind, file in (("--coco", "set/images/000000.png"), ("--bop", "set/scenes/000000/rgb/000000.png")):
-            folder = "set"
-            self.trivet("render", "cube.obj", kind, folder, "--dome", 1, "--width", 32, "--height", 24)
-            written = [f for f in self.files() if f.startswith("set/") and f.endswith(".png")]
-            for picture in written[:2]:
-                model = self.write("over.dae", dae(picture))
-                before = self.read(picture)
-                out, err = self.trivet("render", model, kind, folder, "--dome", 1, "--width", 32, "--height", 24, status=2)
-                self.assertIn("named by over.dae", err)
+        size = ("--dome", 1, "--width", 32, "--height", 24)
+        for kind, folder, list_of_all in (("--coco", "coco", "coco/annotations.json"), ("--bop", "bop", "bop/models/models_info.json")):
+            self.trivet("render", "cube.obj", kind, folder, *size)
+            for picture in [f for f in self.files() if f.startswith(folder + "/") and f.endswith(".png")][:2]:
+                model, before = self.write("over.dae", dae(picture)), self.read(picture)
+                self.trivet("render", model, kind, folder, *size)  # sets grow: what is there stays
                 self.assertEqual(self.read(picture), before)
+            model, before = self.write("over.dae", dae(list_of_all)), self.read(list_of_all)
+            self.assertIn("named by over.dae", self.trivet("render", model, kind, folder, *size, status=2)[1])
+            self.assertEqual(self.read(list_of_all), before)
 
     # Scenes hold the geometry of models, which name files even when nobody reads them again.
     def test_models_of_scenes(self):

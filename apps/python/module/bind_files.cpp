@@ -124,14 +124,17 @@ void save(SharedScene& scene, const std::string& path) {
 
 py::dict export_to(SharedScene& scene, const std::string& path, const std::string& collision,
                    std::optional<double> friction, std::optional<double> density,
-                   double max_overlap, int mujoco) {
+                   double max_overlap, double hull_clearance, int mujoco,
+                   const std::string& meshes) {
   const Snapshot now = snapshot(scene);
   SimulationOptions options;
   options.collision = collision_rule_from_name(collision);
   options.friction = friction;
   options.density = density;
   options.max_overlap = max_overlap;
+  options.hull_clearance = hull_clearance;
   options.files.mujoco = mujoco;
+  options.files.mesh_folder = meshes;
   const SimulationExport done = without_gil([&] {
     check_collision_rule(options.collision, path);
     return export_simulation(now.scene, path, options);
@@ -164,7 +167,7 @@ void bind_files(py::module_& m, SceneClass& scene) {
       .def("restore", &restore, "snapshot"_a)
       .def("save", &save, "path"_a)
       .def("export", &export_to, "path"_a, "collision"_a, "friction"_a, "density"_a,
-           "max_overlap"_a, "mujoco"_a);
+           "max_overlap"_a, "hull_clearance"_a, "mujoco"_a, "meshes"_a);
 }
 
 }  // namespace trivet::python

@@ -171,7 +171,8 @@ class Files:
         self._scene.save(_arrays.path("path", path))
 
     def export(self, path: PathLike, *, collision: str = "fitted", friction: Optional[float] = None,
-               density: Optional[float] = None, max_overlap: float = 0.0, mujoco: int = 3) -> Export:
+               density: Optional[float] = None, max_overlap: float = 0.0, hull_clearance: float = 0.0, mujoco: int = 3,
+               meshes: Optional[PathLike] = None) -> Export:
         """For a simulator, by extension: .xml or .mjcf (MuJoCo), .urdf, .sdf, .usda.
 
         Parameters
@@ -182,8 +183,13 @@ class Files:
             Of everything, 0 to 1e3, and 1e-6 to 1e6 kg/m3; nothing: of the materials.
         max_overlap : float
             Metres by which parts of two objects may overlap, up to 1e3; 0: 1e-4 of the smaller one.
+        hull_clearance : float
+            Metres by which faces of convex parts are moved inwards, up to 1e3.
         mujoco : int
             Version of MuJoCo that reads the .xml or .mjcf: 3, or 2.
+        meshes : path, optional
+            Folder of meshes and images, relative to that of the file; scenes may share one, in which equal ones are one file.
+            Nothing: beside the file, with its name.
 
         Returns
         -------
@@ -200,6 +206,8 @@ class Files:
             density = _arrays.number("density", density, "kilograms per cubic metre, 1e-6 to 1e6", 1e-6, 1e6)
         values = self._scene.export(_arrays.path("path", path), _arrays.text("collision", collision), friction, density,
                                     _arrays.number("max_overlap", max_overlap, "metres, 0 to 1e3", 0.0, 1e3),
-                                    _arrays.whole("mujoco", mujoco, 2, 3))
+                                    _arrays.number("hull_clearance", hull_clearance, "metres, 0 to 1e3", 0.0, 1e3),
+                                    _arrays.whole("mujoco", mujoco, 2, 3),
+                                    "" if meshes is None else _arrays.path("meshes", meshes))
         return Export(tuple(values["files"]), tuple(values["notes"]),
                       tuple(Overlap(*one) for one in values["overlaps"]), values["masses"])

@@ -92,6 +92,16 @@ def test_exports_are_those_of_the_program(name, options, tmp_path):
     assert list(done.notes) == report["notes"]
 
 
+def test_exports_share_meshes(tmp_path):
+    scene = table_with_cup()
+    done = [scene.export(tmp_path / name, meshes="shared") for name in ("a.urdf", "b.urdf")]
+    meshes = [sorted(os.path.basename(file) for file in one.files[1:]) for one in done]
+    assert meshes[0] == meshes[1] == sorted(os.listdir(tmp_path / "shared")) and meshes[0]
+    assert all(("shared/" + name) in (tmp_path / "b.urdf").read_text() for name in meshes[0] if name.endswith(".obj"))
+    thin = scene.export(tmp_path / "c.urdf", hull_clearance=1e-3)
+    assert {os.path.basename(file) for file in thin.files[1:]} - set(meshes[0])
+
+
 @pytest.mark.skipif(not PROGRAM, reason="TRIVET_PROGRAM is not set")
 def test_mujoco_moves_what_is_not_at_rest_only(tmp_path):
     scene = trivet.Scene.from_poses(["lies", "hangs"], [box()] * 2, [at(0, 0, 0.05 + 1e-6), at(1, 0, 0.5)])
