@@ -15,7 +15,6 @@
 #include "apps/demo/demo.h"
 #include "apps/edit_window/arranged.h"
 #include "apps/edit_window/breakfast_table.h"
-#include "apps/edit_window/by_hand.h"
 #include "apps/edit_window/by_numbers.h"
 #include "apps/edit_window/detection_chosen.h"
 #include "apps/edit_window/large_scene.h"
@@ -89,7 +88,6 @@ class TestWindow : public QObject {
   void snaps_and_paints();
   void pushes_along_a_wall();
   void works_by_numbers();
-  void lays_out_by_hand();
   void lays_out_many();
   void shows_and_hides();
   void arranges_by_wishes();
@@ -415,10 +413,6 @@ void TestWindow::pushes_along_a_wall() {
 
 void TestWindow::works_by_numbers() {
   work_by_numbers(*m_document, *m_window, *m_user, m_folder.filePath("numbers"));
-}
-
-void TestWindow::lays_out_by_hand() {
-  lay_out_by_hand(*m_document, *m_window, *m_user, m_folder.filePath("by_hand"));
 }
 
 void TestWindow::lays_out_many() { lay_out_many(*m_document, *m_window, *m_user); }
