@@ -39,7 +39,7 @@ void tell_moves(const Scene& scene, const SettledScene& settled) {
               << "\n";
 }
 
-std::string names_text(const std::vector<std::string>& names) {
+std::string support_names(const std::vector<std::string>& names) {
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "" : ", ") + quoted(name);
   return out;
@@ -54,9 +54,9 @@ void tell_relations(const MendedScene& mended) {
   std::cout << text;
   for (const ChangedRelation& r : mended.relations) {
     std::cout << "  " << quoted(r.object);
-    if (!r.lost.empty()) std::cout << " no longer rests on " << names_text(r.lost);
+    if (!r.lost.empty()) std::cout << " no longer rests on " << support_names(r.lost);
     if (!r.gained.empty())
-      std::cout << (r.lost.empty() ? " now rests on " : ", but on ") << names_text(r.gained)
+      std::cout << (r.lost.empty() ? " now rests on " : ", but on ") << support_names(r.gained)
                 << (r.lost.empty() ? ", too" : "");
     std::cout << "\n";
   }
