@@ -20,8 +20,6 @@ namespace {
 
 std::string quoted(const std::string& text) { return "\"" + text + "\" is not accepted"; }
 
-bool shows_progress(const CommonOptions& common) { return !common.quiet && isatty(STDERR_FILENO); }
-
 }  // namespace
 
 namespace {
@@ -279,6 +277,8 @@ CLI::Validator one_of(std::vector<std::string> accepted) {
       },
       CLI::detail::join(accepted, "|"));
 }
+
+bool shows_progress(const CommonOptions& common) { return !common.quiet && isatty(STDERR_FILENO); }
 
 ProgressCallback terminal_progress(const CommonOptions& common) {
   if (!shows_progress(common)) return {};

@@ -95,6 +95,8 @@ CLI::Validator one_of(std::vector<std::string> accepted);
 /// Prints progress of long work to standard error if that is a terminal; silent with --quiet.
 ProgressCallback terminal_progress(const CommonOptions& common);
 void clear_progress_line(const CommonOptions& common);
+/// True if people look on: standard error is a terminal, and --quiet was not given.
+bool shows_progress(const CommonOptions& common);
 
 /// Text as a JSON string.
 std::string json_string(const std::string& text);

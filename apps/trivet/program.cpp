@@ -117,6 +117,19 @@ int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
   return kBadInput;
 }
 
+// The parser would take -.1 for an option.
+std::vector<std::string> arguments_of(int argc, char** argv) {
+  std::vector<std::string> out;
+  for (int i = 1; i < argc; ++i) {
+    const std::string given = argv[i];
+    const bool negative = given.size() > 2 && given[0] == '-' && given[1] == '.' &&
+                          '0' <= given[2] && given[2] <= '9';
+    out.push_back(negative ? "-0" + given.substr(1) : given);
+  }
+  std::reverse(out.begin(), out.end());  // as the parser wants them
+  return out;
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv) {
@@ -133,7 +146,7 @@ int run_program(int argc, char** argv) {
   add_common_options(app, common);
   app.require_subcommand(0, 1);  // a missing verb is reported with the accepted ones
   try {
-    app.parse(argc, argv);
+    app.parse(arguments_of(argc, argv));
     if (app.get_subcommands().empty())
       return fail(json, "usage", "a verb is missing" + accepted_verbs(app), kBadInput);
     return do_verb(verbs, common);

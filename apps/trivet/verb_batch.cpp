@@ -36,7 +36,7 @@ UnitFormat format_from_name(const std::string& name) {
 void check_arguments(const BatchArguments& a) {
   if (a.recipe.empty())
     bad_input(
-        "batch: a recipe is missing; accepted: RECIPE.json, or pictures, status, verify, "
+        "batch: a recipe is missing; accepted: RECIPE.json, or pictures, export, status, verify, "
         "merge or materialise and the folder of a batch");
   if (a.run.count == 0) bad_input("--count is missing; accepted: the number of scenes");
   if (a.format == "poses" && !a.with.empty())
@@ -84,6 +84,24 @@ int print_plan(const BatchRun& run, const PreparedRecipe& prepared, const BatchO
   return 0;
 }
 
+// Groups without any object in the scenes that were made.
+void warn_of_groups(const BatchTotals& totals, const CommonOptions& common) {
+  const std::uint64_t made = totals.ok + totals.refused;
+  for (const auto& [name, group] : totals.groups) {
+    if (group.placed > 0 || made == 0 || totals.there_before > 0) continue;
+    if (group.drawn == 0) {
+      print_note(common,
+                 say("the group \"%1\" has no object: its count was 0 in all scenes", name));
+      continue;
+    }
+    const auto most =
+        std::max_element(group.reasons.begin(), group.reasons.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    print_note(common, say("the group \"%1\": none of %2 could be put; most often: %3", name,
+                           count_of(group.drawn, "object"), most->first));
+  }
+}
+
 int print_only(const BatchArguments& arguments, const Work& work) {
   bool failed = false;
   const bool done = make_only(work, arguments.only, arguments.options.jobs,
@@ -99,9 +117,7 @@ int make_batch(const BatchArguments& arguments, BatchRun run, const PreparedReci
   BatchOptions options = arguments.options;
   const StopSignals from_here;  // also before the first scene
   check_run(options.out, run);
-  options.log = [&common](const std::string& line) {
-    if (!common.quiet) std::cerr << line << "\n";
-  };
+  report_to_terminal(options, common);
   options.on_models_read = [&] {
     for (const BatchModel& model : prepared.models) store_model(model, options.out);
     claim_run(options.out, run);
@@ -191,8 +207,24 @@ void add_batch_options(CLI::App& verb, BatchArguments& a) {
 
 }  // namespace
 
+void report_to_terminal(BatchOptions& options, const CommonOptions& common) {
+  options.log = [&common](const std::string& line) {
+    clear_progress_line(common);
+    if (!common.quiet) std::cerr << line << "\n";
+  };
+  if (!shows_progress(common)) return;
+  options.on_progress = [](const BatchProgress& progress) {
+    constexpr std::uint64_t kWidth = 24;
+    const auto full = progress.made * kWidth / std::max<std::uint64_t>(progress.total, 1);
+    std::cerr << "\r\033[K[" << std::string(full, '#') << std::string(kWidth - full, '.') << "] "
+              << progress_text(progress) << std::flush;
+  };
+}
+
 int print_totals(const BatchTotals& totals, const BatchOptions& options,
                  const CommonOptions& common) {
+  clear_progress_line(common);
+  warn_of_groups(totals, common);
   if (common.json)
     std::cout << json_line({{"shard", options.shard.index},
                             {"shards", options.shard.count},
@@ -262,6 +294,7 @@ Verb add_batch(CLI::App& app, const CommonOptions& common) {
   add_batch_options(*verb, *arguments);
   std::vector<Verb> audits = add_batch_audits(*verb, common);
   audits.push_back(add_batch_pictures(*verb, common));
+  audits.push_back(add_batch_export(*verb, common));
   return {verb, [arguments, audits, &common] {
             check_backend(common);
             for (const Verb& audit : audits)

@@ -35,15 +35,6 @@ Json reasons_json(const BatchStatus& status) {
   return out;
 }
 
-std::string readable_duration(double seconds) {
-  char text[64];
-  if (seconds < 120)
-    std::snprintf(text, sizeof text, "%.0f s", seconds);
-  else
-    std::snprintf(text, sizeof text, "%.1f h", seconds / 3600);
-  return text;
-}
-
 void print_status(const BatchStatus& status, std::optional<double> seconds_left) {
   const std::uint64_t made = status.ok + status.refused + status.failed;
   std::cout << "units: " << status.units_there << " of " << status.run.num_units()

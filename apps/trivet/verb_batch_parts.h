@@ -12,6 +12,9 @@ void add_worker_options(CLI::App& verb, int& jobs, farm::WorkLimits& limits);
 /// The number asked for, else --threads, else the cores that this process may use.
 int num_jobs(int asked, const CommonOptions& common);
 
+/// Lines for people; on a terminal a bar with rate and remaining time.
+void report_to_terminal(farm::BatchOptions& options, const CommonOptions& common);
+
 /// Prints the totals of a shard, for people or as JSON. @return the exit status.
 int print_totals(const farm::BatchTotals& totals, const farm::BatchOptions& options,
                  const CommonOptions& common);
@@ -23,6 +26,7 @@ farm::DrawPicture opengl_pictures();
 std::string tried_opengl();
 
 Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common);
+Verb add_batch_export(CLI::App& batch, const CommonOptions& common);
 
 /// status, verify, merge and materialise.
 std::vector<Verb> add_batch_audits(CLI::App& batch, const CommonOptions& common);

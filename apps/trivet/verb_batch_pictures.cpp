@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "apps/farm/batch/pictures.h"
+#include "apps/farm/batch/source.h"
 #include "apps/farm/batch/stop_signals.h"
 #include "apps/trivet/picture.h"
 #include "apps/trivet/verb_batch_parts.h"
@@ -20,41 +21,66 @@ namespace {
 using namespace trivet::farm;
 
 struct PictureArguments {
-  std::string scenes, views, shard, format = "tar", renderer = "path";
+  std::string scenes, views, shard, format = "tar", renderer = "path", bop, coco;
   std::uint64_t per_unit = 0;
   BatchOptions options;
 };
 
-int make(const PictureArguments& arguments, const CommonOptions& common) {
+/// Which of --out, --bop and --coco.
+UnitFormat form_of(PictureArguments& a) {
+  const int num_given = !a.options.out.empty() + !a.bop.empty() + !a.coco.empty();
+  if (num_given != 1)
+    bad_input("batch pictures: %1 of --out, --bop and --coco; accepted: one", num_given);
+  if (a.options.out.empty()) a.options.out = a.bop + a.coco;
+  if (!a.bop.empty()) return UnitFormat::Bop;
+  if (!a.coco.empty()) return UnitFormat::Coco;
+  return a.format == "dir" ? UnitFormat::Dir : UnitFormat::Tar;
+}
+
+std::string symmetries_text(const std::vector<std::string>& found) {
+  std::string text = "symmetries found, as of surfaces of revolution:";
+  for (const std::string& name : found) text += (&name == &found.front() ? " " : ", ") + name;
+  return text;
+}
+
+int make(const PictureArguments& given, const CommonOptions& common) {
+  PictureArguments arguments = given;
   come_again_when_stopped();
-  const std::string views =
-      arguments.views.empty()
-          ? ""
-          : views_text(
-                read_input_text(arguments.views, common.limits().max_file_bytes, TextKind::Json),
-                arguments.views);
-  BatchRun run = pictures_of(arguments.scenes, views);
+  const UnitFormat form = form_of(arguments);
+  PreparedViews views;
+  if (!arguments.views.empty())
+    views = prepare_views(
+        read_input_text(arguments.views, common.limits().max_file_bytes, TextKind::Json),
+        arguments.views);
+  BatchRun run = pictures_of(arguments.scenes, views.json);
   run.version = TRIVET_VERSION;
-  run.format = arguments.format == "dir" ? UnitFormat::Dir : UnitFormat::Tar;
+  run.format = form;
   if (arguments.per_unit > 0) run.per_unit = arguments.per_unit;
+  if (is_data_set(form)) run.per_unit = 1;
   run.with_opengl = arguments.renderer == "opengl";
   const std::string device = run.with_opengl ? tried_opengl() : "";  // before anything is written
   BatchOptions options = arguments.options;
   const StopSignals from_here;  // as of scenes
   check_run(options.out, run);
-  const Work work = picture_work(run, arguments.scenes, common.limits(), opengl_pictures);
+  const Work work =
+      picture_work(run, arguments.scenes, common.limits(), options.out, opengl_pictures);
   options.shard = arguments.shard.empty() ? shard_from_environment(process_environment())
                                           : shard_from_text(arguments.shard);
   options.jobs = num_jobs(options.jobs, common);
-  options.log = [&common](const std::string& line) {
-    if (!common.quiet) std::cerr << line << "\n";
-  };
+  report_to_terminal(options, common);
   if (run.with_opengl) options.log("pictures by " + device);
-  options.on_models_read = [&] { claim_run(options.out, run); };
-  options.is_ready = [&](std::uint64_t unit) {
-    return scenes_are_there(run, *work.pictures, unit);
+  options.on_models_read = [&] {
+    for (const BatchModel& environment : views.environments) store_model(environment, options.out);
+    claim_run(options.out, run);
+    const std::vector<std::string> found = begin_data_set(options.out, run, work);
+    if (!found.empty()) options.log(symmetries_text(found));
   };
-  return print_totals(run_batch(run, work, options), options, common);
+  options.is_ready = [&](std::uint64_t unit) {
+    return scenes_are_there(run, arguments.scenes, work.pictures->scenes, unit);
+  };
+  const BatchTotals totals = run_batch(run, work, options);
+  end_data_set(options.out, run, work);
+  return print_totals(totals, options, common);
 }
 
 }  // namespace
@@ -100,7 +126,15 @@ Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common) {
       ->required()
       ->type_name("DIR");
   verb->add_option("--out", a->options.out, "Folder of the pictures; what is there stays")
-      ->required()
+      ->type_name("DIR");
+  verb->add_option(
+          "--bop", a->bop,
+          "Instead a BOP data set in this folder: train_pbr/ with a folder for each scene, "
+          "models/, camera.json")
+      ->type_name("DIR");
+  verb->add_option("--coco", a->coco,
+                   "Instead a COCO data set in this folder: images/, and annotations.json once all "
+                   "scenes are there")
       ->type_name("DIR");
   verb->add_option("--views", a->views,
                    "Cameras and images, {\"views\": ...}; default: those of the recipe")

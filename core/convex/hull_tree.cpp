@@ -29,6 +29,12 @@ double volume_of_hull(const std::vector<Vec3>& points) {
   return volume;
 }
 
+double size_of(const std::vector<Vec3>& points) {
+  Aabb box;
+  for (const Vec3& p : points) box.extend(p);
+  return box.diagonal();
+}
+
 }  // namespace
 
 HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
@@ -94,12 +100,15 @@ bool HullTree::refine(Index leaf) {
 HullTree::Node HullTree::make_node(std::vector<Index> faces, double shell) const {
   Node node;
   std::vector<Vec3> points = corners_of(m_mesh, faces);
-  if (shell > 0) {
-    std::vector<Vec3> behind = backed_corners(faces, shell);
-    node.backing = behind.empty() ? 0 : shell;
+  const auto add_behind = [&](double thickness) {
+    const std::vector<Vec3> behind = backed_corners(faces, thickness);
     points.insert(points.end(), behind.begin(), behind.end());
-  }
-  solid_hull(points, node.part);
+    return !behind.empty();
+  };
+  if (shell > 0 && add_behind(shell)) node.backing = shell;
+  // A part that is still flat is thickened behind its faces only: in front of them others may lie.
+  if (solid_hull(points, node.part) && add_behind(kFlatPartThickness * size_of(points)))
+    solid_hull(points, node.part);
   for (const Vec3& v : node.part.vertices) node.box.extend(v);
   node.faces = std::move(faces);
   return node;

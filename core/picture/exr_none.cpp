@@ -9,4 +9,9 @@ std::string encode_exr(int, int, int, std::span<const float>) {
               "for depth and normals: .png");
 }
 
+FloatImage decode_exr(const std::string&) {
+  throw Error(Error::Kind::Environment,
+              "this build of trivet reads no OpenEXR (libopenexr-dev was not installed)");
+}
+
 }  // namespace trivet

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace trivet {
 
@@ -18,5 +19,18 @@ std::string encode_rgb_png(int width, int height, std::span<const std::uint16_t>
 /// @param values  width x height x channels.
 /// @throws Error (Environment) in a build without OpenEXR, or with its reason.
 std::string encode_exr(int width, int height, int num_channels, std::span<const float> values);
+
+/// Linear light, three values per pixel, rows from above.
+struct FloatImage {
+  int width = 0, height = 0;
+  std::vector<float> rgb;
+};
+inline constexpr int kMaxFloatImageSide = 16384;
+inline constexpr std::int64_t kMaxFloatImagePixels = std::int64_t{1} << 26;
+
+/// Channels R, G and B of an OpenEXR file; channel Y alone is grey. Untrusted: bounded in size.
+/// Values that are not finite or below zero are 0.
+/// @throws Error: BadInput for what is no such image; Environment in a build without OpenEXR.
+FloatImage decode_exr(const std::string& bytes);
 
 }  // namespace trivet

@@ -15,6 +15,7 @@ constexpr double kTold = 1e-3;  // metres
 Json simulated_json(const SimulatedScene& simulated) {
   Json json = {{"simulator", simulated.simulator},
                {"seconds", simulated.seconds},
+               {"penetration", simulated.penetration},
                {"warnings", simulated.num_warnings}};
   json["objects"] = Json::array();
   for (const SimulatedObject& o : simulated.objects)

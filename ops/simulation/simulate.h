@@ -17,6 +17,7 @@ struct SimulatedObject {
 struct SimulatedScene {
   std::string simulator;  // "MuJoCo 2.2.2"
   double seconds = 0;
+  double penetration = 0;                // metres, of the deepest contact at the start
   int num_warnings = 0;                  // of the simulator: contacts that had no room, instability
   std::vector<SimulatedObject> objects;  // the free ones, in the scene's order
 };

@@ -92,6 +92,12 @@ class MujocoRun {
     m_mujoco.forward(m_model.get(), m_data.get());
   }
 
+  double penetration() const {
+    double deepest = 0;
+    for (int i = 0; i < m_data->ncon; ++i) deepest = std::max(deepest, -m_data->contact[i].dist);
+    return deepest;
+  }
+
   int num_warnings() const {
     int count = 0;
     for (const mjWarningStat& warning : m_data->warning) count += warning.number;
@@ -159,8 +165,9 @@ SimulatedScene simulate(const SimulationExport& done, double seconds,
   MujocoRun run(file.path());
   std::vector<Affine> before;
   for (const SimulationBody& body : done.scene.bodies) before.push_back(run.pose(body));
-  run.run(seconds);
   SimulatedScene out;
+  out.penetration = run.penetration();
+  run.run(seconds);
   out.simulator = std::string("MuJoCo ") + mujoco().version();
   out.seconds = seconds;
   out.num_warnings = run.num_warnings();

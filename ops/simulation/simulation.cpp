@@ -38,6 +38,8 @@ bool is_mjcf(const std::string& path) {
   return extension == ".xml" || extension == ".mjcf";
 }
 
+constexpr double kVertexRounding = 0x1p-22;  // of a size
+
 class SceneMaker {
  public:
   SceneMaker(const Scene& scene, const std::string& name, const SimulationOptions& options)
@@ -133,6 +135,14 @@ class SceneMaker {
     };
   }
 
+  // Parts are split until they are apart to within the rounding of their vertices to float32.
+  std::function<double(size_t, size_t)> closest_fit() const {
+    return [this](size_t a, size_t b) {
+      return m_options.max_overlap > 0 ? m_options.max_overlap
+                                       : kVertexRounding * (m_sizes[a] + m_sizes[b]);
+    };
+  }
+
   void set_parts(SimulationModel& model, std::vector<ConvexPart> parts) const {
     for (ConvexPart& part : parts)
       model.parts.push_back(m_options.hull_clearance > 0 ? shrunk(part, m_options.hull_clearance)
@@ -164,7 +174,7 @@ class SceneMaker {
     for (const SimulationBody& body : m_out.scene.bodies)
       bodies.push_back(
           {body.model, world_from_object(body.world_from_link, UpAxis::Z, 1), body.fixed});
-    fit_parts(trees, bodies, m_out.scene.floor, limit());
+    fit_parts(trees, bodies, m_out.scene.floor, closest_fit());
     for (size_t i = 0; i < models.size(); ++i) set_parts(models[i], trees[i].parts());
   }
 

@@ -73,8 +73,8 @@ SimulationExport export_simulation(const Scene& scene, const std::string& path,
 /// The export as JSON: {"files", "density", "friction" (a number or "materials"), "collision",
 /// "objects": [{"name", "file_name", "fixed", "mass", "friction", "restitution", "parts"}],
 /// "overlaps": [{"a", "b", "depth", "allowed", "part_pairs"}], "notes"}.
-/// With a simulation also "simulated": {"simulator", "seconds", "warnings", "objects": [{"name",
-/// "moved", "turned_deg"}]}, metres.
+/// With a simulation also "simulated": {"simulator", "seconds", "penetration", "warnings",
+/// "objects": [{"name", "moved", "turned_deg"}]}, metres.
 std::string simulation_json(const SimulationExport& done, const SimulationOptions& options,
                             const SimulatedScene* simulated = nullptr);
 /// For people: a few lines.

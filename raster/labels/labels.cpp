@@ -155,6 +155,7 @@ void LabelRenderer::measure_object(std::size_t o) {
   const Silhouette silhouette = draw_silhouette(m_views[o], m_camera, canvas);
   object.num_on_canvas = silhouette.count(canvas);
   object.num_alone = silhouette.count(m_picture);
+  object.canvas_box = silhouette.box();
 }
 
 Labels LabelRenderer::render() {

@@ -26,6 +26,7 @@ struct ObjectLabel {
   // an object cut by the picture's edge has parts that cannot be seen.
   std::int64_t num_on_canvas = 0;
   LabelBox visible_box;  // of those pixels' centres, whole numbers; empty if there are none
+  LabelBox canvas_box;   // of the centres that num_on_canvas counts
   // Box of all of the object in front of the camera, whether hidden or beside the picture; cut off
   // at the canvas. Empty: it is behind the camera.
   LabelBox whole_box;
@@ -47,7 +48,7 @@ struct Labels {
 
 struct LabelOptions {
   bool normals = true;
-  bool visibility = true;  // num_alone and num_on_canvas; else they are 0
+  bool visibility = true;  // num_alone, num_on_canvas and canvas_box; else they are 0
 };
 
 /// Labels of what the ray through each pixel's centre meets first: the same as of trying every

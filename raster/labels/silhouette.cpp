@@ -94,6 +94,25 @@ std::int64_t Silhouette::count(const PixelRange& within) const {
   return sum;
 }
 
+LabelBox Silhouette::box() const {
+  LabelBox out;
+  if (m_range.empty()) return out;
+  const auto extend = [&](int y, int first, int last) {
+    if (out.empty()) out = {double(first), double(y), double(last), double(y)};
+    out.x0 = std::min<double>(out.x0, first), out.x1 = std::max<double>(out.x1, last), out.y1 = y;
+  };
+  for (int y = m_range.y0; y <= m_range.y1; ++y) {
+    const std::uint64_t* const words = row(y);
+    std::size_t first = 0, last = m_words;
+    while (first < m_words && words[first] == 0) ++first;
+    if (first == m_words) continue;
+    while (words[last - 1] == 0) --last;
+    extend(y, m_range.x0 + int(64 * first) + std::countr_zero(words[first]),
+           m_range.x0 + int(64 * last) - 1 - std::countl_zero(words[last - 1]));
+  }
+  return out;
+}
+
 Silhouette draw_silhouette(const SeenObject& object, const PinholeCamera& camera,
                            const PixelRange& window) {
   const PixelRange range = pixels_within(whole_box(object, camera), window);

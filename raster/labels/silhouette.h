@@ -36,6 +36,7 @@ class Silhouette {
   void add(int y, int x0, int x1);  // both ends in
   bool covers(int x, int y) const;  // false outside of the range
   std::int64_t count(const PixelRange& within) const;
+  LabelBox box() const;  // of the pixels' centres
 
  private:
   std::uint64_t* row(int y) { return m_bits.data() + std::size_t(y - m_range.y0) * m_words; }

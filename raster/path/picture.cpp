@@ -38,6 +38,29 @@ std::uint8_t byte_of(float x) {
   return static_cast<std::uint8_t>(std::clamp(x, 0.0f, 1.0f) * 255 + 0.5f);
 }
 
+// Nearly normal, of variance 1.
+float noise_of(std::uint64_t seed, std::uint64_t i) {
+  std::uint64_t z = seed + i * 0x9e3779b97f4a7c15u;
+  float sum = 0;
+  for (int k = 0; k < 2; ++k) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    for (int word = 0; word < 4; ++word) sum += float(z >> (16 * word) & 65535) / 65535 - 0.5f;
+  }
+  return sum * std::sqrt(12.0f / 8);
+}
+
+void add_noise(Image& image, double noise, std::uint64_t seed) {
+  if (noise <= 0) return;
+  in_parallel(static_cast<std::size_t>(image.height), [&](std::size_t y) {
+    const std::size_t row = 4 * y * static_cast<std::size_t>(image.width);
+    for (std::size_t i = row; i < row + 4 * static_cast<std::size_t>(image.width); ++i)
+      if (i % 4 != 3)
+        image.rgba[i] = byte_of(float(image.rgba[i]) / 255 + float(noise) * noise_of(seed, i));
+  });
+}
+
 void develop_pixel(const Radiance& light, const std::array<float, 4>& background, float noise,
                    std::uint8_t* out) {
   const float cover = std::clamp(light.coverage, 0.0f, 1.0f);
@@ -68,6 +91,19 @@ Image develop(const std::vector<Radiance>& light, const PictureOptions& options)
   return image;
 }
 
+void check_look(const PictureLook& look) {
+  const auto is_light = [](const Vec3& c) {
+    return c.allFinite() && c.minCoeff() >= 0 && c.maxCoeff() <= 1e6;
+  };
+  if (look.key && !(look.key->allFinite() && look.key->norm() > 1e-9))
+    bad_input("the key light has no direction");
+  if (!is_light(look.key_colour) || !is_light(look.sky_colour) || !is_light(look.floor_colour))
+    bad_input("a colour of light or floor is out of range; accepted: 0 to 1e6");
+  for (const double x : {look.exposure, look.noise, look.environment_strength})
+    if (!(x >= 0 && x <= 1e6))
+      bad_input("exposure, noise or strength of %1; accepted: 0 to 1e6", std::to_string(x));
+}
+
 }  // namespace
 
 Image trace_picture(const PictureScene& scene, const PinholeCamera& camera,
@@ -79,8 +115,13 @@ Image trace_picture(const PictureScene& scene, const PinholeCamera& camera,
   if (camera.width != options.width || camera.height != options.height)
     bad_input("a camera of %1 x %2 pixels for a picture of %3 x %4", camera.width, camera.height,
               options.width, options.height);
+  check_look(path.look);
   const SumImage sums = PathTracer(scene, camera, options, path).trace();
-  return develop(path.filter ? filtered(sums) : unfiltered(sums), options);
+  std::vector<Radiance> light = path.filter ? filtered(sums) : unfiltered(sums);
+  for (Radiance& pixel : light) pixel.colour *= float(path.look.exposure);
+  Image image = develop(light, options);
+  add_noise(image, path.look.noise, path.look.noise_seed);
+  return image;
 }
 
 std::string traced_png(const PictureScene& scene, const PinholeCamera& camera, int samples,
@@ -88,6 +129,7 @@ std::string traced_png(const PictureScene& scene, const PinholeCamera& camera, i
   PictureOptions options;
   options.width = camera.width, options.height = camera.height;
   options.samples = samples;
+  options.background = path.look.background;
   return encode_png(trace_picture(scene, camera, options, path));
 }
 

@@ -1,8 +1,10 @@
 // Pictures by rays on the processor: soft shadows, reflections, glass, light between surfaces.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <string>
 
 #include "core/base/image.h"
@@ -16,6 +18,23 @@ class PictureCancelled : public std::exception {
   const char* what() const noexcept override { return "the picture was cancelled"; }
 };
 
+class EnvironmentMap;
+
+/// Light, floor and camera of a picture, relative to those of the studio.
+struct PictureLook {
+  std::optional<Vec3> key;  // towards the key light, world; none: behind the viewer, to the left
+  Vec3 key_colour = Vec3::Ones(), sky_colour = Vec3::Ones();   // times the studio's, linear RGB
+  Vec3 floor_colour = Vec3::Constant(0.62);                    // linear RGB
+  std::array<float, 4> background{0.92f, 0.93f, 0.95f, 1.0f};  // sRGB and alpha
+  // Light and background instead of key light and sky; radiance is times environment_strength.
+  std::shared_ptr<const EnvironmentMap> environment;
+  double environment_strength = 1;
+  Vec2 environment_turn = {1, 0};  // cosine and sine of its turn about z
+  double exposure = 1;             // times all light
+  double noise = 0;                // standard deviation of each component, of 1
+  std::uint64_t noise_seed = 0;
+};
+
 struct PathOptions {
   /// Reflections that a path may have before it ends in an estimate; 0 to 64. 0: shadows and sky
   /// only, as OpenGL's pictures have. See-through surfaces do not count.
@@ -23,6 +42,7 @@ struct PathOptions {
   /// Smooth what is left of the noise, guided by normals, positions and colours: worth about three
   /// times the samples at 4 to 16.
   bool filter = true;
+  PictureLook look;
   /// Set from another thread or by a signal: trace_picture() throws PictureCancelled, within the
   /// time of eight pixels once the tree of all triangles is made.
   const std::atomic<bool>* cancel = nullptr;

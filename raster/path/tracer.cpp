@@ -9,8 +9,7 @@
 namespace trivet {
 namespace {
 
-constexpr float kRayEnd = 1e6f;  // of the picture frame
-constexpr float kFloorAlbedo = 0.62f;
+constexpr float kRayEnd = 1e6f;                     // of the picture frame
 constexpr float kDimGround = 0.30f;                 // radiance from below without a floor
 constexpr float kFromNeighbours = 0.45f;            // share of the sky's light where paths end
 constexpr float kBelowTolerance = 2e-4f;            // objects up to this below the floor hide it
@@ -44,19 +43,22 @@ PathTracer::PathTracer(const PictureScene& scene, const PinholeCamera& camera,
     : m_options(options),
       m_path(path),
       m_camera(camera),
+      m_environment(path.look.environment.get()),
       m_has_floor(scene.floor),
       m_frame(make_picture_frame(scene)),
       m_scene(scene, m_frame),
       m_frame_from_camera(camera.camera_from_world.transpose().cast<float>()),
       m_eye(m_frame.apply(camera.eye).cast<float>()) {
   const PictureLights lights(kSkyViews, frame_camera(camera));
-  m_key = lights.key_direction().cast<float>();
+  const PictureLook& look = path.look;
+  m_key = look.key.value_or(lights.key_direction()).normalized().cast<float>();
   const Tangents t = tangents(m_key);
   m_key_x = t.x, m_key_y = t.y;
   m_key_radius = static_cast<float>(std::tan(kKeyRadiusDeg * std::numbers::pi / 180));
-  m_key_irradiance = lights.key_irradiance().cast<float>();
-  m_sky_horizon = lights.sky_colour(0).cast<float>();
-  m_sky_slope = lights.sky_colour(1).cast<float>() - m_sky_horizon;
+  m_key_irradiance = lights.key_irradiance().cwiseProduct(look.key_colour).cast<float>();
+  m_sky_horizon = lights.sky_colour(0).cwiseProduct(look.sky_colour).cast<float>();
+  m_sky_slope = lights.sky_colour(1).cwiseProduct(look.sky_colour).cast<float>() - m_sky_horizon;
+  m_floor_colour = look.floor_colour.cast<float>();
   m_floor_z = static_cast<float>(m_frame.floor_z);
   const double radius = std::max(m_frame.radius, 0.05);
   m_fade_begin = float(kFadeBegin * radius), m_fade_end = float(kFadeEnd * radius);
@@ -68,10 +70,18 @@ Vec3f PathTracer::key_light(Sampler::Pair u) const {
 }
 
 Vec3f PathTracer::sky(const Vec3f& direction, bool mirrored) const {
+  if (m_environment) return surroundings(direction);
   if (direction.z() < 0 && !m_has_floor) return Vec3f::Constant(kDimGround);
   const Vec3f light = m_sky_horizon + m_sky_slope * std::max(direction.z(), 0.0f);
   // Mirrors see no dark studio: a room would have walls that the key light lights.
   return mirrored ? Vec3f(light * float(0.75 / (1 - kKeyShare))) : light;
+}
+
+Vec3f PathTracer::surroundings(const Vec3f& d) const {
+  const auto c = static_cast<float>(m_path.look.environment_turn.x());
+  const auto s = static_cast<float>(m_path.look.environment_turn.y());
+  const Vec3f turned(c * d.x() + s * d.y(), c * d.y() - s * d.x(), d.z());
+  return float(m_path.look.environment_strength) * m_environment->radiance(turned);
 }
 
 void PathTracer::start_path(Path& path, int x, int y, int sample) const {
@@ -103,18 +113,25 @@ SurfacePoint PathTracer::floor_point(const Path& path, float distance) const {
   out.start = out.position;
   out.face = out.normal = Vec3f::UnitZ();
   out.outside = true;
-  out.material.base = Vec3f::Constant(kFloorAlbedo);
+  out.material.base = m_floor_colour;
   out.material.roughness = 0.9f;
   return out;
 }
 
 float PathTracer::floor_coverage(const Vec3f& at) const {
+  if (m_environment) return 1;  // it goes on to the horizon
   return 1 - smoothstep(m_fade_begin, m_fade_end, at.head<2>().norm());
 }
 
 void PathTracer::leave(Path& path) const {
   path.on = false;
+  if (m_environment && path.sees_background()) {
+    path.has_seen = true, path.coverage = 1;
+    return path.add(path.weight.cwiseProduct(surroundings(path.direction)));
+  }
   if (!path.has_seen) return;  // the background
+  // The light of matt surfaces was asked for there.
+  if (m_environment && path.kind == NextRay::Kind::Matt) return;
   if (path.sees_background())
     path.uncover(path.coverage);
   else
@@ -136,7 +153,26 @@ void PathTracer::note(Path& path, const SurfacePoint& at, bool on_floor) const {
   if (at.material.finish != Finish::Glass) path.albedo = diffuse_albedo(at.material);
 }
 
+// Matt reflections of the environment; bright ones are found by the rays that go on.
+void PathTracer::ask_environment(Path& path, const SurfacePoint& at) const {
+  const EnvironmentMap::Drawn drawn = m_environment->draw(path.sampler.next());
+  const auto c = static_cast<float>(m_path.look.environment_turn.x());
+  const auto s = static_cast<float>(m_path.look.environment_turn.y());
+  const Vec3f& d = drawn.direction;
+  path.key_direction = Vec3f(c * d.x() - s * d.y(), s * d.x() + c * d.y(), d.z());
+  const Reflected light = reflected(at, path.key_direction, -path.direction);
+  path.asks_key = light.matt > 0 && !(m_has_floor && d.z() <= 0);
+  if (!path.asks_key) return;
+  path.asks_first = path.is_first();
+  const auto strength = static_cast<float>(m_path.look.environment_strength);
+  path.key_bright = Vec3f::Zero();
+  path.key_matt = opacity_of(at) * strength * light.matt * path.weight.cwiseProduct(drawn.weight);
+  if (!path.asks_first) path.key_matt = path.key_matt.cwiseProduct(diffuse_albedo(at.material));
+  path.key_from = lifted(at, path.key_direction);
+}
+
 void PathTracer::ask_key_light(Path& path, const SurfacePoint& at) const {
+  if (m_environment) return ask_environment(path, at);
   path.key_direction = key_light(path.sampler.next());
   const Reflected light = reflected(at, path.key_direction, -path.direction);
   path.asks_key = light.matt > 0 || light.bright.maxCoeff() > 0;
@@ -203,7 +239,10 @@ void PathTracer::advance(Path& path, const RayPacket& rays, const HitPacket& hit
   if (path.num_bounces > m_path.bounces) {
     // Paths end here: the point is lit as the surroundings are.
     const Vec3f dim = kFromNeighbours * diffuse_albedo(at.material);
-    path.add(path.weight.cwiseProduct(dim.cwiseProduct(sky(Vec3f::UnitZ(), false))));
+    const Vec3f around =
+        m_environment ? Vec3f(float(m_path.look.environment_strength) * m_environment->mean())
+                      : sky(Vec3f::UnitZ(), false);
+    path.add(path.weight.cwiseProduct(dim.cwiseProduct(around)));
     path.on = false;
     return;
   }

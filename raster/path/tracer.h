@@ -3,6 +3,7 @@
 
 #include "core/picture/lights.h"
 #include "core/picture/pinhole_camera.h"
+#include "raster/path/environment.h"
 #include "raster/path/picture.h"
 #include "raster/path/sums.h"
 #include "raster/path/surface_light.h"
@@ -37,15 +38,19 @@ class PathTracer {
   float floor_coverage(const Vec3f& at) const;
   Vec3f key_light(Sampler::Pair u) const;  // direction towards a point of its disc
   Vec3f sky(const Vec3f& direction, bool mirrored) const;
+  Vec3f surroundings(const Vec3f& direction) const;  // of the environment
+  void ask_environment(Path& path, const SurfacePoint& at) const;
 
   const PictureOptions& m_options;
   const PathOptions& m_path;
   const PinholeCamera& m_camera;
+  const EnvironmentMap* m_environment;
   bool m_has_floor;
   PictureFrame m_frame;
   PathScene m_scene;
   Eigen::Matrix3f m_frame_from_camera;
-  Vec3f m_eye, m_key, m_key_x, m_key_y, m_key_irradiance, m_sky_horizon, m_sky_slope;
+  Vec3f m_eye, m_key, m_key_x, m_key_y, m_key_irradiance, m_sky_horizon, m_sky_slope,
+      m_floor_colour;
   float m_key_radius, m_floor_z, m_fade_begin, m_fade_end;
 };
 

@@ -316,7 +316,7 @@ class Usage(BatchCase):
         self.assertEqual((out["units"], out["scenes"], out["models"]), (3, 25, 2))
         args = ("batch", "recipe.json", "--count", 100000, "--seed", 7, "--template")
         for engine in ("slurm", "parallel"):
-            self.assertIn("--count 100000 --seed 7 --per-tar 1000", self.trivet(*args, engine)[0])
+            self.assertIn("--count 100000 --seed 7 --per-tar 20", self.trivet(*args, engine)[0])
         job = json.loads(self.trivet(*args, "aws-batch")[0])
         self.assertEqual(job["arrayProperties"]["size"], 100)
         self.assertIn("completions: 100\n", self.trivet(*args, "kubernetes")[0])

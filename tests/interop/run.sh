@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Checks Trivet's scenes in third-party programs.
-#   run.sh validator|three|usd|blender|mujoco TRIVET WORK_FOLDER
+#   run.sh validator|three|usd|blender TRIVET WORK_FOLDER
+#   run.sh mujoco|mujoco2|rapier|jolt|bullet TRIVET WORK_FOLDER some|all [PROGRAMS_FOLDER]
 # Generates models with every supported feature, lays them out with TRIVET, and BREAKFAST too; then
 # opens the scenes. Status 77: the third-party program is missing.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-job="$1" trivet="$2" work="$3/$1"
+job="$1" trivet="$2" work="$3/$1${4:-}"
 
 skip() {
   echo "skipped: $*"
@@ -13,7 +14,9 @@ skip() {
 }
 
 command -v python3 >/dev/null || skip "no python3"
-if [ "$job" = blender ]; then
+if [ "$job" = mujoco2 ] || [ "$job" = bullet ]; then
+  :
+elif [ "$job" = blender ]; then
   command -v blender >/dev/null || skip "no blender (Debian: blender)"
 else
   command -v node >/dev/null && command -v npm >/dev/null || skip "no node, no npm (Debian: nodejs, npm)"
@@ -34,17 +37,20 @@ if [ "$job" = usd ]; then
     python3 -B "$here/../apps/test_export.py" Usd
   exit
 fi
-if [ "$job" = mujoco ]; then
-  install_modules
-  scenes=()
-  for demo in spoon-saucer breakfast office1 office2; do
-    "$trivet" demo $demo -o "$work/$demo.glb" --quiet
-    "$trivet" export "$work/$demo.glb" -o "$work/$demo.xml" --quiet
-    scenes+=("$work/$demo.xml")
-  done
-  cd "$work" && node mujoco_rest.mjs 2 "${scenes[@]}"
-  exit
-fi
+# Engines: the small demos, or all with "all" behind the job, and then the folder of programs in C++.
+case "$job" in
+  mujoco | mujoco2 | rapier | jolt | bullet)
+    programs="${5:-}" demos=spoon-saucer,breakfast,office1
+    [ "${4:-}" = all ] && demos=""
+    case "$job" in
+      bullet | mujoco2)
+        [ -x "$programs/${job}_rest" ] || skip "no ${job}_rest was built (Debian: libbullet-dev, libmujoco-dev)" ;;
+      *) install_modules ;;
+    esac
+    python3 -B "$here/simulators/matrix.py" --trivet "$trivet" --work "$work" --engines "$job" --bars \
+      ${demos:+--demos "$demos"} --programs "$programs"
+    exit ;;
+esac
 export PYTHONDONTWRITEBYTECODE=1
 python3 "$here/make_models.py" "$work/models"
 for kind in glb gltf; do

@@ -2647,6 +2647,54 @@
         <translation>dieses Trivet schreibt kein OpenEXR (libopenexr-dev war nicht installiert); erlaubt für Tiefe und Normalen: .png</translation>
     </message>
     <message>
+        <source>this build of trivet reads no OpenEXR (libopenexr-dev was not installed)</source>
+        <translation>dieses Trivet liest kein OpenEXR (libopenexr-dev war nicht installiert)</translation>
+    </message>
+    <message>
+        <source>an image of %1 x %2 pixels; accepted: up to %3 a side, %4 together</source>
+        <translation>ein Bild von %1 x %2 Pixeln; erlaubt: bis zu %3 je Seite, %4 zusammen</translation>
+    </message>
+    <message>
+        <source>no OpenEXR image: %1</source>
+        <translation>kein OpenEXR-Bild: %1</translation>
+    </message>
+    <message>
+        <source>%1: has scene 999999 already; accepted: another folder</source>
+        <translation>%1: hat schon die Szene 999999; erlaubt: ein anderer Ordner</translation>
+    </message>
+    <message>
+        <source>is no list of models; accepted: a set that Trivet wrote, or a new folder</source>
+        <translation>ist keine Liste von Modellen; erlaubt: ein Datensatz, den Trivet schrieb, oder ein neuer Ordner</translation>
+    </message>
+    <message>
+        <source>has the key &quot;%1&quot;; accepted: numbers</source>
+        <translation>hat den Schlüssel „%1“; erlaubt: Zahlen</translation>
+    </message>
+    <message>
+        <source>is no COCO set that can be added to; accepted: one that Trivet wrote, or a new folder</source>
+        <translation>ist kein COCO-Datensatz, der ergänzt werden kann; erlaubt: einer, den Trivet schrieb, oder ein neuer Ordner</translation>
+    </message>
+    <message>
+        <source>an environment of %1 x %2 pixels; accepted: twice as wide as high</source>
+        <translation>eine Umgebung von %1 x %2 Pixeln; erlaubt: doppelt so breit wie hoch</translation>
+    </message>
+    <message>
+        <source>an environment that is black</source>
+        <translation>eine schwarze Umgebung</translation>
+    </message>
+    <message>
+        <source>the key light has no direction</source>
+        <translation>das Hauptlicht hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>a colour of light or floor is out of range; accepted: 0 to 1e6</source>
+        <translation>eine Farbe von Licht oder Boden liegt außerhalb des Bereichs; erlaubt: 0 bis 1e6</translation>
+    </message>
+    <message>
+        <source>exposure, noise or strength of %1; accepted: 0 to 1e6</source>
+        <translation>Belichtung, Rauschen oder Stärke von %1; erlaubt: 0 bis 1e6</translation>
+    </message>
+    <message>
         <source>this server writes no files; it answers with a scene&apos;s bytes</source>
         <translation>dieser Server schreibt keine Dateien; er antwortet mit den Bytes einer Szene</translation>
     </message>

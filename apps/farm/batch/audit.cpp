@@ -141,8 +141,9 @@ std::uint64_t merge_manifests(const std::string& out, const std::string& file) {
 void materialise(const std::string& out, std::uint64_t k, const std::string& file,
                  const ImportLimits& import) {
   const BatchRun run = read_run(out);
-  if (!run.views.empty())
-    bad_input("%1: there are pictures in this folder; accepted: the batch of their scenes", out);
+  if (!run.has_scenes())
+    bad_input("%1: there are %2 in this folder; accepted: the batch of their scenes", out,
+              run.contents());
   if (k >= run.count) bad_input("scene %1 is not accepted; accepted: 0 to %2", k, run.count - 1);
   const std::uint64_t unit = k / run.per_unit;
   if (!unit_exists(out, unit, run.format))

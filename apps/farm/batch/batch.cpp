@@ -56,10 +56,31 @@ void count_status(const Json& scene, BatchTotals& totals) {
                            : totals.failed);
 }
 
+// "cup" of "cup_12", where that is a group.
+GroupTotals* totals_of(const std::string& object, std::map<std::string, GroupTotals>& groups) {
+  const auto found = groups.find(object.substr(0, object.rfind('_')));
+  return found == groups.end() ? nullptr : &found->second;
+}
+
+void count_groups(const Json& scene, std::map<std::string, GroupTotals>& groups) {
+  for (const Json& object : scene.at("objects")) {
+    GroupTotals* const group = totals_of(object.at("name"), groups);
+    if (!group) continue;
+    ++group->drawn;
+    if (object.at("position").is_null())
+      ++group->reasons[object.value("reason", "")];
+    else
+      ++group->placed;
+  }
+}
+
 class BatchLoop {
  public:
   BatchLoop(const BatchRun& run, const Work& work, const BatchOptions& options)
-      : m_run(run), m_batch(run.id()), m_work(work), m_options(options) {}
+      : m_run(run), m_batch(run.id()), m_work(work), m_options(options) {
+    if (run.has_scenes())
+      for (const RecipeGroup& group : work.recipe.groups) m_totals.groups[group.name];
+  }
 
   BatchTotals run_all();
 
@@ -72,7 +93,10 @@ class BatchLoop {
   size_t early_bytes() const;
   void take(DoneScene done);
   void publish_complete();
-  void log_progress(std::uint64_t unit, const char* what);
+  void report_progress();
+  std::uint64_t scenes_of(std::uint64_t unit) const {
+    return m_run.end_scene(unit) - m_run.first_scene(unit);
+  }
   void log(const std::string& line) const {
     if (m_options.log) m_options.log(line);
   }
@@ -84,8 +108,8 @@ class BatchLoop {
   std::deque<std::uint64_t> m_missing;
   std::list<OpenUnit> m_open;
   std::uint64_t m_next_scene = 0, m_end_scene = 0;  // of the unit opened last
-  std::uint64_t m_num_made = 0;
-  Clock::time_point m_start = Clock::now();
+  std::uint64_t m_num_made = 0, m_num_to_make = 0;
+  Clock::time_point m_start = Clock::now(), m_last_log = m_start;
   BatchTotals m_totals;
 };
 
@@ -96,7 +120,7 @@ void BatchLoop::list_units() {
       if (m_options.is_ready && !m_options.is_ready(t))
         ++m_totals.waiting;
       else
-        m_missing.push_back(t);
+        m_missing.push_back(t), m_num_to_make += scenes_of(t);
       continue;
     }
     ++m_totals.there_before;
@@ -116,6 +140,7 @@ bool BatchLoop::open_next_unit() {
     m_missing.pop_front();
     if (unit_exists(m_options.out, unit, m_run.format)) {  // by another copy of this shard
       ++m_totals.by_others;
+      m_num_to_make -= scenes_of(unit);
       count_unit(unit);
       continue;
     }
@@ -149,14 +174,16 @@ void BatchLoop::take(DoneScene done) {
   const Json& scene = done.members.scene;
   const std::uint64_t failed = m_totals.failed;
   count_status(scene, m_totals);
+  count_groups(scene, m_totals.groups);
   ++m_num_made;
   if (m_totals.failed > failed)
     log("scene " + std::to_string(done.k) + " failed: " + scene.at("reason").get<std::string>());
   for (OpenUnit& unit : m_open)
     if (unit.has(done.k)) {
       unit.add(std::move(done));
-      return;
+      break;
     }
+  report_progress();
 }
 
 void BatchLoop::publish_complete() {
@@ -167,20 +194,23 @@ void BatchLoop::publish_complete() {
     }
     const bool first = it->publish();
     if (!first) ++m_totals.by_others, ++m_totals.dropped;
-    log_progress(it->number(), first ? "written" : "was made by another process: dropped");
+    if (!first)
+      log("unit " + std::to_string(it->number()) + " was made by another process: dropped");
     it = m_open.erase(it);
   }
 }
 
-void BatchLoop::log_progress(std::uint64_t unit, const char* what) {
-  const std::chrono::duration<double> seconds = Clock::now() - m_start;
-  const double rate = static_cast<double>(m_num_made) / std::max(seconds.count(), 1e-9);
-  const auto left = static_cast<double>((m_missing.size() + m_open.size() - 1) * m_run.per_unit);
-  char text[160];
-  std::snprintf(text, sizeof text, "unit %llu %s; %llu scenes, %.3g/s, about %.0f s left",
-                static_cast<unsigned long long>(unit), what,
-                static_cast<unsigned long long>(m_num_made), rate, left / std::max(rate, 1e-9));
-  log(text);
+// After each scene; as lines, not more often than a person reads.
+void BatchLoop::report_progress() {
+  constexpr std::chrono::seconds kBetweenLines(10);
+  const Clock::time_point now = Clock::now();
+  const std::chrono::duration<double> seconds = now - m_start;
+  const BatchProgress progress{m_num_made, m_num_to_make,
+                               static_cast<double>(m_num_made) / std::max(seconds.count(), 1e-9)};
+  if (m_options.on_progress) return m_options.on_progress(progress);
+  if (now - m_last_log < kBetweenLines && m_num_made < m_num_to_make) return;
+  m_last_log = now;
+  log(progress_text(progress));
 }
 
 void BatchLoop::make_missing() {
@@ -191,7 +221,7 @@ void BatchLoop::make_missing() {
     signals.look();
   }
   if (!signals.asked() && m_options.on_models_read) m_options.on_models_read();
-  m_start = Clock::now();
+  m_start = m_last_log = Clock::now();
   while (!signals.at_once()) {
     if (!signals.asked()) hand_out(pool);
     if (pool.num_pending() == 0) break;
@@ -209,6 +239,27 @@ BatchTotals BatchLoop::run_all() {
 }
 
 }  // namespace
+
+std::string progress_text(const BatchProgress& progress) {
+  char text[160];
+  const double left = static_cast<double>(progress.total - progress.made);
+  std::snprintf(text, sizeof text, "%llu of %llu scenes, %.3g/s, %s left",
+                static_cast<unsigned long long>(progress.made),
+                static_cast<unsigned long long>(progress.total), progress.scenes_per_second,
+                readable_duration(left / std::max(progress.scenes_per_second, 1e-9)).c_str());
+  return text;
+}
+
+std::string readable_duration(double seconds) {
+  char text[64];
+  if (seconds < 120)
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  else if (seconds < 7200)
+    std::snprintf(text, sizeof text, "%.0f min", seconds / 60);
+  else
+    std::snprintf(text, sizeof text, "%.1f h", seconds / 3600);
+  return text;
+}
 
 BatchTotals run_batch(const BatchRun& run, const Work& work, const BatchOptions& options) {
   return BatchLoop(run, work, options).run_all();

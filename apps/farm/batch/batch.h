@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,14 +32,32 @@ PreparedRecipe prepared_recipe(const BatchRun& run, const std::string& out);
 Work work_of(const PreparedRecipe& prepared, const BatchRun& run, const ImportLimits& import,
              const std::string& out, bool stored);
 
+/// Count of the scenes of a shard that were missing when it began.
+struct BatchProgress {
+  std::uint64_t made = 0, total = 0;
+  double scenes_per_second = 0;
+};
+
+/// "37 of 200 scenes, 3.2/s, 51 s left".
+std::string progress_text(const BatchProgress& progress);
+/// "51 s", "12 min", "3.5 h".
+std::string readable_duration(double seconds);
+
 struct BatchOptions {
   std::string out;
   Shard shard;
   int jobs = 1;
   WorkLimits limits;
-  std::function<void()> on_models_read;              // before the first unit; may be empty
-  std::function<bool(std::uint64_t unit)> is_ready;  // others are left to later; may be empty
-  std::function<void(const std::string& line)> log;  // a line for people; may be empty
+  std::function<void()> on_models_read;                   // before the first unit; may be empty
+  std::function<bool(std::uint64_t unit)> is_ready;       // others are left to later; may be empty
+  std::function<void(const std::string& line)> log;       // a line for people; may be empty
+  std::function<void(const BatchProgress&)> on_progress;  // after each scene; may be empty
+};
+
+/// Objects of a group over all scenes that were made.
+struct GroupTotals {
+  std::uint64_t drawn = 0, placed = 0;
+  std::map<std::string, std::uint64_t> reasons;  // of those that are out of their scene
 };
 
 struct BatchTotals {
@@ -48,6 +67,7 @@ struct BatchTotals {
   std::uint64_t failed_before = 0;  // scenes without pictures, as they had failed themselves
   std::uint64_t waiting = 0;        // units that were not ready
   bool stopped = false;             // by a signal
+  std::map<std::string, GroupTotals> groups;  // of a batch of scenes, of those made now
 };
 
 /// Makes what is missing of the shard. While it runs SIGTERM and SIGINT stop it within

@@ -1,18 +1,32 @@
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
 #include "apps/farm/batch/batch.h"
+#include "apps/farm/recipe/views.h"
 
 namespace trivet::farm {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// Models and environments.
+std::vector<std::string> files_of(const std::string& text, const std::string& file) {
+  std::vector<std::string> out = models_of(parse_recipe(text, file));
+  nlohmann::json document = nlohmann::json::parse(text);
+  if (document.contains("views"))
+    rename_environments(document["views"], [&](const std::string& name) {
+      if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
+      return name;
+    });
+  return out;
+}
+
 PreparedRecipe with_models(const std::string& text, const std::string& file,
                            const std::function<BatchModel(const std::string&)>& model_of) {
   std::map<std::string, std::string> stored;
   PreparedRecipe out;
-  for (const std::string& name : models_of(parse_recipe(text, file))) {
+  for (const std::string& name : files_of(text, file)) {
     out.models.push_back(model_of(name));
     stored[name] = out.models.back().stored_path();
   }
@@ -37,7 +51,8 @@ PreparedRecipe prepared_recipe(const BatchRun& run, const std::string& out) {
     return BatchModel{(fs::path(out) / stored).string(),
                       stored.filename().string(),
                       {},
-                      stored.parent_path().filename().string()};
+                      stored.parent_path().filename().string(),
+                      "models/"};
   });
 }
 

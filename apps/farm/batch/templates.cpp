@@ -8,14 +8,17 @@
 namespace trivet::farm {
 namespace {
 
-// Shards of at least a unit; Slurm's arrays have 1,000 tasks at most unless configured otherwise.
+// Tasks of some minutes to hours, at a scene a second; Slurm's arrays have 1,000 tasks at most
+// unless configured otherwise.
 std::uint64_t shards_for(std::uint64_t count, std::uint64_t per_unit) {
+  constexpr std::uint64_t kScenesOfTask = 1000;
   const std::uint64_t units = (count + per_unit - 1) / per_unit;
-  return std::clamp<std::uint64_t>(units, 2, 200);
+  return std::min(units, std::clamp<std::uint64_t>(count / kScenesOfTask, 1, 200));
 }
 
 const char* const kSlurm = R"(#!/bin/bash
-# sbatch this. Exit 75 means: come again; slurm.conf may have RequeueExit=75.
+# sbatch this: @SHARDS@ tasks of about @EACH@ scenes each. For another number of tasks set TRIVET_SHARDS
+# when you print this file. Exit 75 means: come again; slurm.conf may have RequeueExit=75.
 #SBATCH --array=0-@LAST@%50 --requeue --open-mode=append --time=2:00:00
 #SBATCH --mem=2G --cpus-per-task=@JOBS@ --signal=B:TERM@60
 export TRIVET_SHARDS=@SHARDS@
@@ -125,6 +128,7 @@ std::string engine_template(const std::string& engine, const BatchJob& job) {
   replace_all(text, "@JOBS@", std::to_string(job.jobs));
   replace_all(text, "@SHARDS@", std::to_string(shards));
   replace_all(text, "@LAST@", std::to_string(shards - 1));
+  replace_all(text, "@EACH@", std::to_string((job.count + shards - 1) / shards));
   replace_all(text, "@WORDS@", words_text(engine, job));  // last: they may hold any text
   return text;
 }

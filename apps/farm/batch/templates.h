@@ -10,10 +10,10 @@ namespace trivet::farm {
 /// Arguments of the `trivet batch` of every task.
 struct BatchJob {
   std::string recipe;
-  std::uint64_t count = 0, seed = 0, per_unit = 1000;
+  std::uint64_t count = 0, seed = 0, per_unit = 20;
   std::string out = "out";
   int jobs = 1;
-  std::uint64_t shards = 0;       // 0: one per unit, 2 to 200
+  std::uint64_t shards = 0;       // 0: one per 1,000 scenes, 1 to 200
   std::vector<std::string> more;  // further options, as they are given
 };
 

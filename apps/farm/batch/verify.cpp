@@ -1,4 +1,5 @@
 #include "apps/farm/batch/audit.h"
+#include "apps/farm/batch/exports.h"
 #include "apps/farm/batch/pictures.h"
 #include "core/base/bad_input.h"
 
@@ -58,12 +59,13 @@ std::string difference(const Sampled& there, const SceneMembers& made) {
 }
 
 Work work_again(const BatchRun& run, const std::string& out, const VerifyOptions& options) {
+  if (!run.has_scenes() && options.scenes.empty())
+    bad_input("%1: is a batch of %2; accepted: with --scenes, the folder of its scenes", out,
+              run.contents());
+  if (!run.exports.empty()) return export_work(run, options.scenes, out, options.import);
   if (!run.views.empty()) {
-    if (options.scenes.empty())
-      bad_input("%1: is a batch of pictures; accepted: with --scenes, the folder of its scenes",
-                out);
     if (run.with_opengl && options.before_opengl) options.before_opengl();
-    return picture_work(run, options.scenes, options.import, options.make_opengl);
+    return picture_work(run, options.scenes, options.import, out, options.make_opengl);
   }
   return work_of(prepared_recipe(run, out), run, options.import, out, true);
 }
@@ -90,7 +92,7 @@ Verification verify_batch(const std::string& out, const VerifyOptions& options) 
   Sample sample;
   const Work work = work_again(run, out, options);
   check_bytes(out, run, options.sample, sample, result);
-  check_models(run.views.empty() ? out : options.scenes, work, result);
+  check_models(run.has_scenes() ? out : options.scenes, work, result);
   if (sample.empty() || !result.findings.empty()) return result;
   if (run.version != options.version) {
     result.other_version = run.version;  // whose poses may differ in their last digits

@@ -9,7 +9,7 @@
 namespace trivet::farm {
 
 /// The cameras of scene k.
-std::vector<LabelView> cameras_of(const Views& views, const PictureScene& scene,
+std::vector<LabelView> cameras_of(const Views& views, const LabelledScene& scene,
                                   const PhiloxKey& key, std::uint64_t k);
 
 }  // namespace trivet::farm

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "apps/farm/pictures/looks.h"
 #include "apps/farm/recipe/views.h"
 #include "apps/farm/store/run_file.h"
 #include "ops/files/layout/scene_of_layout.h"
@@ -20,13 +21,16 @@ struct PictureWork {
   Views views;
   // Called once in every process that draws pictures by OpenGL. Null: they are drawn by rays.
   std::function<DrawPicture()> make_opengl;
+  UnitFormat form = UnitFormat::Tar;           // of data sets their own members instead
+  std::shared_ptr<Environments> environments;  // of the look; read when they are needed
 };
 
 /// Pictures and labels of scene k: its JSON with "views", [{"name", "camera"}], and for each view
 /// members "K.VIEW.png" (the picture), "K.VIEW.depth.png", ".instances.png", ".classes.png",
 /// ".normals.png" as wanted, and, with labels, "K.VIEW.labels.json". Scenes that are not "ok" have
-/// no views. By rays in the calling thread; labels are the same bits on any machine, pictures where
-/// the mathematical library is the same.
+/// no views. Of a BOP set the members are those of BopScene, of a COCO set "VIEW.png" and
+/// "annotations.json". Ids are those of label_ids(). By rays in the calling thread; labels are the
+/// same bits on any machine, pictures where the mathematical library is the same.
 /// @param scenes  of the folder of the work.
 /// @param opengl  draws the pictures instead, of which the bytes depend on the driver, too; or
 /// null.

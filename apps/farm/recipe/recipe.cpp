@@ -5,6 +5,7 @@
 #include <set>
 
 #include "apps/farm/recipe/recipe_json.h"
+#include "apps/farm/recipe/set_labels.h"
 #include "apps/farm/recipe/sha256.h"
 #include "apps/farm/recipe/views.h"
 #include "core/base/nearest_name.h"
@@ -15,8 +16,8 @@ namespace trivet::farm {
 namespace {
 
 constexpr int kRecipeVersion = 1;
-constexpr const char* kOwnKeys[] = {"trivet_recipe", "groups", "then",        "accept",
-                                    "on_refusal",    "tries",  "max_motions", "views"};
+constexpr const char* kOwnKeys[] = {"trivet_recipe", "groups",      "then",  "accept", "on_refusal",
+                                    "tries",         "max_motions", "views", "classes"};
 
 /// The part that is a layout, read by the layout's reader: its complaints name the same places.
 Layout read_base(const nlohmann::json& document, const std::string& file) {
@@ -93,9 +94,9 @@ OnRefusal read_on_refusal(const JsonPlace& place) {
 }
 
 void check_top(const JsonPlace& root) {
-  root.expect_object({"trivet_recipe"},
-                     {"floor", "material", "floor_material", "settle", "objects", "operations",
-                      "groups", "then", "accept", "on_refusal", "tries", "max_motions", "views"});
+  root.expect_object({"trivet_recipe"}, {"floor", "material", "floor_material", "settle", "objects",
+                                         "operations", "groups", "then", "accept", "on_refusal",
+                                         "tries", "max_motions", "views", "classes"});
   const JsonPlace version = root.at("trivet_recipe");
   if (!version.value().is_number() || version.value() != kRecipeVersion)
     version.refuse(say("%1, the version of the recipe format", kRecipeVersion));
@@ -117,6 +118,49 @@ void read_groups(const JsonPlace& root, Recipe& recipe) {
     }
 }
 
+// Objects that nothing puts into the scene. An arrangement may put any.
+std::set<std::string> never_placed(const Layout& base) {
+  std::set<std::string> out;
+  for (const LayoutObject& object : base.objects)
+    if (!object.pose) out.insert(object.name);
+  for (const Operation& operation : base.operations) {
+    if (std::holds_alternative<ArrangeOperation>(operation)) return {};
+    out.erase(object_name(operation));
+  }
+  return out;
+}
+
+void check_something_is_made(const JsonPlace& root, const Recipe& recipe) {
+  if (recipe.base.objects.empty() && recipe.groups.empty())
+    root.fail("neither \"objects\" nor \"groups\"; accepted: at least one object or group");
+  const std::set<std::string> absent = never_placed(recipe.base);
+  for (size_t i = 0; i < recipe.base.objects.size(); ++i)
+    if (const LayoutObject& object = recipe.base.objects[i];
+        object.fixed && absent.count(object.name))
+      root.at("objects").items()[i].fail(
+          say("\"%1\" is fixed and nothing puts it into the scene; accepted: with \"position\"",
+              object.name));
+  bool any = absent.size() < recipe.base.objects.size() || !recipe.base.operations.empty();
+  for (size_t i = 0; i < recipe.groups.size(); ++i) {
+    const RecipeGroup& group = recipe.groups[i];
+    any = any || group.count.high > 0;
+    const auto* const on = std::get_if<PutOn>(&group.place);
+    const auto* const in = std::get_if<PutIn>(&group.place);
+    const std::vector<std::string> names = on ? on->on : in ? in->in : std::vector<std::string>();
+    const auto is_absent = [&](const std::string& name) { return absent.count(name) > 0; };
+    if (!names.empty() && std::all_of(names.begin(), names.end(), is_absent))
+      root.at("groups")
+          .items()[i]
+          .at(on ? "on" : "in")
+          .fail(say(
+              "\"%1\" is never in the scene; accepted: an object with a \"position\", or with an "
+              "operation that puts it",
+              names.front()));
+  }
+  if (!any)
+    root.fail("all groups have the count 0: no scene has an object; accepted: a count from 1");
+}
+
 void rename_models(nlohmann::json& document, const char* list,
                    const std::function<std::string(const std::string&)>& rename) {
   if (!document.contains(list)) return;
@@ -133,6 +177,7 @@ Recipe parse_recipe(const std::string& text, const std::string& file) {
   Recipe recipe;
   recipe.base = read_base(document, file);
   read_groups(root, recipe);
+  read_set_labels(root, recipe);
   if (const auto accept = root.find("accept")) recipe.accept = read_acceptance(*accept);
   if (const auto rule = root.find("on_refusal")) recipe.on_refusal = read_on_refusal(*rule);
   if (const auto tries = root.find("tries")) {
@@ -143,8 +188,7 @@ Recipe parse_recipe(const std::string& text, const std::string& file) {
   if (const auto most = root.find("max_motions"))
     recipe.max_motions = read_integer(*most, 1, 1'000'000'000);
   if (const auto views = root.find("views")) read_view_wishes(*views);  // a mistake is told at once
-  if (recipe.base.objects.empty() && recipe.groups.empty())
-    root.fail("neither \"objects\" nor \"groups\"; accepted: at least one object or group");
+  check_something_is_made(root, recipe);
   return recipe;
 }
 
@@ -155,6 +199,7 @@ std::string canonical_recipe(const std::string& text, const std::string& file,
   rename_models(document, "operations", rename);
   if (document.contains("groups"))
     for (nlohmann::json& group : document["groups"]) rename_models(group, "models", rename);
+  if (document.contains("views")) rename_environments(document["views"], rename);
   return document.dump();
 }
 
@@ -169,9 +214,8 @@ std::vector<std::string> models_of(const Recipe& recipe) {
 }
 
 PhiloxKey recipe_key(const std::string& canonical, std::uint64_t seed) {
-  nlohmann::json scenes = nlohmann::json::parse(canonical);
-  scenes.erase("views");
-  const Digest d = sha256(sha256_hex(scenes.dump()) + " " + std::to_string(seed));
+  const std::string scenes = recipe_of_scenes(canonical);
+  const Digest d = sha256(sha256_hex(scenes) + " " + std::to_string(seed));
   const auto word = [&](size_t at) {
     return static_cast<std::uint32_t>(d[at]) | static_cast<std::uint32_t>(d[at + 1]) << 8 |
            static_cast<std::uint32_t>(d[at + 2]) << 16 |

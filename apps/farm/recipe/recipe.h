@@ -14,8 +14,10 @@ namespace trivet::farm {
 
 /// One of the models that objects of a group are made of.
 struct RecipeModel {
-  LayoutObject object;  // without name and pose
-  double weight = 1;    // how often, beside the others
+  LayoutObject object;     // without name and pose
+  double weight = 1;       // how often, beside the others
+  std::optional<int> id;   // in data sets
+  std::string symmetries;  // JSON {"continuous", "discrete"} as BOP has them, metres; empty: none
 };
 
 enum class RotationRule { Yaw, Any, Given };
@@ -48,6 +50,7 @@ struct RecipeGroup {
   RotationRule rotation = RotationRule::Yaw;
   Rotation given;
   PlaceRule place;
+  bool target = true;  // of data sets; else its objects are distractors
 };
 
 /// Random operations at the end.
@@ -84,6 +87,8 @@ struct Recipe {
   OnRefusal on_refusal = OnRefusal::Keep;
   int tries = 3;  // of an object, with OnRefusal::Retry
   int max_motions = 5000;
+  std::vector<std::string>
+      classes;  // of labels, in the order of their ids; empty: see set_labels.h
 };
 
 inline constexpr int kMaxObjectsOfGroup = 100'000, kMaxTries = 1000;
@@ -95,8 +100,8 @@ inline constexpr int kMaxObjectsOfGroup = 100'000, kMaxTries = 1000;
 ///   accepted.
 Recipe parse_recipe(const std::string& text, const std::string& file);
 
-/// The recipe's text with other names of its models, keys sorted, no spaces: equal recipes are
-/// equal bytes.
+/// The recipe's text with other names of its models and environments, keys sorted, no spaces: equal
+/// recipes are equal bytes.
 /// @param rename  called with each model's path.
 std::string canonical_recipe(const std::string& text, const std::string& file,
                              const std::function<std::string(const std::string&)>& rename);

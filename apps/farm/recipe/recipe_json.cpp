@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "apps/farm/recipe/set_labels.h"
 #include "core/base/limits.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
@@ -26,7 +27,7 @@ std::string read_plain_name(const JsonPlace& place) {
 /// messages.
 RecipeModel read_model_entry(const JsonPlace& place) {
   place.expect_object({"model"}, {"weight", "scale", "up", "material", "chord", "facet_angle_deg",
-                                  "class", "attributes"});
+                                  "class", "attributes", "id", "symmetries"});
   RecipeModel out;
   LayoutObject& object = out.object;
   object.model = place.at("model").text();
@@ -36,6 +37,7 @@ RecipeModel read_model_entry(const JsonPlace& place) {
   if (const auto material = place.find("material")) object.material = read_material(*material);
   object.tessellation = read_tessellation(place, object.model);
   read_labels(place, object);
+  read_set_keys(place, out);
   return out;
 }
 
@@ -147,7 +149,7 @@ Counts read_counts(const JsonPlace& place, int lower, int upper) {
 
 RecipeGroup read_group(const JsonPlace& place) {
   place.expect_object({"name", "models"}, {"count", "scale_range", "rotation", "on", "keep",
-                                           "region", "region_of", "in", "above", "heap"});
+                                           "region", "region_of", "in", "above", "heap", "target"});
   RecipeGroup group;
   group.name = read_plain_name(place.at("name"));
   for (const JsonPlace& item : place.at("models").items())
@@ -159,6 +161,7 @@ RecipeGroup read_group(const JsonPlace& place) {
     group.scale_range = read_interval(*range, 1e-6, 1e6);
   if (const auto rotation = place.find("rotation")) read_rotation_rule(*rotation, group);
   group.place = read_place_rule(place);
+  if (const auto target = place.find("target")) group.target = target->boolean();
   return group;
 }
 

@@ -119,7 +119,7 @@ std::string hash_of(const fs::path& folder, const std::string& name,
 
 BatchModel batch_model(const std::string& file) {
   const fs::path path(file);
-  BatchModel out{file, path.filename().string(), {}, {}};
+  BatchModel out{file, path.filename().string(), {}, {}, "models/"};
   std::error_code error;
   if (!fs::is_regular_file(path, error))
     bad_file(file, "is no file; accepted: a model file, relative to the recipe");
@@ -132,7 +132,7 @@ BatchModel batch_model(const std::string& file) {
 }
 
 void store_model(const BatchModel& model, const std::string& out) {
-  const fs::path target = fs::path(out) / "models" / model.hash;
+  const fs::path target = (fs::path(out) / model.stored_path()).parent_path();
   std::error_code ignored;
   if (fs::exists(target / model.name, ignored)) return;
   const fs::path folder = fs::path(model.file).parent_path();
@@ -145,7 +145,8 @@ void store_model(const BatchModel& model, const std::string& out) {
 std::string check_stored(const std::string& out, const std::string& stored_path) {
   const fs::path file = fs::path(out) / stored_path;
   try {
-    const BatchModel model = batch_model(file.string());
+    BatchModel model = batch_model(file.string());
+    model.stored_in = stored_path.substr(0, stored_path.find('/') + 1);
     if (model.stored_path() == stored_path) return "";
     return stored_path + ": has other bytes than when it was stored";
   } catch (const Error& e) {

@@ -17,13 +17,16 @@ struct BatchModel {
   std::string hash;
 
   /// models/HASH/NAME: its path in scenes, wherever the batch is made.
-  std::string stored_path() const { return "models/" + hash + "/" + name; }
+  std::string stored_path() const { return stored_in + hash + "/" + name; }
+  /// A folder of the batch: "models/", or another one of files that are stored likewise.
+  std::string stored_in = "models/";
 };
 
 /// Reads all its bytes. @throws Error (BadInput) when it cannot be read.
 BatchModel batch_model(const std::string& file);
 
-/// Copies it to `out`/models/HASH unless it is there: the first of several processes that do wins.
+/// Copies it to its folder in `out` unless it is there: the first of several processes that do
+/// wins.
 /// @throws Error (Environment).
 void store_model(const BatchModel& model, const std::string& out);
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "apps/farm/recipe/set_labels.h"
 #include "apps/farm/store/publish.h"
 #include "core/base/bad_input.h"
 #include "ops/files/json/text.h"
@@ -32,14 +33,19 @@ Json json_of(const BatchRun& run) {
     json["scenes_sha256"] = run.scenes_sha256;
     if (run.with_opengl) json["with_opengl"] = true;
   }
+  if (!run.exports.empty()) {
+    json["exports"] = run.exports;
+    json["scenes_sha256"] = run.scenes_sha256;
+  }
   if (run.file_version >= 2) json["sha256"] = sha256_hex(json.dump());
   return json;
 }
 
 UnitFormat read_format(const JsonPlace& place) {
-  for (const UnitFormat format : {UnitFormat::Tar, UnitFormat::Dir, UnitFormat::Poses})
+  for (const UnitFormat format :
+       {UnitFormat::Tar, UnitFormat::Dir, UnitFormat::Poses, UnitFormat::Bop, UnitFormat::Coco})
     if (place.value() == to_string(format)) return format;
-  place.refuse("\"tar\", \"dir\" or \"poses\"");
+  place.refuse("\"tar\", \"dir\", \"poses\", \"bop\" or \"coco\"");
 }
 
 int read_file_version(const JsonPlace& place) {
@@ -66,7 +72,7 @@ std::string BatchRun::id() const {
   for (const char* const key :
        {"trivet_batch", "count", "per_unit", "format", "recipe_sha256", "sha256"})
     json.erase(key);
-  json["recipe"].erase("views");  // no scene depends on them
+  json["recipe"] = Json::parse(recipe_of_scenes(recipe));
   return sha256_hex(json.dump());
 }
 
@@ -82,9 +88,10 @@ BatchRun read_run(const std::string& out) {
   const std::string text = read_text_file(file, kMaxBytes);
   const nlohmann::json document = parse_json(text, file);
   const JsonPlace root(document, file);
-  root.expect_object({"trivet_batch", "version", "seed", "count", "per_unit", "format",
-                      "with_scene", "with_report", "recipe_sha256", "recipe"},
-                     {"with_contacts", "views", "scenes_sha256", "with_opengl", "sha256"});
+  root.expect_object(
+      {"trivet_batch", "version", "seed", "count", "per_unit", "format", "with_scene",
+       "with_report", "recipe_sha256", "recipe"},
+      {"with_contacts", "views", "exports", "scenes_sha256", "with_opengl", "sha256"});
   BatchRun run;
   run.file_version = read_file_version(root.at("trivet_batch"));
   run.version = root.at("version").text();
@@ -102,6 +109,10 @@ BatchRun read_run(const std::string& out) {
     run.scenes_sha256 = root.at("scenes_sha256").text();
     if (const auto opengl = root.find("with_opengl")) run.with_opengl = opengl->boolean();
   }
+  if (const auto exports = root.find("exports")) {
+    for (const JsonPlace& kind : exports->items()) run.exports.push_back(kind.text());
+    run.scenes_sha256 = root.at("scenes_sha256").text();
+  }
   if (text != run_json(run))
     bad_file(file, "was changed after it was written: its SHA-256 are not those of its contents");
   return run;
@@ -113,9 +124,9 @@ void check_run(const std::string& out, const BatchRun& run) {
     return;
   }
   const BatchRun there = read_run(out);
-  if (run.views.empty() != there.views.empty())
+  if (std::string(run.contents()) != there.contents())
     bad_input("%1: there are %2 in this folder; accepted: another --out", path_in(out),
-              (there.views.empty() ? "scenes" : "pictures"));
+              there.contents());
   Json ours = json_of(run), theirs = json_of(there);
   for (Json* const json : {&ours, &theirs}) json->erase("sha256");
   ours["with_contacts"] = run.with_contacts, theirs["with_contacts"] = there.with_contacts;

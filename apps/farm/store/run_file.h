@@ -13,17 +13,29 @@ namespace trivet::farm {
 /// batch. Such folders are read, not continued.
 inline constexpr int kRunVersion = 2;
 
+/// So few that what a stopped process loses is made again in seconds.
+inline constexpr std::uint64_t kScenesPerUnit = 20;
+
 /// All that the bytes of a batch depend on.
 struct BatchRun {
   int file_version = kRunVersion;
   std::string recipe;  // canonical, with the stored paths of its models
-  std::uint64_t seed = 0, count = 0, per_unit = 1000;
+  std::uint64_t seed = 0, count = 0, per_unit = kScenesPerUnit;
   UnitFormat format = UnitFormat::Tar;
   bool with_scene = false, with_contacts = false, with_report = false;
   std::string version;  // of the program
   // For a batch of pictures of another batch's scenes; else empty.
   std::string views, scenes_sha256;  // JSON, see farm/recipe/views.h; of that batch's run.json
   bool with_opengl = false;          // pictures by OpenGL, not by rays
+  // For a batch of simulator files of another batch's scenes: kinds, see export_kinds(); else
+  // empty.
+  std::vector<std::string> exports;
+
+  bool has_scenes() const { return views.empty() && exports.empty(); }
+  /// "scenes", "pictures" or "simulator files".
+  const char* contents() const {
+    return has_scenes() ? "scenes" : exports.empty() ? "pictures" : "simulator files";
+  }
 
   /// Named by its units: SHA-256 of all that a scene depends on, hence not of count, per_unit,
   /// format, and views of the recipe. Empty for file_version 1.

@@ -19,9 +19,15 @@ const char* to_string(UnitFormat format) {
       return "dir";
     case UnitFormat::Poses:
       return "poses";
+    case UnitFormat::Bop:
+      return "bop";
+    case UnitFormat::Coco:
+      return "coco";
   }
   return "";
 }
+
+bool is_folder(UnitFormat format) { return format == UnitFormat::Dir || is_data_set(format); }
 
 std::string member_name(std::uint64_t k, const std::string& extension) {
   char digits[32];
@@ -31,6 +37,12 @@ std::string member_name(std::uint64_t k, const std::string& extension) {
 
 std::string unit_name(std::uint64_t unit, UnitFormat format) {
   char name[64];
+  if (is_data_set(format)) {
+    std::snprintf(name, sizeof name, "%s/%06llu",
+                  format == UnitFormat::Bop ? "train_pbr" : "images",
+                  static_cast<unsigned long long>(unit));
+    return name;
+  }
   std::snprintf(name, sizeof name, "%04llu/scenes-%06llu",
                 static_cast<unsigned long long>(unit / 1000),
                 static_cast<unsigned long long>(unit));
@@ -70,7 +82,7 @@ UnitWriter::UnitWriter(const std::string& out, std::uint64_t unit, UnitFormat fo
                        const std::string& batch)
     : m_unit(unit), m_format(format), m_batch(batch), m_output(std::make_unique<Output>()) {
   const std::string path = (fs::path(out) / unit_name(unit, format)).string();
-  if (format == UnitFormat::Dir) {
+  if (is_folder(format)) {
     make_folders(fs::path(path).parent_path().string());
     m_output->folder.emplace(path);
     return;

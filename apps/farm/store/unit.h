@@ -21,8 +21,15 @@ enum class UnitFormat {
   Tar,    // scenes-T.tar: members of all scenes, and last manifest.jsonl
   Dir,    // scenes-T/: the same as files
   Poses,  // scenes-T.jsonl: a line of JSON per scene, and an end
+  Bop,    // train_pbr/T/: a folder, of one scene, with its files as BOP has them
+  Coco,   // images/T/: the same, with images and annotations of COCO
 };
-const char* to_string(UnitFormat format);  // "tar", "dir", "poses"
+const char* to_string(UnitFormat format);  // "tar", "dir", "poses", "bop", "coco"
+bool is_folder(UnitFormat format);
+/// A part of a data set: one scene, whose members have names of their own.
+inline bool is_data_set(UnitFormat format) {
+  return format == UnitFormat::Bop || format == UnitFormat::Coco;
+}
 
 struct Member {
   std::string name, bytes;
@@ -34,7 +41,7 @@ struct SceneMembers {
 };
 
 std::string member_name(std::uint64_t k, const std::string& extension);
-/// 0012/scenes-012345.tar: a thousand units to a folder.
+/// 0012/scenes-012345.tar: a thousand units to a folder. Of data sets train_pbr/012345.
 std::string unit_name(std::uint64_t unit, UnitFormat format);
 
 /// Last line of a manifest, or of a unit of poses.

@@ -23,15 +23,28 @@ std::string file_bytes(const fs::path& path) {
   return out.str();
 }
 
-// Members of a folder in the order in which a tar has them.
-void visit_folder(const fs::path& folder, const TarVisitor& visit) {
+// "000000017.json"
+bool is_scene_name(const std::string& name) {
+  constexpr size_t kDigits = 9;
+  const size_t point = name.find('.');
+  return point != std::string::npos && point >= kDigits && name.substr(point) == ".json" &&
+         name.find_first_not_of("0123456789") == point;
+}
+
+std::vector<std::string> files_below(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().filename() != kManifest) names.push_back(entry.path().filename().string());
-  const auto key = [](const std::string& name) {
-    const bool scene = name.size() > 5 && name.compare(name.size() - 5, 5, ".json") == 0 &&
-                       name.find('.') == name.size() - 5;
-    return std::make_pair(name.substr(0, name.find('.')), (scene ? "0" : "1") + name);
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (!entry.is_directory()) names.push_back(fs::relative(entry.path(), folder).generic_string());
+  std::erase(names, kManifest);
+  return names;
+}
+
+// Members of a folder in the order in which a tar has them.
+void visit_folder(const fs::path& folder, bool one_scene, const TarVisitor& visit) {
+  std::vector<std::string> names = files_below(folder);
+  const auto key = [&](const std::string& name) {
+    return std::make_pair(one_scene ? "" : name.substr(0, name.find('.')),
+                          (is_scene_name(name) ? "0" : "1") + name);
   };
   std::sort(names.begin(), names.end(),
             [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
@@ -41,7 +54,7 @@ void visit_folder(const fs::path& folder, const TarVisitor& visit) {
 
 void visit_members(const fs::path& path, UnitFormat format, const TarVisitor& visit) {
   if (format == UnitFormat::Tar) return visit_tar(path.string(), visit);
-  visit_folder(path, visit);
+  visit_folder(path, is_data_set(format), visit);
 }
 
 Json parsed(const std::string& line, const std::string& where) {
@@ -102,13 +115,12 @@ class Checker {
 
   void add(const std::string& name, std::string bytes, const SceneVisitor& visit) {
     if (m_format == UnitFormat::Tar) m_tar.add(name, bytes);
-    const std::string stem = name.substr(0, name.find('.'));
     if (name == kManifest) {
       end_scene(visit);
       m_manifest = std::move(bytes);
       return;
     }
-    if (name == stem + ".json") {
+    if (is_scene_name(name)) {
       end_scene(visit);
       m_scene = parsed(bytes, name);
     }
@@ -168,7 +180,7 @@ void visit_rows(const UnitName& unit, UnitFormat format,
     return;
   }
   std::string manifest;
-  if (format == UnitFormat::Dir)
+  if (is_folder(format))
     manifest = file_bytes(unit.path / kManifest);
   else
     visit_tar(unit.path.string(), [&](const std::string& name, const auto& read) {
@@ -211,7 +223,7 @@ void SceneReader::open(std::uint64_t unit) {
 
 bool SceneReader::find(std::uint64_t k, Json& scene) {
   const std::string wanted = member_name(k, ".json");
-  if (m_format == UnitFormat::Dir) {
+  if (is_folder(m_format)) {
     const fs::path file = fs::path(m_path) / wanted;
     if (!fs::exists(file)) return false;
     scene = parsed(file_bytes(file), file.string());

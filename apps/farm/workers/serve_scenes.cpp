@@ -28,16 +28,19 @@ std::string error_reply(const std::string& text, bool fatal) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Makes scenes, or pictures of scenes that are there.
+/// Makes scenes; or pictures or exports of scenes that are there.
 class Maker {
  public:
   Maker(const Work& work, const LoadedModels& models) : m_work(work), m_models(models) {
     if (const PictureWork* const pictures = work.pictures.get())
       m_scenes.emplace(pictures->folder, pictures->scenes.format);
+    if (const ExportWork* const exports = work.exports.get())
+      m_scenes.emplace(exports->folder, exports->scenes.format);
   }
 
   SceneMembers make(std::uint64_t k) {
     if (!m_scenes) return make_members(m_work, m_models, k);
+    if (m_work.exports) return make_exports(*m_work.exports, *m_scenes, m_work.recipe, m_models, k);
     const PictureWork& pictures = *m_work.pictures;
     if (pictures.make_opengl && !m_opengl) m_opengl = pictures.make_opengl();
     return make_pictures(pictures, *m_scenes, m_work.recipe, m_models, m_work.key, k, m_opengl);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "apps/farm/exports/scene_exports.h"
 #include "apps/farm/pictures/scene_pictures.h"
 #include "apps/farm/recipe/recipe.h"
 #include "apps/farm/store/unit.h"
@@ -20,7 +21,8 @@ struct Work {
   ImportLimits import;
   bool with_scene = false, with_contacts = false, with_report = false;
   std::string version;                          // of the program, in scene files and reports
-  std::shared_ptr<const PictureWork> pictures;  // of scenes that are there; null: scenes are made
+  std::shared_ptr<const PictureWork> pictures;  // of scenes that are there
+  std::shared_ptr<const ExportWork> exports;    // the same; neither: scenes are made
 };
 
 /// Limits of a worker, and how often a scene is tried that ends one.

@@ -151,12 +151,13 @@ class Pictures:
                        num_threads: int = 0) -> None:
         """Pictures and labels of many views as a data set in a folder: what ``trivet render --coco, --bop`` writes.
 
-        Files that describe all views are written last: a folder without them is not whole. Ctrl+C stops it within a view.
+        Fixed objects are no targets, unless all are fixed: they have neither annotations nor poses. Files that describe all views are written last: a folder without them is not whole. Ctrl+C stops it within a view.
 
         Parameters
         ----------
         folder : path
-            Made if it is not there; files in it are replaced.
+            Made if it is not there. A set that is there gets the views as further ones: COCO further images, BOP the next
+            scene; its ids stay.
         cameras : Cameras
             A view of each, as by `dome`; one at least.
         form : "coco" or "bop"

@@ -1,87 +1,117 @@
+#include <algorithm>
 #include <filesystem>
 
+#include "core/base/bad_input.h"
+#include "core/io/json.h"
 #include "core/io/staged_files.h"
-#include "ops/files/json/text.h"
+#include "ops/files/labels/coco_images.h"
 #include "ops/files/labels/data_sets.h"
 #include "ops/files/labels/folders.h"
 
 namespace trivet {
 namespace {
 
-// Mask of one instance within its box, else empty.
-std::vector<bool> instance_mask(const Labels& labels, int instance) {
-  std::vector<bool> mask(labels.instances.size());
-  const LabelBox& box = labels.objects[instance - 1].visible_box;
-  for (int y = int(box.y0); y <= int(box.y1); ++y)
-    for (int x = int(box.x0); x <= int(box.x1); ++x) {
-      const std::size_t i = std::size_t(y) * labels.width + x;
-      mask[i] = labels.instances[i] == instance;
+namespace fs = std::filesystem;
+
+/// annotations.json of a set that may be there already.
+class CocoSet {
+ public:
+  explicit CocoSet(std::string file) : m_file(std::move(file)) {
+    std::error_code ignored;
+    if (!fs::exists(m_file, ignored)) return;
+    const auto read =
+        json_if_valid<OrderedJson>(read_text_file(m_file, kMaxSetBytes), {64, kMaxSetBytes});
+    if (!read || !read->is_object()) refuse();
+    m_json = *read;
+    for (const char* const list : {"images", "categories", "annotations"})
+      if (!m_json.contains(list) || !m_json[list].is_array()) refuse();
+  }
+
+  std::int64_t next_id(const char* list, std::int64_t first) const {
+    std::int64_t next = first;
+    if (m_json.contains(list))
+      for (const OrderedJson& item : m_json[list]) next = std::max(next, id_of(item) + 1);
+    return next;
+  }
+  /// The classes of the set, and after them those of a scene that it does not have.
+  std::vector<std::string> classes_with(const std::vector<std::string>& of_scene) const {
+    std::vector<std::string> classes;
+    if (m_json.contains("categories"))
+      for (const OrderedJson& item : m_json["categories"]) {
+        if (id_of(item) != static_cast<std::int64_t>(classes.size()) + 1) refuse();
+        if (!item.contains("name") || !item["name"].is_string()) refuse();
+        classes.push_back(item["name"]);
+      }
+    for (const std::string& name : of_scene)
+      if (std::find(classes.begin(), classes.end(), name) == classes.end()) classes.push_back(name);
+    return classes;
+  }
+  std::string with(const CocoImages& added, const std::vector<std::string>& classes) const {
+    OrderedJson out = m_json.empty() ? coco_head() : m_json;
+    for (const auto& [list, items] :
+         {std::pair("images", &added.images()), std::pair("annotations", &added.annotations())}) {
+      OrderedJson& all = out[list];
+      if (!all.is_array()) all = OrderedJson::array();
+      all.insert(all.end(), items->begin(), items->end());
     }
-  return mask;
-}
+    out["categories"] = coco_categories(classes);
+    return readable_json(out);
+  }
+
+ private:
+  std::int64_t id_of(const OrderedJson& item) const {
+    if (!item.is_object() || !item.contains("id") || !item["id"].is_number_integer()) refuse();
+    const auto id = item["id"].get<std::int64_t>();
+    if (id < 0 || id > std::int64_t{1} << 52) refuse();
+    return id;
+  }
+  [[noreturn]] void refuse() const {
+    bad_file(m_file,
+             "is no COCO set that can be added to; accepted: one that Trivet wrote, or a new "
+             "folder");
+  }
+
+  std::string m_file;
+  OrderedJson m_json;
+};
 
 class CocoWriter : public DataSetWriter {
  public:
   CocoWriter(const std::string& folder, const LabelledScene& scene)
-      : m_folder(folder), m_scene(scene) {
+      : m_folder(folder),
+        m_set(folder + "/annotations.json"),
+        m_classes(m_set.classes_with(scene.classes)),
+        m_next_image(m_set.next_id("images", 0)),
+        m_images(scene, m_next_image, m_set.next_id("annotations", 1),
+                 class_ids(scene.classes, m_classes)) {
     m_files.add_folder(folder + "/images");
   }
 
   void add(const LabelView& view, const Labels& labels, const std::string& picture) override {
-    const std::string file = number_text(m_num_images) + ".png";
+    const std::string file = number_text(static_cast<int>(m_next_image++)) + ".png";
     m_files.add(m_folder + "/images/" + file, picture);
-    m_images.push_back({{"id", m_num_images},
-                        {"file_name", file},
-                        {"width", labels.width},
-                        {"height", labels.height},
-                        {"view", view.name},
-                        {"camera", camera_json(view.camera)}});
-    for (std::size_t i = 0; i < labels.objects.size(); ++i)
-      if (labels.objects[i].num_visible > 0) add_annotation(labels, static_cast<int>(i));
-    ++m_num_images;
+    m_images.add(view, labels, file);
   }
-
   void finish() override {
-    OrderedJson categories = OrderedJson::array();
-    for (std::size_t i = 0; i < m_scene.classes.size(); ++i)
-      categories.push_back({{"id", i + 1}, {"name", m_scene.classes[i]}, {"supercategory", ""}});
-    const OrderedJson all = {{"info", {{"description", "Trivet"}, {"version", "1.0"}}},
-                             {"licenses", OrderedJson::array()},
-                             {"images", m_images},
-                             {"categories", categories},
-                             {"annotations", m_annotations}};
-    m_files.add(m_folder + "/annotations.json", readable_json(all));
+    m_files.add(m_folder + "/annotations.json", m_set.with(m_images, m_classes));
     m_files.commit();
   }
 
  private:
-  void add_annotation(const Labels& labels, int object) {
-    const ObjectLabel& label = labels.objects[object];
-    const LabelledObject& what = m_scene.objects[object];
-    const auto lengths =
-        run_lengths(instance_mask(labels, object + 1), labels.width, labels.height);
-    OrderedJson annotation = {
-        {"id", m_annotations.size() + 1},
-        {"image_id", m_num_images},
-        {"category_id", what.class_id},
-        {"iscrowd", 0},
-        {"area", label.num_visible},
-        {"bbox", visible_box_json(label.visible_box)},
-        {"segmentation",
-         {{"size", {labels.height, labels.width}}, {"counts", compressed_run_lengths(lengths)}}},
-        {"bbox_amodal", whole_box_json(label.whole_box)},
-        {"visibility", label.visible_share()},
-        {"instance", object + 1},
-        {"object", what.name}};
-    if (!what.attributes.empty()) annotation["attributes"] = OrderedJson::parse(what.attributes);
-    m_annotations.push_back(std::move(annotation));
+  static std::vector<int> class_ids(const std::vector<std::string>& own,
+                                    const std::vector<std::string>& all) {
+    std::vector<int> out;
+    for (const std::string& name : own)
+      out.push_back(1 + static_cast<int>(std::find(all.begin(), all.end(), name) - all.begin()));
+    return out;
   }
 
   std::string m_folder;
-  const LabelledScene& m_scene;
+  CocoSet m_set;
+  std::vector<std::string> m_classes;
+  std::int64_t m_next_image;
+  CocoImages m_images;
   StagedFiles m_files;
-  int m_num_images = 0;
-  OrderedJson m_images = OrderedJson::array(), m_annotations = OrderedJson::array();
 };
 
 }  // namespace

@@ -20,16 +20,20 @@ class DataSetWriter {
 };
 
 /// COCO's instances: FOLDER/annotations.json and FOLDER/images/000000.png, ... An annotation per
-/// object that is seen: box and compressed run lengths of its visible pixels; beside COCO's keys
-/// "bbox_amodal", "visibility", "instance" and "attributes"; of an image "camera".
-/// @see [Lin 2014]. The scene must outlive it.
+/// target that is seen: box and compressed run lengths of its visible pixels; beside COCO's keys
+/// "bbox_amodal", "visibility", "instance", "camera_from_object" and "attributes"; of an image
+/// "camera". A set that is there gets the views as further ones; its ids stay. @see [Lin 2014].
+/// The scene must outlive it.
+/// @throws Error (BadInput) when the folder has another annotations.json.
 std::unique_ptr<DataSetWriter> make_coco_writer(const std::string& folder,
                                                 const LabelledScene& scene);
 
 /// BOP: FOLDER/000000/{rgb,depth,mask,mask_visib}, scene_camera.json, scene_gt.json and
-/// scene_gt_info.json; FOLDER/models with a .ply of each in millimetres and models_info.json;
-/// FOLDER/camera.json. obj_id is LabelledObject::model_id. @see [Hodan 2018]
+/// scene_gt_info.json of the targets, see bop_scene.h; FOLDER/models, see bop_models.h, and
+/// FOLDER/camera.json. A set that is there gets the next scene, and the models that it has keep
+/// their ids. @see [Hodan 2018]
 /// @param depth_unit  metres per unit of the depth images.
+/// @throws Error (BadInput) when the folder has another models_info.json.
 std::unique_ptr<DataSetWriter> make_bop_writer(const std::string& folder,
                                                const LabelledScene& scene, double depth_unit);
 

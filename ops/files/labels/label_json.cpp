@@ -12,23 +12,26 @@
 namespace trivet {
 namespace {
 
-OrderedJson matrix_json(const PinholeCamera& camera) {
-  const Vec3 t = -camera.rotate(camera.eye);
+OrderedJson matrix_json(const Mat3& m, const Vec3& t) {
   OrderedJson rows = OrderedJson::array();
-  for (int r = 0; r < 3; ++r) {
-    const auto& m = camera.camera_from_world;
-    rows.push_back({m(r, 0), m(r, 1), m(r, 2), t[r]});
-  }
+  for (int r = 0; r < 3; ++r) rows.push_back({m(r, 0), m(r, 1), m(r, 2), t[r]});
   rows.push_back({0, 0, 0, 1});
   return rows;
 }
 
-OrderedJson object_json(const LabelledObject& object, const ObjectLabel& label, int instance,
-                        bool visibility) {
+OrderedJson object_json(const LabelledObject& object, const LabelView& view,
+                        const ObjectLabel& label, int instance, bool visibility) {
   OrderedJson json = {{"name", object.name},
                       {"instance", instance},
                       {"class", object.class_name},
-                      {"class_id", object.class_id}};
+                      {"class_id", object.class_id},
+                      {"target", object.is_target()}};
+  if (object.is_target()) json["model_id"] = object.model_id;
+  const Rotation& r = object.pose.rotation;
+  const Vec3& t = object.pose.translation;
+  json["position"] = {t.x(), t.y(), t.z()};
+  json["rotation"] = {r.w, r.x, r.y, r.z};
+  json["camera_from_object"] = pose_json(view.camera, object.pose);
   if (!object.attributes.empty()) json["attributes"] = OrderedJson::parse(object.attributes);
   json["box_visible"] = visible_box_json(label.visible_box);
   json["box_whole"] = whole_box_json(label.whole_box);
@@ -127,7 +130,12 @@ OrderedJson camera_json(const PinholeCamera& camera) {
           {"width", camera.width},
           {"height", camera.height},
           {"K", {{camera.fx, 0, camera.cx}, {0, camera.fy, camera.cy}, {0, 0, 1}}},
-          {"camera_from_world", matrix_json(camera)}};
+          {"camera_from_world", matrix_json(camera.camera_from_world, -camera.rotate(camera.eye))}};
+}
+
+OrderedJson pose_json(const PinholeCamera& camera, const Pose& world_from_object) {
+  return matrix_json(camera.camera_from_world * world_from_object.rotation.matrix(),
+                     camera.apply(world_from_object.translation));
 }
 
 int read_pixels(const JsonPlace& place) {
@@ -168,8 +176,8 @@ OrderedJson labels_json(const LabelledScene& scene, const LabelView& view, const
     json["classes"].push_back({{"id", i + 1}, {"name", scene.classes[i]}});
   json["objects"] = OrderedJson::array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    json["objects"].push_back(
-        object_json(scene.objects[i], labels.objects[i], static_cast<int>(i) + 1, visibility));
+    json["objects"].push_back(object_json(scene.objects[i], view, labels.objects[i],
+                                          static_cast<int>(i) + 1, visibility));
   return json;
 }
 

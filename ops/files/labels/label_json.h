@@ -20,6 +20,9 @@ struct LabelView {
 /// {"convention", "width", "height", "K": 3 x 3, "camera_from_world": 4 x 4, rows; metres}.
 OrderedJson camera_json(const PinholeCamera& camera);
 
+/// Four rows: camera coordinates of a point of the object's frame; metres.
+OrderedJson pose_json(const PinholeCamera& camera, const Pose& world_from_object);
+
 /// A view of each item: of each "name", "width", "height" as wanted; and either "eye", "target"
 /// and, if wanted, "up" and "fov_deg"; or "K" (3 x 3) and "camera_from_world" (3 or 4 rows of 4),
 /// as camera_json() writes them. Names are 1 to 64 of a-z, A-Z, 0-9, _ and -; without they are
@@ -35,8 +38,10 @@ int read_pixels(const JsonPlace& place);
 OrderedJson visible_box_json(const LabelBox& box);
 OrderedJson whole_box_json(const LabelBox& box);
 
-/// {"view", "camera", "classes", "objects": [{"name", "instance", "class", "class_id",
-///  "attributes", "box_visible", "box_whole", "pixels_visible", "pixels_alone", "visible_share"}]}.
+/// {"view", "camera", "classes", "objects": [{"name", "instance", "class", "class_id", "target",
+///  "model_id", "attributes", "position", "rotation", "camera_from_object", "box_visible",
+///  "box_whole", "pixels_visible", "pixels_alone", "visible_share"}]}. Poses as in layouts: the
+/// world's frame, rotation w, x, y, z; of targets "model_id" from 1.
 /// @param visibility  the last two were counted.
 OrderedJson labels_json(const LabelledScene& scene, const LabelView& view, const Labels& labels,
                         bool visibility);

@@ -70,7 +70,7 @@ TEST(Unit, IsTheSameBytesAndTheFirstWins) {
     EXPECT_TRUE(write_unit(b.path(), format, true));
     const auto of_a = files_of(a.path()), of_b = files_of(b.path());
     ASSERT_EQ(of_a.size(), of_b.size());
-    ASSERT_EQ(of_a.size(), format == UnitFormat::Dir ? 9u : 1u);
+    ASSERT_EQ(of_a.size(), is_folder(format) ? 9u : 1u);
     for (size_t i = 0; i < of_a.size(); ++i) EXPECT_EQ(bytes_of(of_a[i]), bytes_of(of_b[i]));
     EXPECT_FALSE(write_unit(a.path(), format, false)) << "the second is dropped";
     EXPECT_EQ(files_of(a.path()), of_a) << "and leaves nothing";
@@ -94,6 +94,36 @@ TEST(Unit, IsReadBack) {
     EXPECT_THROW(reader.read(1, 3), Error);
     EXPECT_EQ(json_line(reader.read(1, 6)), json_line(scene(6))) << "after an error";
     EXPECT_THROW(reader.read(2, 8), Error) << "no such unit";
+  }
+}
+
+TEST(Unit, OfADataSetIsAFolderOfOneScene) {
+  for (const UnitFormat format : {UnitFormat::Bop, UnitFormat::Coco}) {
+    const TemporaryFolder out;
+    UnitWriter writer(out.path(), 7, format, kBatch);
+    SceneMembers members{scene(7), {}};
+    for (const char* name : {"000000.png", "annotations.json", "mask/000000_000000.png",
+                             "mask_visib/000000_000000.png", "scene_gt.json", "scene_gt_info.json"})
+      members.more.push_back({name, std::string("bytes of ") + name});
+    writer.add(members);
+    ASSERT_TRUE(writer.publish());
+    EXPECT_EQ(check_unit(out.path(), 7, format, kBatch, {}), "");
+    EXPECT_EQ(json_line(SceneReader(out.path(), format).read(7, 7)), json_line(scene(7)));
+    size_t num_rows = 0;
+    visit_rows(out.path(), 7, format, kBatch, [&](const Json& row) {
+      EXPECT_EQ(row.at("k"), 7);
+      EXPECT_EQ(row.at("members").size(), 7u);
+      ++num_rows;
+    });
+    EXPECT_EQ(num_rows, 1u);
+    for (const fs::path& file : files_of(out.path())) {
+      const std::string bytes = bytes_of(file);
+      std::string changed = bytes;
+      changed[changed.size() / 2] ^= 1;
+      write(file, changed);
+      EXPECT_NE(check_unit(out.path(), 7, format, kBatch, {}), "") << file;
+      write(file, bytes);
+    }
   }
 }
 

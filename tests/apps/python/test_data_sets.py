@@ -17,7 +17,7 @@ def files_in(folder):
 
 
 @needs_program
-@pytest.mark.parametrize("form, count", [("coco", 1 + 3), ("bop", 2 * 3 + 2 * 3 * 3 + 3 + 1 + 3 + 1)])
+@pytest.mark.parametrize("form, count", [("coco", 1 + 3), ("bop", 2 * 3 + 2 * 3 * 2 + 3 + 1 + 2 + 1)])
 def test_the_files_are_those_of_the_program(scene_file, tmp_path, form, count):  # noqa: F811
     program("render", scene_file, "--" + form, tmp_path / "there", "--dome", 3, "--dome-seed", 5, "--width", SIZE[0],
             "--height", SIZE[1], "--samples", 2, folder=tmp_path)

@@ -72,9 +72,24 @@ def test_every_block_of_a_page_runs(page, least, folder):
     assert count >= least
 
 
-def test_the_cookbook_has_sixteen_tasks():
+def test_the_cookbook_has_seventeen_tasks():
     text = (DOCS / "cookbook.rst").read_text(encoding="utf-8")
-    assert re.findall(r"^(\d+)\. .*\n-+$", text, re.M) == [str(k) for k in range(1, 17)]
+    assert re.findall(r"^(\d+)\. .*\n-+$", text, re.M) == [str(k) for k in range(1, 18)]
+
+
+def test_the_environment_is_reset_to_a_seed():
+    names = {"__name__": "environment"}
+    exec(compile((DOCS / "environment.py").read_text(encoding="utf-8"), "environment.py", "exec"), names)
+    one, two = names["PushBlocks"](), names["PushBlocks"]()
+    first, info = one.reset(seed=5)
+    assert info == {} and first.shape == (3, 3) and (two.reset(seed=5)[0] == first).all()
+    assert (two.reset(seed=6)[0] != first).any() and (two.reset(seed=5)[0] == first).all()
+    for _ in range(20):
+        seen, reward, done, cut, told = one.step(names["push_home"](one))
+        assert (two.step(names["push_home"](two))[0] == seen).all() and told["refused"] in (False, True)
+        if done:
+            break
+    assert done and -0.05 < reward < 0 and one.scene.check().ok
 
 
 def run_cell(source, names):

@@ -1,0 +1,110 @@
+#include "apps/farm/pictures/looks.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/bad_input.h"
+#include "core/io/colour.h"
+#include "ops/files/json/text.h"
+
+namespace trivet::farm {
+namespace {
+
+constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{1} << 30;
+
+Vec3 linear_sum(double x, double y) {  // of CIE's x and y, of luminance 1
+  const double big_x = x / y, big_z = (1 - x - y) / y;
+  return {3.2404542 * big_x - 1.5371385 - 0.4985314 * big_z,
+          -0.9692660 * big_x + 1.8760108 + 0.0415560 * big_z,
+          0.0556434 * big_x - 0.2040259 + 1.0572252 * big_z};
+}
+
+Vec3 black_body(double t) {
+  const double u = (0.860117757 + 1.54118254e-4 * t + 1.28641212e-7 * t * t) /
+                   (1 + 8.42420235e-4 * t + 7.08145163e-7 * t * t);
+  const double v = (0.317398726 + 4.22806245e-5 * t + 4.20481691e-8 * t * t) /
+                   (1 - 2.89741816e-5 * t + 1.61456053e-7 * t * t);
+  const double scale = 2 * u - 8 * v + 4;
+  return linear_sum(3 * u / scale, 2 * v / scale);
+}
+
+Vec3 colour_within(const ColourRange& range, Decision decision) {
+  Vec3 out;
+  for (int c = 0; c < 3; ++c) out[c] = decision.within({range.low[c], range.high[c]});
+  return out;
+}
+
+Vec3 light_within(const LightRange& range, Decision decision) {
+  const double strength = decision.within(range.strength);
+  if (!range.temperature) return Vec3::Constant(strength);
+  return strength * colour_of_temperature(decision.within(*range.temperature));
+}
+
+// Towards the light.
+std::optional<Vec3> key_within(const LookRanges& ranges, Decision decision) {
+  if (!ranges.elevation_deg && !ranges.azimuth_deg) return std::nullopt;
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double elevation =
+      kDegree * decision.within(ranges.elevation_deg.value_or(Interval{52, 52}));
+  const double azimuth = kDegree * decision.within(ranges.azimuth_deg.value_or(Interval{0, 360}));
+  return Vec3(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+              std::sin(elevation));
+}
+
+void draw_environment(const LookRanges& ranges, Environments& environments, Decision decision,
+                      PictureLook& look) {
+  const size_t index = decision.index(ranges.environments.size());
+  look.environment = environments.get(ranges.environments[index]);
+  look.environment_strength = decision.within(ranges.environment_strength);
+  const Rotation yaw = decision.yaw();  // half the angle: w and z are on a circle
+  look.environment_turn = {yaw.w, yaw.z};
+}
+
+}  // namespace
+
+std::shared_ptr<const EnvironmentMap> Environments::get(const std::string& name) {
+  auto& map = m_read[name];
+  if (map) return map;
+  const auto file = m_file_of.find(name);
+  const std::string& path = file == m_file_of.end() ? name : file->second;
+  const std::string bytes = read_text_file(path, kMaxImageBytes);
+  try {
+    map = std::make_shared<EnvironmentMap>(decode_exr(bytes));
+  } catch (const Error& error) {
+    throw Error(error.kind(), "%1: %2", path, error.sentence());
+  }
+  return map;
+}
+
+Vec3 colour_of_temperature(double kelvin) {
+  Vec3 out = black_body(kelvin).cwiseQuotient(black_body(6500)).cwiseMax(0);
+  return out / (0.2126 * out.x() + 0.7152 * out.y() + 0.0722 * out.z());
+}
+
+PictureLook look_of(const LookRanges& ranges, Environments& environments, const PhiloxKey& key,
+                    std::uint64_t k, int view) {
+  const auto of_scene = [&](const char* name) {
+    return Decision(key, k, std::string("look/") + name);
+  };
+  PictureLook out;
+  out.key = key_within(ranges, of_scene("key/direction"));
+  out.key_colour = light_within(ranges.key, of_scene("key"));
+  out.sky_colour = light_within(ranges.sky, of_scene("sky"));
+  if (ranges.floor) {
+    const Vec3 colour = colour_within(*ranges.floor, of_scene("floor"));
+    for (int c = 0; c < 3; ++c) out.floor_colour[c] = linear_from_srgb(float(colour[c]));
+  }
+  if (ranges.background) {
+    const Vec3 colour = colour_within(*ranges.background, of_scene("background"));
+    for (int c = 0; c < 3; ++c) out.background[c] = float(colour[c]);
+  }
+  if (!ranges.environments.empty())
+    draw_environment(ranges, environments, of_scene("environment"), out);
+  Decision of_view(key, k, "look/" + std::to_string(view) + "/camera");
+  out.exposure = of_view.within(ranges.exposure);
+  out.noise = of_view.within(ranges.noise);
+  out.noise_seed = of_view.bits();
+  return out;
+}
+
+}  // namespace trivet::farm

@@ -1,0 +1,87 @@
+"""The first hour of two new users, as the guide has it: a robotics engineer, and one who trains vision models.
+
+TRIVET_FIRST_HOUR: so many scenes instead of a few."""
+import json
+import os
+import re
+import shlex
+
+from batches import BatchCase
+from program import SOURCE_DIR, box_obj, main
+from set_readers import BopSet, CocoSet
+
+NUM = int(os.environ.get("TRIVET_FIRST_HOUR", "4"))
+
+
+def commands(page):
+    """Lines of the page's indented blocks that call the program, as lists of words."""
+    with open(os.path.join(SOURCE_DIR, "docs", "guide", page), encoding="utf-8") as file:
+        lines = file.read().replace("\\\n", " ").splitlines()
+    return [shlex.split(line)[1:] for line in lines if re.match(r" {4}trivet ", line)]
+
+
+class FirstHours(BatchCase):
+    def follow(self, page, *begins, status=(0, 1)):
+        """Runs the page's commands that begin so, with few scenes."""
+        done = 0
+        for words in commands(page):
+            if words[:len(begins)] != list(begins):
+                continue
+            if "--count" in words:
+                words[words.index("--count") + 1] = str(NUM)
+            self.trivet(*words, status=status)
+            done += 1
+        self.assertGreater(done, 0, page)
+
+    def test_a_robotics_engineer(self):
+        """The demo's table, laid anew in every scene, as files for simulators."""
+        self.trivet("demo", "breakfast", "-o", "breakfast.glb", "--export", ".", "--quiet")
+        with open(os.path.join(SOURCE_DIR, "apps", "farm", "examples", "breakfast.json"), encoding="utf-8") as file:
+            self.write("recipe.json", file.read())
+        self.follow("data-sets.md", "batch", "recipe.json")
+        self.assertIn("%d of %d" % (NUM, NUM), self.trivet("batch", "status", "scenes")[0])
+        self.follow("data-sets.md", "batch", "export")
+        status = self.trivet("batch", "status", "files")[0]
+        self.assertIn("%d of %d" % (NUM, NUM), status)
+        rows = self.merged("files")
+        ok = [row["k"] for row in rows if row["status"] == "ok"]
+        self.assertGreaterEqual(len(ok), 0.99 * sum(row["status"] == "ok" for row in self.merged("scenes")))
+        for k in ok:
+            for ending in (".xml", ".sdf", ".usda"):
+                self.assertTrue(os.path.exists(self.path("files/0000/scenes-%06d/%09d%s" % (k // 20, k, ending))))
+        self.trivet("batch", "materialise", "scenes", ok[0], "-o", "one.glb")
+        self.trivet("check", "one.glb")
+        self.trivet("export", "one.glb", "-o", "one.csv")
+
+    def test_one_who_trains_vision_models(self):
+        """Models of their own, a table, distractors, and another light in every scene."""
+        self.write("box.obj", box_obj(0.05, 0.03, 0.02))
+        self.write("brick.obj", box_obj(0.03, 0.03, 0.05))
+        self.write_recipe(groups=[
+            {"name": "thing", "models": [{"model": "box.obj", "class": "carton"}, {"model": "brick.obj"}], "count": [2, 4],
+             "on": "slab"},
+            {"name": "clutter", "models": [{"model": "cube.obj"}], "count": 2, "on": "slab", "target": False,
+             "scale_range": [0.3, 0.6]}],
+            views={"width": 64, "height": 48, "samples": 1,
+                   "dome": {"count": 2, "around": "targets", "fov_deg": [25, 40], "roll_deg": [-20, 20]},
+                   "look": {"key": {"azimuth_deg": [0, 360], "elevation_deg": [30, 80], "temperature": [2700, 7500]},
+                            "floor": [[0.2, 0.2, 0.2], [0.9, 0.8, 0.7]], "exposure": [0.8, 1.2], "noise": [0, 0.02]}})
+        self.follow("data-sets.md", "batch", "recipe.json")
+        self.follow("data-sets.md", "batch", "pictures")
+        bop, coco = BopSet(self.path("set")), CocoSet(self.path("set2"))
+        self.assertEqual({m["name"] for m in bop.models_info.values()}, {"carton", "brick"})
+        self.assertEqual([c["name"] for c in coco.cats.values()], ["brick", "carton", "cube", "slab"])
+        views = [(k, v, gts) for k in bop.scene_ids() for v, gts in bop.scene(k)[1].items()]
+        self.assertEqual(len(views), len(coco.imgs))
+        self.assertTrue(all(2 <= len(gts) <= 4 for _, _, gts in views))
+        # Cameras look at the targets: most are seen whole.
+        shares = [info["visib_fract"] for k in bop.scene_ids() for infos in bop.scene(k)[2].values() for info in infos]
+        self.assertGreater(sum(share > 0.5 for share in shares), 0.7 * len(shares))
+        # Each scene has a light and floor of its own.
+        means = {k: sum(bop.image(k, "rgb", 0)[3]) // (64 * 48) for k in bop.scene_ids() if bop.scene(k)[1]}
+        self.assertGreater(len(set(means.values())), len(means) // 2)
+        self.assertIn("0 findings", self.trivet("batch", "verify", "set", "--scenes", "scenes")[0])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""What rests in which simulator: exported scenes, for some seconds, in each engine.
+
+    matrix.py --trivet TRIVET --work DIR --engines mujoco2,mujoco,rapier,jolt,bullet
+              [--programs DIR] [--scenes DIR | --demos NAME,...] [--seconds 5] [--csv FILE] [--bars]
+
+The folder of --work has the modules of ../package.json, that of --programs bullet_rest and
+mujoco2_rest, which is Debian's MuJoCo. --scenes takes all scenes (*.glb) of a folder instead of the demos. A row says how many
+objects stayed within 1 mm, within 2 mm and 2 degrees, and within 1 cm, by the farthest corner of
+their parts; how deep parts overlap at the start; and steps per CPU second, of the engine alone.
+--bars: exit status 1 if an engine does not start from given poses (test_starts.py), warns, or keeps fewer than it must (BARS), over all scenes.
+"""
+import argparse
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+DEMOS = ("spoon-saucer,breakfast,office1,office2,office3,table-for-six,tight-table,bookcase,market,"
+         "workshop").split(",")
+# Percent of objects within 1 mm, and within 2 mm and 2 degrees. Rapier keeps four corners of a face
+# (prism.mjs), so that nuts and bolts in a basket find other rests.
+BARS = {"mujoco2": (98, 100), "mujoco": (98, 100), "jolt": (98, 100), "bullet": (98, 100), "rapier": (88, 92)}
+IN_CPP = ("bullet", "mujoco2")
+COLUMNS = ("simulator", "scene", "objects", "parts", "within_1mm", "within_2mm_2deg", "within_1cm", "farthest_mm",
+           "farthest", "penetration_um", "steps_per_cpu_second", "warnings")
+
+
+def run(*command, cwd=None):
+    done = subprocess.run(command, capture_output=True, text=True, cwd=cwd)
+    if done.returncode != 0:
+        raise SystemExit("%s: %s" % (" ".join(command), done.stderr))
+    return done.stdout
+
+
+def scenes_of(arguments):
+    """Paths of .glb scenes, by name."""
+    if arguments.scenes:
+        return {name[:-4]: os.path.join(arguments.scenes, name)
+                for name in sorted(os.listdir(arguments.scenes)) if name.endswith(".glb")}
+    out = {}
+    for name in arguments.demos.split(","):
+        out[name] = os.path.join(arguments.work, name + ".glb")
+        run(arguments.trivet, "demo", name, "-o", out[name], "--quiet")
+    return out
+
+
+def exported(arguments, glb, name, *options):
+    file = os.path.join(arguments.work, name)
+    run(arguments.trivet, "export", glb, "-o", file, "--quiet", *options)
+    return file
+
+
+def program_of(arguments, engine):
+    return ["node", "rest.mjs", engine] if engine not in IN_CPP else [os.path.join(arguments.programs, engine + "_rest")]
+
+
+def in_engine(arguments, engine, glb, name):
+    """The line of an engine's program, which rest.mjs describes."""
+    file = (exported(arguments, glb, name + ".mujoco2.xml", "--mujoco", "2") if engine == "mujoco2"
+            else exported(arguments, glb, name + ".xml"))
+    return dict(json.loads(run(*program_of(arguments, engine), arguments.seconds, file, cwd=arguments.work)), scene=name)
+
+
+def check_starts(arguments):
+    """The small demo, from other poses."""
+    for engine in arguments.engines.split(","):
+        file = os.path.join(arguments.work, "spoon-saucer" + (".mujoco2.xml" if engine == "mujoco2" else ".xml"))
+        run("python3", "-B", os.path.join(HERE, "test_starts.py"), file, "1", *program_of(arguments, engine),
+            cwd=arguments.work)
+
+
+def row_of(line):
+    objects = line["objects"]
+    farthest = max(objects, key=lambda o: o["moved"], default={"moved": 0, "name": ""})
+    return {"simulator": line["simulator"], "scene": line["scene"], "objects": len(objects), "parts": line["hulls"],
+            "within_1mm": sum(o["moved"] <= 1e-3 for o in objects),
+            "within_2mm_2deg": sum(o["moved"] <= 2e-3 and o["turned_deg"] <= 2 for o in objects),
+            "within_1cm": sum(o["moved"] <= 1e-2 for o in objects),
+            "farthest_mm": "%.3f" % (1e3 * farthest["moved"]), "farthest": farthest["name"],
+            "penetration_um": "%.2f" % (1e6 * line["penetration"]),
+            "steps_per_cpu_second": line["steps_per_cpu_second"], "warnings": line["warnings"]}
+
+
+def missed_bars(by_engine):
+    """Sentences about engines that keep too little."""
+    for engine, rows in by_engine.items():
+        num = sum(row["objects"] for row in rows)
+        for column, least in zip(("within_1mm", "within_2mm_2deg"), BARS[engine]):
+            kept = sum(row[column] for row in rows)
+            if 100 * kept < least * num:
+                yield "%s: %d of %d objects %s, less than %d %%" % (rows[0]["simulator"], kept, num, column, least)
+        if any(row["warnings"] for row in rows):
+            yield "%s warned" % rows[0]["simulator"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--trivet", required=True, type=os.path.abspath)
+    parser.add_argument("--work", required=True, type=os.path.abspath)
+    parser.add_argument("--engines", required=True)
+    parser.add_argument("--programs", type=os.path.abspath)
+    parser.add_argument("--scenes")
+    parser.add_argument("--demos", default=",".join(DEMOS))
+    parser.add_argument("--seconds", default="5")
+    parser.add_argument("--csv")
+    parser.add_argument("--bars", action="store_true")
+    arguments = parser.parse_args()
+    for name in os.listdir(HERE):
+        if name.endswith(".mjs"):  # modules are resolved relative to scripts
+            shutil.copy(os.path.join(HERE, name), arguments.work)
+    by_engine, rows = {}, []
+    for name, glb in scenes_of(arguments).items():
+        for engine in arguments.engines.split(","):
+            row = row_of(in_engine(arguments, engine, glb, name))
+            print("%(simulator)s: %(scene)s: of %(objects)d objects %(within_1mm)d within 1 mm, %(within_2mm_2deg)d "
+                  "within 2 mm and 2 degrees, %(within_1cm)d within 1 cm; farthest %(farthest)s %(farthest_mm)s mm; "
+                  "%(parts)d parts, %(penetration_um)s um deep, %(steps_per_cpu_second)d steps per CPU second" % row,
+                  flush=True)
+            by_engine.setdefault(engine, []).append(row)
+            rows.append(row)
+    if arguments.csv:
+        with open(arguments.csv, "w", newline="") as file:
+            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+    if arguments.bars:
+        check_starts(arguments)
+    missed = list(missed_bars(by_engine)) if arguments.bars else []
+    print("\n".join(missed), file=sys.stderr)
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
