@@ -160,7 +160,7 @@ class Mender {
       for (const double ring : kRings)
         for (int k = 0; k < 8; ++k)
           for (const double lift : kRingLifts) {
-            const Vec3 way = turned(Vec3::UnitZ(), 45.0 * k).matrix().col(0) * ring * tol;
+            const Vec3 way = turn_about(Vec3::UnitZ(), 45.0 * k).matrix().col(0) * ring * tol;
             add(out, shifted(base, way.x(), way.y(), kLeastAir + lift * tol), base, more);
           }
     }

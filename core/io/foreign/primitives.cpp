@@ -15,7 +15,7 @@ constexpr int kRoundSides = 408, kBallSides = 128;
 std::vector<Vec2> circle(int sides) {
   std::vector<Vec2> out;
   for (int k = 0; k < sides; ++k) {
-    const Rotation r = turned(Vec3::UnitZ(), 360.0 * k / sides);
+    const Rotation r = turn_about(Vec3::UnitZ(), 360.0 * k / sides);
     out.emplace_back(r.w * r.w - r.z * r.z, 2 * r.w * r.z);
   }
   return out;

@@ -23,7 +23,7 @@ Pose inverse(const Pose& pose) {
   return {back, -(back.matrix() * pose.translation)};
 }
 
-Rotation turned(const Vec3& axis, double degrees) {
+Rotation turn_about(const Vec3& axis, double degrees) {
   // Quarter turns are exact, so that axes stay axes.
   const double angle = std::fmod(degrees, 720.0);  // a quaternion's period; exact
   const double quarters = std::round(angle / 90);

@@ -22,7 +22,7 @@ namespace trivet {
 Pose composed(const Pose& a, const Pose& b);
 Pose inverse(const Pose& pose);
 /// Angle of any size, degrees, about a unit axis.
-Rotation turned(const Vec3& axis, double degrees);
+Rotation turn_about(const Vec3& axis, double degrees);
 
 /// Engine's rule for the friction of two surfaces.
 enum class FrictionRule { Larger, Smaller, Product };

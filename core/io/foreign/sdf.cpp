@@ -105,8 +105,9 @@ class SdfReader {
     const Vec3 at(n[0], n[1], n[2]);
     if (quaternion) return {Rotation{n[6], n[3], n[4], n[5]}.normalized(), at};
     const double unit = in_degrees && is_true(*in_degrees) ? 1 : 180 / std::numbers::pi;
-    const Rotation r = turned(Vec3::UnitZ(), n[5] * unit) * turned(Vec3::UnitY(), n[4] * unit) *
-                       turned(Vec3::UnitX(), n[3] * unit);
+    const Rotation r = turn_about(Vec3::UnitZ(), n[5] * unit) *
+                       turn_about(Vec3::UnitY(), n[4] * unit) *
+                       turn_about(Vec3::UnitX(), n[3] * unit);
     return {r.normalized(), at};
   }
 

@@ -162,9 +162,10 @@ class UrdfReader {
     }
     if (const std::string* const rpy = origin->find("rpy")) {
       const std::vector<double> n = numbers_in(*rpy, "rpy", place(*origin), 3, 3);
-      out.rotation = (turned(Vec3::UnitZ(), degrees(n[2])) * turned(Vec3::UnitY(), degrees(n[1])) *
-                      turned(Vec3::UnitX(), degrees(n[0])))
-                         .normalized();
+      out.rotation =
+          (turn_about(Vec3::UnitZ(), degrees(n[2])) * turn_about(Vec3::UnitY(), degrees(n[1])) *
+           turn_about(Vec3::UnitX(), degrees(n[0])))
+              .normalized();
     }
     return out;
   }
@@ -202,7 +203,7 @@ class UrdfReader {
     }
     const double value = number_of(joint, 0);
     if (value == 0) return {};
-    return slides ? Pose{{}, value * axis} : Pose{turned(axis, degrees(value)), Vec3::Zero()};
+    return slides ? Pose{{}, value * axis} : Pose{turn_about(axis, degrees(value)), Vec3::Zero()};
   }
 
   void add_content(const XmlNode& link, const Pose& pose, ForeignBody& body) {

@@ -94,6 +94,22 @@ bool same_turn(const Rotation& a, const Rotation& b) {
   return std::min(differs(1), differs(-1)) <= 1e-15;
 }
 
+// The first three numbers of a text, 0 where it is empty, moved by what the body moved: a way that
+// does not go along an axis changes no bit of its number.
+Vec3 moved_position(const std::string& old, const ForeignBody& body, const Pose& pose) {
+  const Vec3 way = pose.translation - body.pose.translation;
+  const Vec3 shift = body.place.world_from_place.rotation.matrix().transpose() * way;
+  Vec3 out = Vec3::Zero();
+  const std::vector<Word> words = words_of(old);
+  for (size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Index>(i);
+    if (words.size() >= 3)
+      out[k] = number_from(old.substr(words[i].begin, words[i].end - words[i].begin)).value_or(0);
+    if (std::abs(shift[k]) > 1e-15 * way.norm()) out[k] += shift[k];
+  }
+  return out;
+}
+
 std::vector<double> numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 std::vector<double> numbers_of(const Rotation& r) { return {r.w, r.x, r.y, r.z}; }
 
@@ -217,8 +233,9 @@ class Editor {
     const bool urdf = m_scene.format == "URDF";
     std::vector<std::pair<std::string, std::string>> changes;
     const std::string key = urdf ? "xyz" : "pos", old = value_of(tag, key);
-    const std::string text = with_numbers(old, numbers_of(local.translation));
-    if (text != old && !(old.empty() && local.translation.isZero(0))) changes = {{key, text}};
+    const Vec3 position = moved_position(old, body, pose);
+    const std::string text = with_numbers(old, numbers_of(position));
+    if (text != old && !(old.empty() && position.isZero(0))) changes = {{key, text}};
     if (!same_turn(pose.rotation, body.pose.rotation)) {
       const Rotation turn = local.rotation.normalized();
       if (urdf) {
@@ -236,8 +253,8 @@ class Editor {
   void edit_element(const ForeignBody& body, const Pose& pose) {
     const PosePlace& place = body.place;
     const Pose local = composed(inverse(place.world_from_place), pose);
-    std::vector<double> numbers = numbers_of(local.translation);
     if (!place.element) {
+      std::vector<double> numbers = numbers_of(local.translation);
       for (const double angle : roll_pitch_yaw(local.rotation)) numbers.push_back(angle);
       m_edits[place.file].push_back(
           {place.content, place.content, "<pose>" + with_numbers("", numbers) + "</pose>"});
@@ -246,6 +263,7 @@ class Editor {
     const XmlNode& node = *place.element;
     const std::string& bytes = m_scene.files[place.file].bytes;
     const std::string old = bytes.substr(node.content, node.end - node.content);
+    std::vector<double> numbers = numbers_of(moved_position(old, body, pose));
     const std::vector<double> turn = same_turn(pose.rotation, body.pose.rotation)
                                          ? angles_that_stand(old)
                                          : angles_as_in(node, local.rotation);

@@ -94,7 +94,8 @@ TEST(SettleScene, WhatRestsOnASinkingBoxComesAlong) {
 TEST(SettleScene, ATrueSceneStaysToTheBit) {
   Boxes s;
   s.add("a", {0.05, 0.05, 0.05}, {0, 0, 0.05});
-  s.add("b", {0.05, 0.05, 0.05}, {0.01, 0, 0.150002});
+  s.add("b", {0.05, 0.05, 0.05}, {0.01, 0, 0.16});
+  ASSERT_EQ(settle_scene(s.scene, {}).moved.size(), 1u);
   const Scene before = s.scene;
   EXPECT_TRUE(settle_scene(s.scene, {}).moved.empty());
   EXPECT_TRUE(same_bits(before, s.scene));

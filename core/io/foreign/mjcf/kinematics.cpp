@@ -20,7 +20,7 @@ Pose moved_by(const Joint& joint, const Pose& pose, const Qpos* qpos) {
     return {pose.rotation, pose.translation + r * joint.axis * (at(0) - joint.reference)};
   const Rotation turn = joint.kind == Joint::Kind::Ball
                             ? Rotation{at(0), at(1), at(2), at(3)}.normalized()
-                            : turned(joint.axis, at(0) / kRadians - joint.reference);
+                            : turn_about(joint.axis, at(0) / kRadians - joint.reference);
   const Vec3 anchor = pose.translation + r * joint.anchor;
   const Rotation rotation = pose.rotation * turn;
   return {rotation, anchor - rotation.matrix() * joint.anchor};

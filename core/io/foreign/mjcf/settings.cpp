@@ -133,7 +133,7 @@ double Settings::degrees(double angle) const {
 Rotation Settings::orientation(const Attributes& a) const {
   if (a.has("axisangle")) {
     const std::vector<double> n = a.numbers("axisangle", 4, 4);
-    return turned(direction(a, "axisangle", n, 0).normalized(), degrees(n[3]));
+    return turn_about(direction(a, "axisangle", n, 0).normalized(), degrees(n[3]));
   }
   if (a.has("euler")) {
     const std::vector<double> n = a.numbers("euler", 3, 3);
@@ -144,7 +144,7 @@ Rotation Settings::orientation(const Attributes& a) const {
     for (size_t i = 0; i < 3; ++i) {
       const bool own_axis = sequence[i] >= 'x';  // about turned axes; capitals: about fixed ones
       const Rotation one =
-          turned(Vec3::Unit((own_axis ? sequence[i] - 'x' : sequence[i] - 'X')), degrees(n[i]));
+          turn_about(Vec3::Unit((own_axis ? sequence[i] - 'x' : sequence[i] - 'X')), degrees(n[i]));
       q = own_axis ? q * one : one * q;
     }
     return q.normalized();
