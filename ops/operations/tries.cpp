@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/motion/motion.h"
 #include "ops/operations/container.h"
@@ -13,7 +14,8 @@ namespace {
 constexpr double kTurnDeg = 137.5;          // of a start from that before it: the golden angle
 constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
-constexpr int kStartsOfTry = 2;  // looked at for each try: some interpenetrate
+constexpr int kTriesToTouch = 3;  // more of them, where it came to rest across a gap
+constexpr int kStartsOfTry = 2;   // looked at for each try: some interpenetrate
 /// First contacts by which the whole may come to rest in a try, and in the last; see whole.h. More
 /// are seldom worth the time that another start takes.
 constexpr Budget kBudgetOfTry{40}, kBudgetOfLast{600};
@@ -42,6 +44,12 @@ bool starts_blocked(const OperationResult& result) {
          result.refusal->at == Refusal::At::Start;
 }
 
+// Carried by what is more than the tolerance of contacts away.
+bool rests_across_gap(const Object& object) {
+  return std::any_of(object.contacts.begin(), object.contacts.end(),
+                     [](const ObjectContact& entry) { return entry.across_gap && entry.carries; });
+}
+
 /// The starts after the first.
 class Tries {
  public:
@@ -53,9 +61,12 @@ class Tries {
         m_container(transaction.scene(), carried_with(transaction.scene(), id), centre(o.start),
                     size_of(object())) {}
 
-  OperationResult go_on(OperationResult first) {
+  /// @param first  refused, or at rest across a gap and taken back.
+  OperationResult go_on(OperationResult first, Budget budget) {
+    if (first.ok()) note_gap({1, 0, 0, m_operation.start}, budget);
     int num_tries = 1;
     for (int n = 2; n <= kStartsOfTry * m_operation.tries && num_tries < m_operation.tries; ++n) {
+      if (m_gap && m_gap->tries_left-- <= 0) break;
       const bool is_last = num_tries + 1 == m_operation.tries;
       const auto result = try_number(n, is_last ? kBudgetOfLast : kBudgetOfTry);
       if (!result) continue;
@@ -63,6 +74,7 @@ class Tries {
       if (is_over) return *result;
       ++num_tries;
     }
+    if (m_gap) return take(*m_gap);
     if (num_tries > 1) {
       first.refusal->numbers.push_back({"tries", static_cast<double>(num_tries)});
       first.refusal->numbers.push_back({"within", m_operation.within * size_of(object())});
@@ -73,6 +85,22 @@ class Tries {
  private:
   const Object& object() const { return m_transaction.scene().at(m_id); }
   Vec3 centre(const Pose& pose) const { return centre_at(object(), pose); }
+
+  /// A start from which it rests, but across a gap: taken if a few more are no better.
+  struct Gap {
+    StartTried start;
+    Budget budget;
+    int tries_left = kTriesToTouch;
+  };
+
+  void note_gap(const StartTried& start, Budget budget) {
+    if (!m_gap) m_gap = Gap{start, budget};
+  }
+
+  OperationResult take(const Gap& gap) {
+    m_accepts_gap = true;
+    return try_from(gap.start, gap.budget);
+  }
 
   // As far from the first start as it is free and in the container. @return nothing: nowhere.
   std::optional<OperationResult> try_number(int number, Budget budget) {
@@ -91,9 +119,13 @@ class Tries {
     Transaction inner(m_transaction);
     OperationResult result = m_put(inner, put, budget);
     if (!result.ok()) return result;
-    if (!m_container.holds(inner.scene().at(m_id).centre_of_mass()))
+    if (start.number > 1 && !m_container.holds(inner.scene().at(m_id).centre_of_mass()))
       return refused({Refusal::Cause::LeavesRegion, {named(inner.scene(), Support(m_id))}});
-    result.tried = start;
+    if (!m_accepts_gap && rests_across_gap(inner.scene().at(m_id))) {
+      note_gap(start, budget);
+      return refused({Refusal::Cause::Topples, {named(inner.scene(), Support(m_id))}});
+    }
+    if (start.number > 1) result.tried = start;
     inner.commit();
     return result;
   }
@@ -103,6 +135,8 @@ class Tries {
   const PutOperation& m_operation;
   const PutFrom& m_put;
   const Container m_container;
+  std::optional<Gap> m_gap;
+  bool m_accepts_gap = false;
 };
 
 }  // namespace
@@ -127,10 +161,11 @@ OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOpe
   {
     Transaction inner(transaction);
     first = put(inner, o, budget);
-    if (first.ok()) inner.commit();
+    const bool touches = first.ok() && !rests_across_gap(inner.scene().at(id));
+    if (touches) inner.commit();
+    if (touches || !(first.ok() || may_do_better_nearby(first))) return first;
   }
-  if (!may_do_better_nearby(first)) return first;
-  return Tries(transaction, id, o, put).go_on(std::move(first));
+  return Tries(transaction, id, o, put).go_on(std::move(first), budget);
 }
 
 }  // namespace trivet

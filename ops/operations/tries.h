@@ -5,6 +5,7 @@
 //                            size x sqrt(n / (tries - 1)) in a direction of 2.1 times that angle
 //   interpenetrates, or leaves the container (container.h)
 //                            shifted by a half, a quarter, nothing instead; then skipped
+//   leans across a gap       tried at three more; taken if none of these does better
 //   else                     an operation of its own, proved as any other, with a third of the time
 //                            to bring the whole to rest (the last: with five times as much); the
 //                            first that is done and ends in the container is taken

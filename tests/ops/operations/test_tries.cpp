@@ -1,6 +1,7 @@
 // PUT from several starts, and the container in which they stay.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "ops/operations/arrangements.h"
@@ -209,6 +210,27 @@ TEST(Tries, AreTwelveUnlessAsked) {
   EXPECT_TRUE(first.ok());
   EXPECT_FALSE(first.tried) << "from the start that was asked for";
   EXPECT_EQ(answers.starts.size(), 1u);
+}
+
+// Three more starts, then the first again.
+TEST(Tries, PreferContactsThatTouch) {
+  for (const int touching : {1, 2, 9}) {
+    Scene scene;
+    const ObjectId id = scene.add(object_of("object", box_triangles({0.1, 0.1, 0.1})));
+    int number = 0;
+    const auto from = [&](Transaction& inner, const PutOperation& put, Budget) {
+      inner.edit(id, [&](Object& object) { object.pose = put.start, object.placed = true; });
+      inner.set_contacts(id, {{Support::floor(), {}, ++number < touching, true}});
+      return OperationResult();
+    };
+    PutOperation put;
+    put.start.translation = Vec3(0, 0, 1);
+    Transaction transaction(scene);
+    const OperationResult result = put_by_tries(transaction, id, put, from, Budget{120});
+    EXPECT_TRUE(result.ok());
+    EXPECT_EQ(number, touching == 9 ? 5 : touching);
+    EXPECT_EQ(result.tried.has_value(), touching == 2);
+  }
 }
 
 TEST(Tries, EndWithTheFirstThatIsDone) {
