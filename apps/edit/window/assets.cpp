@@ -22,13 +22,15 @@ class AssetDrag : public QObject {
   void hover(SceneView& view, const QPoint& at);
   /// Takes the trial back.
   void leave();
-  /// Puts it as the ghost shows. @return false: there is no ghost at rest; the trial is taken back.
+  /// Puts it as the ghost shows, or later. @return false: there is no ghost at rest; the trial is
+  /// taken back.
   bool drop();
 
  private:
   void follow(Document::Job job, bool ok);
   void point();
   void take_back();
+  void put_late();
 
   Document& m_document;
   Toolbox& m_toolbox;
@@ -39,6 +41,7 @@ class AssetDrag : public QObject {
   ToolKind m_tool_before = ToolKind::Select;
   bool m_is_on = false;     // between begin() and the end
   bool m_is_there = false;  // it is imported
+  bool m_is_dropped = false;
 };
 
 AssetDrag::AssetDrag(Document& document, Toolbox& toolbox, QObject* parent)
@@ -59,7 +62,8 @@ void AssetDrag::follow(Document::Job job, bool ok) {
   if (job != m_job) return;
   m_job = 0;
   m_is_there = ok;
-  if (!ok) m_is_on = false;
+  if (!ok) m_is_on = m_is_dropped = false;
+  if (m_is_there && m_is_dropped) return put_late();
   if (m_is_there && !m_is_on) return take_back();
   if (!m_is_on) return;
   m_toolbox.take(ToolKind::Put);
@@ -92,7 +96,16 @@ void AssetDrag::take_back() {
   m_document.undo();
 }
 
+// It was dropped before it was read: what is under the mouse takes it.
+void AssetDrag::put_late() {
+  point();
+  m_is_there = m_is_on = m_is_dropped = false;
+  m_toolbox.put_at_pointer();
+}
+
 bool AssetDrag::drop() {
+  m_is_dropped = m_is_on && m_job != 0;
+  if (m_is_dropped) return true;
   const std::optional<Ghost> ghost = m_document.ghost();
   const bool rests = m_is_there && ghost && ghost->ok && m_document.is_ghost_current();
   const auto* const put = rests ? std::get_if<PutOperation>(&ghost->operation) : nullptr;
