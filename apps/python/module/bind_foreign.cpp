@@ -139,11 +139,11 @@ class Foreign {
   bool m_is_busy = false;
 };
 
-std::unique_ptr<Foreign> open(const std::string& path, const std::string& importer,
-                              const std::optional<std::string>& key, bool true_meshes,
-                              const std::vector<std::string>& roots,
-                              const std::vector<std::string>& fixed, std::optional<double> floor,
-                              bool no_floor) {
+std::unique_ptr<Foreign> open_foreign(const std::string& path, const std::string& importer,
+                                      const std::optional<std::string>& key, bool true_meshes,
+                                      const std::vector<std::string>& roots,
+                                      const std::vector<std::string>& fixed,
+                                      std::optional<double> floor, bool no_floor) {
   OpenOptions options;
   options.limits.importer = importer;
   options.foreign.key = key;
@@ -160,8 +160,8 @@ std::unique_ptr<Foreign> open(const std::string& path, const std::string& import
 
 void bind_foreign(py::module_& m) {
   py::class_<Foreign>(m, "Foreign", made_by_functions())
-      .def_static("open", &open, "path"_a, "importer"_a, "key"_a, "true_meshes"_a, "roots"_a,
-                  "fixed"_a, "floor"_a, "no_floor"_a)
+      .def_static("open", &open_foreign, "path"_a, "importer"_a, "key"_a, "true_meshes"_a,
+                  "roots"_a, "fixed"_a, "floor"_a, "no_floor"_a)
       .def_property_readonly("format", &Foreign::format)
       .def_property_readonly("key", &Foreign::key)
       .def_property_readonly("notes", &Foreign::notes)

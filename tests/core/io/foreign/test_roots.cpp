@@ -25,7 +25,7 @@ struct Folders {
   }
 };
 
-std::string error_of(const std::string& path, const ForeignOptions& options = {}) {
+std::string refusal_of(const std::string& path, const ForeignOptions& options = {}) {
   try {
     read_mjcf(path, options, no_mesh);
   } catch (const Error& error) {
@@ -36,25 +36,26 @@ std::string error_of(const std::string& path, const ForeignOptions& options = {}
 
 TEST(SceneRoots, AnIncludeFromElsewhereIsRefused) {
   const Folders f;
-  EXPECT_NE(error_of(f.scene).find("outside its folder"), std::string::npos) << error_of(f.scene);
+  EXPECT_NE(refusal_of(f.scene).find("outside its folder"), std::string::npos)
+      << refusal_of(f.scene);
   write_text(f.scene, "<mujoco><include file='/etc/passwd'/></mujoco>");
-  EXPECT_NE(error_of(f.scene).find("outside its folder"), std::string::npos);
+  EXPECT_NE(refusal_of(f.scene).find("outside its folder"), std::string::npos);
 }
 
 TEST(SceneRoots, TheCallerMayAllowAFolder) {
   const Folders f;
   ForeignOptions options;
   options.roots = {f.folder.file("")};
-  EXPECT_EQ(error_of(f.scene, options), "");
+  EXPECT_EQ(refusal_of(f.scene, options), "");
   options.roots = {f.folder.file("none")};
-  EXPECT_NE(error_of(f.scene, options).find("is no folder"), std::string::npos);
+  EXPECT_NE(refusal_of(f.scene, options).find("is no folder"), std::string::npos);
 }
 
 TEST(SceneRoots, LinksAreFollowed) {
   const Folders f;
   std::filesystem::create_symlink("../part.xml", f.folder.file("scenes/link.xml"));
   write_text(f.scene, "<mujoco><include file='link.xml'/></mujoco>");
-  EXPECT_NE(error_of(f.scene).find("outside its folder"), std::string::npos);
+  EXPECT_NE(refusal_of(f.scene).find("outside its folder"), std::string::npos);
 }
 
 TEST(SceneRoots, MeshesFromElsewhereAreNotReadAndNamed) {
@@ -103,12 +104,12 @@ TEST(XmlLimits, CountForAllFilesTogether) {
   write_text(folder.file("s.xml"),
              "<mujoco><include file='part.xml'/><include file='part.xml'/></mujoco>");
   ForeignOptions options;
-  EXPECT_EQ(error_of(folder.file("s.xml"), options), "");
+  EXPECT_EQ(refusal_of(folder.file("s.xml"), options), "");
   options.limits.max_elements = 7;
-  EXPECT_NE(error_of(folder.file("s.xml"), options).find("too many elements"), std::string::npos);
+  EXPECT_NE(refusal_of(folder.file("s.xml"), options).find("too many elements"), std::string::npos);
   options.limits = {};
   options.limits.max_bytes = 200;
-  EXPECT_NE(error_of(folder.file("s.xml"), options).find("bytes left"), std::string::npos);
+  EXPECT_NE(refusal_of(folder.file("s.xml"), options).find("bytes left"), std::string::npos);
 }
 
 }  // namespace
