@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "core/base/extension.h"
 #include "core/base/bad_input.h"
+#include "core/base/extension.h"
 #include "core/io/format/other_formats.h"
 #include "core/io/off/read_off.h"
 #include "core/io/stl/read_stl.h"

@@ -151,9 +151,9 @@ OrderedJson kind_rules_json(const PairRules& rules) {
 
 // Poses come from Trivet and are taken as they are: no bit may change.
 ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
-  place.expect_object({"name", "model", "up", "scale", "fixed", "state"},
-                      {"position", "rotation", "locked", "group", "material", "mass", "pair_kind",
-                       "flexible"});
+  place.expect_object(
+      {"name", "model", "up", "scale", "fixed", "state"},
+      {"position", "rotation", "locked", "group", "material", "mass", "pair_kind", "flexible"});
   ExtrasObject object;
   object.name = place.at("name").text();
   const double last_model = static_cast<double>(num_models) - 1;
