@@ -5,7 +5,9 @@
 #include <CoinMessage.hpp>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <memory>
 
 namespace trivet {
 namespace {
@@ -17,18 +19,36 @@ constexpr double kNoise = 1e-12;  // forces and torques of size one: rounding be
 /// Its messages are copied: making them takes as long as solving a small program.
 class LinearProgram::Solver : public ClpSimplex {
  public:
-  Solver(const LinearProgram& program, bool scale) : ClpSimplex(true) {
+  explicit Solver(bool scale) : ClpSimplex(true) {
     static const ClpMessage clp_messages;
     static const CoinMessage coin_messages;
     messages_ = clp_messages;
     coinMessages_ = coin_messages;
     setLogLevel(0);
     if (!scale) scaling(0);
+  }
+
+  void load(const LinearProgram& program) {
     loadProblem(static_cast<int>(program.m_costs.size()),
                 static_cast<int>(program.m_row_lower.size()), program.m_starts.data(),
                 program.m_rows.data(), program.m_values.data(), nullptr,
                 program.m_column_upper.data(), program.m_costs.data(), program.m_row_lower.data(),
                 program.m_row_upper.data());
+  }
+
+  // When an allocation fails within Clp, its destructor frees memory twice: the solver is left to
+  // its fate then.
+  struct Deleter {
+    int exceptions = std::uncaught_exceptions();
+    void operator()(Solver* solver) const {
+      if (std::uncaught_exceptions() == exceptions) delete solver;
+    }
+  };
+
+  static std::unique_ptr<Solver, Deleter> of(const LinearProgram& program, bool scale) {
+    std::unique_ptr<Solver, Deleter> out(new Solver(scale));
+    out->load(program);
+    return out;
   }
 };
 
@@ -77,7 +97,8 @@ LinearProgram::Solution LinearProgram::solve_by_dual(bool scale) const {
 
 LinearProgram::Solution LinearProgram::solve(bool scale, Method method, Basis* basis) const {
   const size_t num_states = m_costs.size() + m_row_lower.size();
-  Solver solver(*this, scale);
+  const auto held = Solver::of(*this, scale);
+  Solver& solver = *held;
   if (basis && basis->size() == num_states) solver.copyinStatus(basis->data());
   method == Method::Dual ? solver.dual() : solver.primal();
   Solution solution;
@@ -95,7 +116,8 @@ std::vector<double> LinearProgram::objectives_with(std::span<const Column> colum
                                                    bool scale) const {
   LinearProgram all = *this;
   for (const Column& column : columns) all.add_column(column.entries, 0, 0);
-  Solver solver(all, scale);
+  const auto held = Solver::of(all, scale);
+  Solver& solver = *held;
   solver.dual();
   std::vector<double> out(columns.size(), std::numeric_limits<double>::quiet_NaN());
   if (!solver.isProvenOptimal()) return out;

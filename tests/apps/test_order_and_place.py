@@ -40,8 +40,9 @@ class OrderAndPlace(Case):
             name = "%s%d" % (chance.choice("abcxyz"), i)
             objects.append({"name": name, "model": chance.choice(("cube.obj", "cone.obj", "rod.obj", "tile.obj"))})
             spread = 0.12 if seed % 2 else 0.3
-            operations.append(put(name, chance.uniform(-spread, spread), chance.uniform(-spread, spread), 0.3 + 0.1 * (i // 3),
-                                  [chance.gauss(0, 1) for _ in range(4)] if seed % 3 else (1, 0, 0, 0)))
+            start = put(name, chance.uniform(-spread, spread), chance.uniform(-spread, spread), 0.3 + 0.1 * (i // 3),
+                        [chance.gauss(0, 1) for _ in range(4)] if seed % 3 else (1, 0, 0, 0))
+            operations.append(dict(start, tries=1))  # from another start an object comes to rest elsewhere
             if i % 4 == 3:
                 operations.append({"op": "push", "object": chance.choice(objects[1:])["name"], "direction": [1, 0.5],
                                    "distance": 0.03})

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Iterable, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _arrays
 from ._named import name_of
@@ -98,10 +99,12 @@ class _Pouring:
 
     def _is_over(self, one: Object) -> bool:
         at = one.center_mass
+        if at is None:
+            return False
         return bool((self._low[:2] <= at[:2]).all() and (at[:2] <= self._high[:2]).all() and at[2] > self._low[2])
 
 
-def _ball(one: Object) -> tuple[np.ndarray, float]:
+def _ball(one: Object) -> tuple[NDArray[Any], float]:
     """Middle of the shape's box, z up, and half its diagonal; metres."""
     low, high = one.shape.vertices.min(axis=0), one.shape.vertices.max(axis=0)
     x, y, z = one.scale * (low + high) / 2
@@ -109,10 +112,11 @@ def _ball(one: Object) -> tuple[np.ndarray, float]:
     return middle, float(one.scale * np.sqrt(((high - low) ** 2).sum()) / 2)
 
 
-def _turned(wxyz: Iterable[float], point: np.ndarray) -> np.ndarray:
+def _turned(wxyz: Iterable[float], point: NDArray[Any]) -> NDArray[Any]:
     w, *axis = wxyz
     cross = 2 * np.cross(axis, point)
-    return point + w * cross + np.cross(axis, cross)
+    out: NDArray[Any] = point + w * cross + np.cross(axis, cross)
+    return out
 
 
 def _rotation(random: np.random.Generator, turn: str) -> list[float]:

@@ -49,7 +49,7 @@ MeshFiles::MeshFiles(const SimulationScene& scene, bool by_material) {
 
 std::string MeshFiles::add_text(const std::string& stem, ObjText text, bool with_materials) {
   std::string name = stem;
-  name += "_" + Hash().add(text.obj).add(text.mtl).text();
+  name += "_" + Hash().add(text.obj).add(with_materials ? text.mtl : "").text();
   if (with_materials) {
     replace_first(text.obj, kMtl, name + ".mtl");
     m_files.push_back({name + ".mtl", std::move(text.mtl)});

@@ -163,8 +163,9 @@ Operation read_by(const JsonPlace& place, const Operation& kind, const std::stri
       if (const auto found = place.find(field.key))
         std::visit(Read{*found, field}, field.slot(data_of(operation)));
   if (const auto found = find_invalid_argument(operation)) {
-    const JsonPlace where = place.at(found->key.c_str());
-    found->why.empty() ? where.refuse(found->accepted) : where.fail(found->why);
+    const auto where = place.find(found->key.c_str());
+    if (!where) place.fail(in_words(*found));  // a default that does not fit
+    found->why.empty() ? where->refuse(found->accepted) : where->fail(found->why);
   }
   return operation;
 }

@@ -137,8 +137,8 @@ TEST(EditorDetection, FallsBackWithOneNoteWithoutAGpu) {
   Table table(options);
   table.drag_several();
   EXPECT_EQ(table.poses, poses_of_bvhs());
-  EXPECT_EQ(table.document->detection().moves.name, "software");
-  EXPECT_EQ(table.document->detection().previews.name, "software");
+  EXPECT_EQ(table.document->detection().moves.name, "bvh");
+  EXPECT_EQ(table.document->detection().previews.name, "bvh");
   ASSERT_EQ(table.notes.size(), 1) << table.notes.join("\n").toStdString();
   EXPECT_TRUE(table.notes[0].contains("no graphics here"));
   // A new choice may fail again, and says so again.
@@ -195,7 +195,7 @@ TEST(EditorDetection, TellsALostGpuInOneNote) {
                      [&] { gpu.was_reset = gpu.was_reset || table.poses.size() > 4u * 7; });
     EXPECT_EQ(drag_two(table), truth);
     EXPECT_GE(gpu.num_lost, 1);
-    EXPECT_EQ(table.document->detection().moves.name, stays_away ? "software" : "gpu");
+    EXPECT_EQ(table.document->detection().moves.name, stays_away ? "bvh" : "gpu");
     ASSERT_EQ(table.notes.size(), 1) << table.notes.join("\n").toStdString();
     EXPECT_TRUE(table.notes[0].contains(stays_away ? "answer instead of the GPU"
                                                    : "a new OpenGL context goes on"))
@@ -222,7 +222,7 @@ TEST(EditorDetection, GoesOnWhenTheGpuFailsInTheMiddle) {
     EXPECT_TRUE(fails);
     EXPECT_EQ(table.poses, poses_of_bvhs());
     EXPECT_GT(num_usable, 100);
-    EXPECT_EQ(table.document->detection().moves.name, "software");
+    EXPECT_EQ(table.document->detection().moves.name, "bvh");
     ASSERT_EQ(table.notes.size(), 1) << table.notes.join("\n").toStdString();
     EXPECT_TRUE(table.notes[0].contains("the device is gone"));
   }

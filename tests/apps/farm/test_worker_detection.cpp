@@ -122,7 +122,6 @@ TEST_F(WorkerDetectionTest, ALostDeviceChangesNoByte) {
     GTEST_SKIP() << m_notes[0].text;
   ASSERT_EQ(m_notes.size(), 1u);
   EXPECT_NE(m_notes[0].text.find("BVHs and software answer instead of the GPU"), std::string::npos);
-  EXPECT_GT(m_totals.work.draws, 0);
 }
 
 TEST_F(WorkerDetectionTest, FullGraphicsMemoryChangesNoByte) {

@@ -117,8 +117,10 @@ TEST(Tables, EveryArgumentIsReadAsItIsWritten) {
       if (std::string(field.key) == "chord" || std::string(field.key) == "facet_angle_deg")
         std::get<AppendOperation>(filled).model = "a.step";
       std::visit(Fill{field}, field.slot(data_of(filled)));
-      if (auto* const drape = std::get_if<DrapeOperation>(&filled); drape && drape->material != "")
-        drape->material = drape->path.empty() ? "wool" : "lead";
+      if (auto* const drape = std::get_if<DrapeOperation>(&filled)) {
+        if (!drape->material.empty()) drape->material = drape->path.empty() ? "wool" : "lead";
+        if (drape->thickness) drape->thickness = 1e-3;  // thicker than cells is refused
+      }
       const Json json = operation_json(filled);
       EXPECT_TRUE(json.contains(field.key)) << field.key;
       EXPECT_EQ(operation_json(read(json)), json) << field.key;
