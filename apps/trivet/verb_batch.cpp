@@ -192,12 +192,12 @@ void add_batch_options(CLI::App& verb, BatchArguments& a) {
                   "I/N: every N-th unit from I; default: by the variables of Slurm, Kubernetes, "
                   "AWS Batch, GNU parallel, ..., else all")
       ->type_name("I/N");
-  verb.add_option("--format", a.format, "Of units: tar, dir, or poses (a line of JSON per scene)")
+  verb.add_option("--format", a.format,
+                  "Form of units: tar, dir, or poses (a line of JSON per scene)")
       ->check(one_of({"tar", "dir", "poses"}));
   verb.add_option("--per-tar", a.run.per_unit, "Scenes per unit")
       ->check(integer_from(1, 1'000'000));
-  verb.add_option("--with", a.with,
-                  "Beside the poses of each scene: scene (.glb), contacts, report (all)")
+  verb.add_option("--with", a.with, "Store more than poses: scene (.glb), contacts, report (all)")
       ->check(one_of({"scene", "contacts", "report"}))
       ->delimiter(',');
   verb.add_option("--only", a.only, "Print these scenes as JSON, write nothing")
