@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sentence.h"
 #include "core/base/types.h"
 #include "core/io/foreign/xml_text.h"
 
