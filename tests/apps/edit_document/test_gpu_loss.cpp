@@ -109,7 +109,7 @@ TEST_P(EditorGpu, IsLostInADragWithoutAStutter) {
     ASSERT_EQ(lost.notes.size(), 1) << lost.notes.join("\n").toStdString();
     EXPECT_TRUE(lost.notes[0].contains(GetParam().gone ? "gone" : "a new OpenGL context goes on"))
         << lost.notes[0].toStdString();
-    EXPECT_EQ(lost.answers, GetParam().gone ? "software" : "gpu");
+    EXPECT_EQ(lost.answers, GetParam().gone ? "bvh" : "gpu");
   }
   EXPECT_LT(least_ms, kStutterMs);
 }

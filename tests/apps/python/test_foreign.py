@@ -57,7 +57,7 @@ def test_bad_arguments(tmp_path):
         trivet.Foreign.load(tmp_path / "x.xml", key="home")
     with pytest.raises(trivet.BadInputError, match="collide"):
         trivet.Foreign.load(tmp_path / "x.xml", collide="soft")
-    with pytest.raises(trivet.BadInputError, match="accepted"):
-        trivet.Foreign.load(tmp_path / "none.xml")
+    with pytest.raises(trivet.BadInputError, match="is no file"):
+            trivet.Foreign.load(tmp_path / "none.xml")
     with pytest.raises(TypeError):
         trivet.Foreign()
