@@ -260,6 +260,7 @@ class IntentFinder {
     l.intent.on.clear();
     if (gaps.empty()) return;
     std::vector<double> values;
+    values.reserve(gaps.size());
     for (const Gap& g : gaps) values.push_back(g.gap);
     const double first = at_share(values, 0.03);
     l.intent.gap = std::min(first, gap_of_feet(l).value_or(first));

@@ -336,7 +336,9 @@ std::string with_attributes(std::string tag,
     } else if (!value.empty()) {
       size_t end = tag.size() - (tag.ends_with("/>") ? 2 : 1);
       while (end > 0 && is_space(tag[end - 1])) --end;
-      tag.insert(end, " " + name + "=\"" + value + "\"");
+      std::string attribute = " ";
+      attribute.append(name).append("=\"").append(value).append("\"");
+      tag.insert(end, attribute);
     }
   }
   return tag;

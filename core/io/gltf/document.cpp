@@ -96,7 +96,7 @@ class DocumentReader {
     const fs::path folder = fs::path(m_path).parent_path();
     for (const std::string& name : {decoded_uri(uri), uri, with_slashes(decoded_uri(uri))}) {
       // ".." goes up by name, as in addresses, even from a folder that is not there.
-      const fs::path file = folder / fs::path(name).lexically_normal();
+      fs::path file = folder / fs::path(name).lexically_normal();
       const bool is_whole = name.find('\0') == name.npos;
       if (!is_whole || !m_folder.holds(file)) bad_file(m_path, outside_folder(uri));
       if (m_folder.has(file)) return file;
