@@ -17,7 +17,7 @@
 namespace trivet::apps {
 namespace {
 
-std::string quoted(const std::string& text) { return "\"" + text + "\" is not accepted"; }
+std::string refused_word(const std::string& text) { return "\"" + text + "\" is not accepted"; }
 
 }  // namespace
 
@@ -222,7 +222,7 @@ CLI::Validator integer_from(long lower, long upper) {
         errno = 0;
         const long value = std::strtol(text.c_str(), &end, 10);
         if (!text.empty() && !*end && errno == 0 && lower <= value && value <= upper) return "";
-        return quoted(text) + "; accepted: whole numbers from " + range;
+        return refused_word(text) + "; accepted: whole numbers from " + range;
       },
       "INTEGER");
 }
@@ -234,7 +234,7 @@ CLI::Validator number_from(double lower, double upper) {
         char* end = nullptr;
         const double value = std::strtod(text.c_str(), &end);
         if (!text.empty() && !*end && lower <= value && value <= upper) return "";
-        return quoted(text) + "; accepted: numbers from " + range;
+        return refused_word(text) + "; accepted: numbers from " + range;
       },
       "");
 }
@@ -247,7 +247,8 @@ CLI::Validator one_of(std::vector<std::string> accepted) {
       [=](const std::string& text) -> std::string {
         for (const std::string& name : accepted)
           if (text == name) return "";
-        return quoted(text) + "; accepted: " + list + in_english(did_you_mean(text, accepted));
+        return refused_word(text) + "; accepted: " + list +
+               in_english(did_you_mean(text, accepted));
       },
       CLI::detail::join(accepted, "|"));
 }

@@ -108,6 +108,9 @@ class Repairing(ScenesCase):
         for move in report["moved"]:
             self.assertLess(move["metres"], 0.02, move)
             self.assertAlmostEqual(move["to"][2], 0.45, places=3)
+        lines = self.trivet("mend", "table.xml", "-o", "told.xml")[0].splitlines()
+        self.assertEqual(lines[0], "%d objects moved" % len(report["moved"]))
+        self.assertRegex(lines[1], r'^  "\w+": [\d.]+ mm( up| down)?, turned by [\d.e-]+ degrees$')
 
     def test_included_files_go_along(self):
         self.write("in/scene.xml", '<mujoco><include file="parts/a.xml"/><worldbody><geom type="plane" size="1 1 1"/>'
