@@ -71,7 +71,7 @@ Sentence sentence_of(const std::exception& error) {
 
 std::string in_words(const std::exception& error) { return in_words(sentence_of(error)); }
 
-// Where a hand lets go is no number: the view shows the place, and how deep it is.
+// No number says where a hand lets go: the view shows the place, and how deep it is.
 std::string reason_in_words(const OperationResult& result) {
   if (!result.refusal) return "";
   Refusal refusal = *result.refusal;

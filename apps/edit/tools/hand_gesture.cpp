@@ -134,7 +134,7 @@ void HandGesture::update() {
   m_document.drag_to(Vec3(goal.x(), goal.y(), 0));
 }
 
-// Where the object comes to rest if it is let go as it slides now.
+// The place where the object comes to rest if it is let go as it slides now.
 void HandGesture::show_rest_of_slide() {
   if (!slides()) return update();
   const ObjectSnapshot* const now = object();
@@ -152,7 +152,7 @@ std::vector<Operation> HandGesture::choices() const {
                      m_options.drop_height, m_lift);
 }
 
-// Where the hand took it up, to a pixel.
+// The place where the hand took it up, to a pixel.
 bool HandGesture::is_back() const {
   const auto& drag = m_document.snapshot()->drag;
   return (m_at.point - m_foot).head<2>().norm() < m_px && !(drag && drag->blocked);

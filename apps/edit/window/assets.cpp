@@ -57,7 +57,7 @@ void AssetDrag::begin(const ImportModel& model) {
   m_job = m_document.import_model(model);
 }
 
-// Whoever left meanwhile has it taken back now.
+// A drag that left the window meanwhile is taken back now.
 void AssetDrag::follow(Document::Job job, bool ok) {
   if (job != m_job) return;
   m_job = 0;

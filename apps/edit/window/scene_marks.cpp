@@ -186,8 +186,8 @@ void SceneDrawing::add_crossing(LiveOverlay& overlay, const InterferingFaces& fa
     }
 }
 
-// Where something stops a motion: a small disc on the first of the touching faces, which may be as
-// large as a wall.
+// A mark where something stops a motion: a small disc on the first of the touching faces, which
+// may be as large as a wall.
 void SceneDrawing::add_patch(LiveOverlay& overlay, const InterferingFaces& faces,
                              const Vec3& at) const {
   for (const FacesOfObject& of : faces.objects)

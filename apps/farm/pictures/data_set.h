@@ -16,7 +16,7 @@ LabelIds label_ids(const Recipe& recipe, const LoadedModels& models);
 void check_rigid(const SetLabels& labels);
 
 /// OUT/models: obj_ID.ply, textures and models_info.json; and OUT/camera.json of the first camera.
-/// What is there stays.
+/// Files that are there stay.
 /// @return names of models that were found to be surfaces of revolution.
 std::vector<std::string> write_bop_models(const std::string& out, const SetLabels& labels,
                                           const LoadedModels& models, const Views& views);

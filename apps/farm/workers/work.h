@@ -16,7 +16,7 @@
 
 namespace trivet::farm {
 
-/// Who finds candidates for contact in workers; no byte of a batch depends on it.
+/// The finder of candidates for contact in workers; no byte of a batch depends on it.
 struct WorkerDetection {
   /// Called in a worker, after its fork, with its number; see DetectorGroup. Empty: BVHs.
   std::function<std::unique_ptr<DetectorGroup>(std::uint64_t worker, const GpuNotes& notes)> make;

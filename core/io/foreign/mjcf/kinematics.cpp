@@ -1,4 +1,4 @@
-// Where bodies and joints are, and which bodies are rigid with each other.
+// Places of bodies and joints, and which bodies are rigid with each other.
 #include <Eigen/Geometry>
 #include <numbers>
 
