@@ -88,7 +88,7 @@ std::optional<Picked> HandGesture::beside(const Picked& wall) const {
   const Vec3 away(wall.normal.x(), wall.normal.y(), 0);
   if (!(away.norm() > 0.1)) return std::nullopt;
   const Vec3 from = wall.point + kBeside * m_size * away.normalized();
-  const auto below = pick(*m_document.snapshot(), {from, -Vec3::UnitZ()}, m_moving);
+  auto below = pick(*m_document.snapshot(), {from, -Vec3::UnitZ()}, m_moving);
   if (!below || is_wall(*below) || is_level_support(*below)) return std::nullopt;
   return below;
 }
@@ -160,15 +160,22 @@ bool HandGesture::is_back() const {
 
 void HandGesture::release() {
   if (!is_on()) return;
-  if (m_slides && is_back())
-    m_document.cancel_drag();
-  else if (m_slides && falls_from_edge())
-    m_document.perform_first({m_document.ghost()->operation});
-  else if (m_slides || hangs_back_from_all())
-    m_document.end_drag();
-  else if (!put_as_shown(m_document, *m_object, *m_start, choices()))
-    m_document.cancel_drag();
+  if (!let_go()) m_document.cancel_drag();
   end();
+}
+
+// False: it is back where it was taken up, or no place was shown.
+bool HandGesture::let_go() {
+  if (m_slides && is_back()) return false;
+  if (m_slides && falls_from_edge()) {
+    m_document.perform_first({m_document.ghost()->operation});
+    return true;
+  }
+  if (m_slides || hangs_back_from_all()) {
+    m_document.end_drag();
+    return true;
+  }
+  return put_as_shown(m_document, *m_object, *m_start, choices());
 }
 
 // Beyond the edge at which a PUSH stops: let go there, it falls as its ghost shows.

@@ -41,6 +41,7 @@ class HandGesture {
   bool slides() const;
   bool hangs_far_back() const;
   bool is_back() const;
+  bool let_go();
   bool hangs_back_from_all() const;
   bool falls_from_edge() const;
   std::optional<Picked> beside(const Picked& wall) const;
