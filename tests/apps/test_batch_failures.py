@@ -10,7 +10,7 @@ import time
 import unittest
 
 from batches import HEAP, BatchCase, as_root_in_mounts, build_preload
-from program import PROGRAM, grid_obj, main
+from program import PROGRAM, grid_obj, main, needs_memory_bounds
 
 NOBODY = 65534
 DAY = 86400
@@ -150,6 +150,7 @@ class Workers(FaultyCase):
         self.assertGreater(time.monotonic() - begin, 2 * 10 * 0.2)
         self.assert_listed("out", "^took more than 2 s$")
 
+    @needs_memory_bounds
     def test_a_scene_that_wants_too_much_memory_is_listed(self):
         self.write("sheet.obj", grid_obj(200))
         self.write_recipe(groups=[HEAP, {
