@@ -269,7 +269,8 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   report_options.arrangement = m_arrangement;
   if (options.context.detector) tell_work(*options.context.detector, m_common, &report_options);
   const std::string report = report_json(run, report_options);
-  // Everything that can fail, except the disk, comes first.
+  // Everything that can fail, except the disk, comes first; a picture takes a while.
+  check_not_inputs(m_paths, {});
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
   clear_progress_line(m_common);
   print_model_notes(run.scene, m_common);
