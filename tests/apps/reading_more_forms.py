@@ -162,7 +162,7 @@ def amf(s, unit="meter"):
 
 
 def other_formats():
-    """What assimp reads, by the same kinds: n-gons, mirrors, parts inside out, units."""
+    """Formats that assimp reads, by the same kinds: n-gons, mirrors, parts inside out, units."""
     two = mf.joined(box(0.1, 0.2, 0.3), box(0.1, 0.1, 0.1).moved(1, 0, 0).turned())
     for name, s in (("L", PRISM), ("U", prism(mf.U).tilted().rolled(2)), ("parts", two)):
         yield row(name + ".ac", ac3d(s) % "", "", s, FLOAT)
@@ -219,7 +219,7 @@ def with_holes():
 
 
 def passed_over():
-    """What assimp does not read, counted: surfaces and texts, references to nothing, last rows of matrices."""
+    """Contents that assimp passes over, counted: surfaces and texts, references to nothing, last rows of matrices."""
     for inner, says in (('<Shape><Text string="a"/></Shape>', "texts left out: 1"), ('<ProtoInstance name="p"/>', "prototypes left out: 1"),
                         ("<LOD><Shape><Box/></Shape></LOD>", "levels of detail left out: 1"), ("<Shape><NurbsPatchSurface/></Shape>", "NURBS left out: 1")):
         yield row("more.x3d", mf.x3d(CUBE).replace("</Scene>", inner + "</Scene>"), says)

@@ -1,4 +1,4 @@
-// What assimp 5.2 leaves out of files without a word.
+// Parts of files that assimp 5.2 leaves out without a word.
 #pragma once
 
 #include <string>
