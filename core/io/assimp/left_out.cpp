@@ -28,7 +28,7 @@ constexpr PassedOver kPassedOver[] = {
     {"dae", "<spline", 1, TRIVET_SENTENCE("splines left out")},
     {"dae", "<brep", 1, TRIVET_SENTENCE("curved solids left out")},
     {"dae", "<convex_mesh", 1, TRIVET_SENTENCE("convex hulls left out")},
-    // Of a geometry, and of the model that shows it.
+    // The geometry has the word, and the model that shows it.
     {"fbx", "NurbsSurface", 2, TRIVET_SENTENCE("NURBS left out")},
     {"fbx", "NurbsCurve", 2, TRIVET_SENTENCE("NURBS left out")},
 };
