@@ -1,6 +1,6 @@
-"""Time and memory of reading 1,000,000 triangles in each format of an own reader, beside assimp: reading.py TRIVET_IMPORT
+"""Time and memory of reading 1,000,000 triangles, beside assimp: reading.py TRIVET_IMPORT [FORMAT...]
 
-Both read the same files in turn, RUNS times each; the least processor time and the largest resident set count.
+Formats of own readers come first; Collada, FBX and 3DS are read by assimp in both. Both read the same files in turn, RUNS times each; the least processor time and the largest resident set count.
 trivet-import reads, cuts polygons, joins vertices, finds normals and hands the model over; assimp reads, triangulates
 and joins identical vertices, in this Python. Prints a table.
 """
@@ -13,6 +13,9 @@ import sys
 import tempfile
 import zipfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests/apps"))
+import model_files  # noqa: E402
 
 SIDE = 708  # squares of the height field: 2 x 708 x 708 triangles
 RUNS = 3
@@ -86,6 +89,32 @@ def glb(positions, triangles):
             struct.pack("<I", len(data)) + b"BIN\0" + data)
 
 
+def solid(positions, triangles):
+    return model_files.Solid(positions, triangles, 0, 0, None)
+
+
+def dae(positions, triangles):
+    return model_files.dae(solid(positions, triangles), kind="triangles")
+
+
+def fbx(positions, triangles):
+    return model_files.fbx(solid(positions, triangles))
+
+
+def three_ds(positions, triangles):
+    """Objects of up to 60,000 corners, as ids have 16 bits."""
+    def chunk(kind, data):
+        return struct.pack("<HI", kind, 6 + len(data)) + data
+    objects, most = [], 20_000
+    for begin in range(0, len(triangles), most):
+        part = triangles[begin:begin + most]
+        corners = b"".join(struct.pack("<3f", *positions[i]) for t in part for i in t)
+        ids = b"".join(struct.pack("<4H", 3 * i, 3 * i + 1, 3 * i + 2, 7) for i in range(len(part)))
+        mesh = chunk(0x4110, struct.pack("<H", 3 * len(part)) + corners) + chunk(0x4120, struct.pack("<H", len(part)) + ids)
+        objects.append(chunk(0x4000, b"a%d\0" % begin + chunk(0x4100, mesh)))
+    return chunk(0x4D4D, chunk(0x3D3D, b"".join(objects)))
+
+
 def by_trivet(program, path):
     read, write = os.pipe()
     os.set_inheritable(write, True)
@@ -105,12 +134,16 @@ def by_assimp(path):
     return float(words[0]), float(words[1])
 
 
+def names():
+    return sys.argv[2:] or list(FORMATS)
+
+
 def write_files(folder):
     """In a process that ends: the memory of its children would count its own."""
     if os.fork() == 0:
         mesh = field()
-        for name, write in FORMATS.items():
-            content = write(*mesh)
+        for name in names():
+            content = FORMATS[name](*mesh)
             (folder / ("m." + name)).write_bytes(content if isinstance(content, bytes) else content.encode())
         os._exit(0)
     assert os.wait()[1] == 0
@@ -118,10 +151,10 @@ def write_files(folder):
 
 def main():
     ctypes.CDLL("libassimp.so.5")
-    print("| format | own, s | assimp, s | ratio | own, MB | assimp, MB |\n|---|--:|--:|--:|--:|--:|")
+    print("| format | Trivet, s | assimp, s | ratio | Trivet, MB | assimp, MB |\n|---|--:|--:|--:|--:|--:|")
     with tempfile.TemporaryDirectory() as folder:
         write_files(Path(folder))
-        for name in FORMATS:
+        for name in names():
             path = str(Path(folder) / ("m." + name))
             own, other = [], []
             for _ in range(RUNS):
@@ -131,7 +164,7 @@ def main():
             print("| .%s | %.2f | %.2f | %.2f | %.0f | %.0f |" % (name, own_s, other_s, own_s / other_s, own_mb, other_mb))
 
 
-FORMATS = {"obj": obj, "stl": stl, "ply": ply, "off": off, "3mf": threemf, "glb": glb}
+FORMATS = {"obj": obj, "stl": stl, "ply": ply, "off": off, "3mf": threemf, "glb": glb, "dae": dae, "fbx": fbx, "3ds": three_ds}
 
 if __name__ == "__main__":
     main()

@@ -162,7 +162,7 @@ def amf(s, unit="meter"):
 
 
 def other_formats():
-    """What assimp reads, by the same kinds: n-gons, mirrors, parts inside out, units."""
+    """Formats that assimp reads, by the same kinds: n-gons, mirrors, parts inside out, units."""
     two = mf.joined(box(0.1, 0.2, 0.3), box(0.1, 0.1, 0.1).moved(1, 0, 0).turned())
     for name, s in (("L", PRISM), ("U", prism(mf.U).tilted().rolled(2)), ("parts", two)):
         yield row(name + ".ac", ac3d(s) % "", "", s, FLOAT)
@@ -216,6 +216,31 @@ def with_holes():
         ph = '<polygons count="1"><input semantic="VERTEX" source="#v" offset="0"/><ph><p>0 1 2 3</p>%s</ph></polygons>' % hole
         yield refused("ph.dae", text[:at] + ph + text[end:], "<h>")
     yield row("h.obj", "".join("v %s\n" % mf.words(p) for p in points) + "f 1 2 3 4\nh 5 6 7 8\n", "unknown kinds", None)
+
+
+def passed_over():
+    """Contents that assimp passes over, counted: surfaces and texts, references to nothing, last rows of matrices."""
+    for inner, says in (('<Shape><Text string="a"/></Shape>', "texts left out: 1"), ('<ProtoInstance name="p"/>', "prototypes left out: 1"),
+                        ("<LOD><Shape><Box/></Shape></LOD>", "levels of detail left out: 1"), ("<Shape><NurbsPatchSurface/></Shape>", "NURBS left out: 1")):
+        yield row("more.x3d", mf.x3d(CUBE).replace("</Scene>", inner + "</Scene>"), says)
+    text = mf.dae(CUBE)
+    for url in ("#gone", "#g2"):
+        yield row("url.dae", text.replace('<instance_geometry url="#g"/>', '<instance_geometry url="#g"/><instance_geometry url="%s"/>' % url), "not there, left out: 1")
+    lines = '<linestrips count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></linestrips>'
+    yield row("lines.dae", text.replace("</mesh>", lines + "</mesh>"), "lines left out: 2")
+    yield row("spline.dae", text.replace("</library_geometries>", '<geometry id="h"><spline/></geometry></library_geometries>'), "splines left out: 1")
+    yield row("row.dae", mf.dae(CUBE, node="<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 2</matrix>"), "last rows of matrices")
+    for kind in ("NurbsSurface", "NurbsCurve"):
+        more = ('\tGeometry: 9, "Geometry::n", "%s" {\n\t\tGeometryVersion: 124\n\t}\n\tModel: 8, "Model::n", "%s" {\n\t\tVersion: 232\n\t}\n' % (kind, kind),
+                '\tC: "OO",8,0\n\tC: "OO",9,8\n')
+        yield row("nurbs.fbx", mf.fbx(CUBE, more_models=more), "NURBS left out: 1")
+    yield row("line.ac", (ac3d(CUBE) % "").replace("numsurf 6", "numsurf 7").replace("kids 0", "SURF 0x22\nmat 0\nrefs 2\n0 0 0\n1 0 0\nkids 0"), "lines left out: 1")
+
+
+def answers_of_servers():
+    for name in ("a.gltf", "a.glb", "a.obj", "a.stl", "a.fbx"):
+        yield refused(name, '{"message":"Not Found"}', name)
+        yield refused(name, "404: Not Found", name)
 
 
 def more_parts_of_gltf():
@@ -272,5 +297,5 @@ def more_packages():
     yield refused("own.3mf", mf.threemf(CUBE, items='<item objectid="2"/>', objects='<object id="2"><components><component objectid="2"/></components></object>'), "nested")
 
 
-KINDS = [odd_rotations, more_of_off, pointers_beside_models, more_encodings, more_lines, other_formats, commas, cad_by_other_names, with_holes,
-         more_parts_of_gltf, more_packages]
+KINDS = [odd_rotations, more_of_off, pointers_beside_models, more_encodings, more_lines, other_formats, commas, cad_by_other_names, with_holes, passed_over,
+         answers_of_servers, more_parts_of_gltf, more_packages]

@@ -1,4 +1,7 @@
-"""Small models in many formats, for fuzzing: make_corpus.py FOLDER"""
+"""Small models in many formats, for fuzzing: make_corpus.py FOLDER [others]
+
+others: of the formats that assimp reads alone, and small files of Debian's assimp-testmodels if that is installed.
+"""
 import base64
 import json
 import struct
@@ -6,8 +9,11 @@ import sys
 import zlib
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "interop"))
+TESTS = Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(TESTS / "interop"), str(TESTS / "apps")]
 import make_models  # noqa: E402
+import model_files  # noqa: E402
+import reading_more_forms  # noqa: E402
 
 V = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 F = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -204,9 +210,30 @@ def x3d():
             f'</Shape></Transform></Scene></X3D>')
 
 
+def make_others(folder):
+    """A prism with n-gons in each format; what else formats have is in the files of Debian's package, of up to 20 KB."""
+    solid = reading_more_forms.PRISM
+    made = {"p.ac": reading_more_forms.ac3d(solid) % "rot 0 1 0 -1 0 0 0 0 1\n", "p.x": reading_more_forms.direct_x(solid),
+            "p.lwo": reading_more_forms.lwo(solid), "p.3ds": reading_more_forms.three_ds(solid), "p.amf": reading_more_forms.amf(solid),
+            "p.fbx": model_files.fbx(solid), "p.dae": model_files.dae(solid, kind="polygons"), "p.x3d": model_files.x3d(solid)}
+    for name, content in made.items():
+        (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+    for path in sorted(Path("/usr/share/assimp/models").rglob("*")):
+        if path.suffix.lower() in OTHERS and path.is_file() and path.stat().st_size <= 20_000:
+            (folder / (path.parent.name + "_" + path.stem + path.suffix.lower())).write_bytes(path.read_bytes())
+
+
+OTHERS = {".fbx", ".dae", ".3ds", ".ac", ".x", ".lwo", ".lws", ".amf", ".x3d", ".ase", ".dxf", ".ms3d", ".b3d", ".md2", ".md3", ".nff", ".cob",
+          ".smd", ".raw", ".q3o", ".irr", ".irrmesh", ".csm", ".bvh", ".xgl", ".zgl", ".hmp", ".ifc", ".blend", ".assbin", ".m3d", ".sib", ".ter",
+          ".q3s", ".mdl", ".md5mesh"}
+
+
 def main():
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
+    if sys.argv[2:] == ["others"]:
+        make_others(folder)
+        return
     made = {"t.obj": obj(), "ascii.ply": ply(False), "binary.ply": ply(True), "ascii.stl": stl(False),
             "binary.stl": stl(True), "rich.obj": rich_obj(), "little.ply": rich_ply("<"), "big.ply": rich_ply(">"),
             "t.3mf": model_3mf(), "t.glb": glb(), "textured.glb": textured_glb(), "t.3ds": three_ds(), "t.fbx": fbx(),

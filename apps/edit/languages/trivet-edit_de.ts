@@ -3486,6 +3486,46 @@
         <source>the keyword &quot;%1&quot;; accepted: OFF, with ST, C, N, 4 and n before it</source>
         <translation>das Schlüsselwort „%1“; erlaubt: OFF, mit ST, C, N, 4 und n davor</translation>
     </message>
+    <message>
+        <source>NURBS left out</source>
+        <translation>weggelassene NURBS</translation>
+    </message>
+    <message>
+        <source>convex hulls left out</source>
+        <translation>weggelassene konvexe Hüllen</translation>
+    </message>
+    <message>
+        <source>curved solids left out</source>
+        <translation>weggelassene gekrümmte Körper</translation>
+    </message>
+    <message>
+        <source>figures left out</source>
+        <translation>weggelassene Figuren</translation>
+    </message>
+    <message>
+        <source>instances of prototypes left out</source>
+        <translation>weggelassene Instanzen von Prototypen</translation>
+    </message>
+    <message>
+        <source>last rows of matrices that are not 0 0 0 1, left out</source>
+        <translation>weggelassene letzte Zeilen von Matrizen, die nicht 0 0 0 1 sind</translation>
+    </message>
+    <message>
+        <source>levels of detail left out</source>
+        <translation>weggelassene Detailstufen</translation>
+    </message>
+    <message>
+        <source>references to geometry that is not there, left out</source>
+        <translation>weggelassene Verweise auf fehlende Geometrie</translation>
+    </message>
+    <message>
+        <source>splines left out</source>
+        <translation>weggelassene Splines</translation>
+    </message>
+    <message>
+        <source>texts left out</source>
+        <translation>weggelassene Texte</translation>
+    </message>
 </context>
 <context>
     <name>results</name>

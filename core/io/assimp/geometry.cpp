@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/io/mesh/assembly.h"
 #include "core/io/mesh/node_product.h"
+#include "core/io/surface/file_surface.h"
 
 namespace trivet {
 namespace {
@@ -29,14 +30,22 @@ struct LeftOut {
   int skinned = 0, mirrored = 0;
 };
 
+// Only matrices that are affine keep planes of triangles, and parallels.
+bool is_affine_node(const aiNode& node) {
+  const aiMatrix4x4& m = node.mTransformation;
+  return m.d1 == 0 && m.d2 == 0 && m.d3 == 0 && m.d4 == 1;
+}
+
 // Depth first, children in order; no recursion, as a hostile file may nest deeply.
 std::vector<Instance> instances_of(const aiScene& scene, Model& model) {
   std::vector<Instance> instances;
   std::vector<std::pair<const aiNode*, Matrix4>> stack{{scene.mRootNode, identity_matrix4()}};
+  std::int64_t num_odd = 0;
   while (!stack.empty()) {
     const auto [node, object_from_parent] = stack.back();
     stack.pop_back();
     ++model.num_nodes;
+    num_odd += !is_affine_node(*node);
     const Matrix4 object_from_node = product(object_from_parent, matrix_of(*node));
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
       const unsigned id = node->mMeshes[i];
@@ -48,6 +57,7 @@ std::vector<Instance> instances_of(const aiScene& scene, Model& model) {
     for (unsigned i = node->mNumChildren; i-- > 0;)
       stack.emplace_back(node->mChildren[i], object_from_node);
   }
+  note_count(model.notes, "last rows of matrices that are not 0 0 0 1, left out", num_odd);
   return instances;
 }
 

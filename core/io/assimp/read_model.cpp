@@ -19,6 +19,7 @@
 #include "core/io/assimp/appearance.h"
 #include "core/io/assimp/files.h"
 #include "core/io/assimp/geometry.h"
+#include "core/io/assimp/left_out.h"
 #include "core/io/assimp/look.h"
 #include "core/io/assimp/materials.h"
 #include "core/io/assimp/polygons.h"
@@ -166,6 +167,8 @@ Model read_assimp_model(const std::string& path, const AssimpFile& file,
   read_geometry(scene, limits, model);
   note_lost_digits(model);
   note_lost_triangles(limits, model);
+  if (model.format == "x3d" || model.format == "dae" || model.format == "fbx")
+    note_left_out(model.format, utf8_text(bytes_of(path, limits)), model.notes);
   model.appearance = appearance_of_assimp(scene, limits, model);
   return model;
 }

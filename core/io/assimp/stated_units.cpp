@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/io/assimp/xml_text.h"
 #include "core/io/text/words.h"
 
 namespace trivet {
@@ -10,13 +11,7 @@ namespace {
 // Takes the first element that begins so. Empty: there is none, or no such attribute.
 std::string_view attribute(std::string_view text, std::string_view element, std::string_view name) {
   const size_t begin = text.find(element);
-  if (begin == text.npos) return "";
-  text = text.substr(begin, text.find('>', begin) - begin);
-  size_t at = text.find(name);
-  if (at == text.npos) return "";
-  at = text.find_first_of("\"'", at);
-  if (at == text.npos) return "";
-  return text.substr(at + 1, text.find(text[at], at + 1) - at - 1);
+  return begin == text.npos ? "" : attribute_of(text.substr(begin), name);
 }
 
 double unit_of_amf(std::string_view head) {
