@@ -19,7 +19,7 @@ from pages import PROGRAM, ROOT, blocks, folder, indented_blocks, page_text  # n
 
 GUIDE = sorted("guide/" + path.name for path in (ROOT / "docs/guide").glob("*.md"))
 CONSOLE = {"guide/packages.md": 2, "guide/editor.md": 1, "tutorial/cpp.md": 1}
-# What users want takes too long here: fewer scenes, smaller pictures, coarser cloth.
+# Blocks run with fewer scenes and smaller pictures than users want.
 SMALLER = [(r"--count 1000\b", "--count 4"), (r"--dome 20\b", "--dome 2 --width 64 --height 48"), (r"--samples 64", "--samples 1"),
            (r"--width 1280 --height 720", "--width 128 --height 72"), (r"(^|\s)apps/", rf"\1{ROOT}/apps/"),
            (r"\bsbatch\b", "test -s"), (r"--fps 24", "--fps 2 --width 64 --height 48 --samples 1"), (r"8347", "18347"),
