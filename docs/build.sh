@@ -5,7 +5,7 @@
 # `.ci/install-packages.sh docs`. Status 77: a prerequisite is missing.
 set -euo pipefail
 build="$(realpath "${1:-$(dirname "${BASH_SOURCE[0]}")/../build/dev}")"
-output="${2:-$build/../site}"
+output="$(realpath -m "${2:-$build/../site}")"
 cd "$(dirname "${BASH_SOURCE[0]}")"
 python="${PYTHON:-/usr/bin/python3}"
 if ! "$python" -c "import sphinx, numpydoc, myst_parser, furo" 2>/dev/null; then

@@ -24,6 +24,7 @@ html_title = f"Trivet {version}"
 html_show_sphinx = False
 html_show_copyright = False
 html_static_path = ["static"]
+html_css_files = ["narrow.css"]
 # Pages are read without a network: Debian's copy of MathJax is put beside them by build.sh.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_HTML"
 # MyST tells MathJax 3 to look at formulas alone; Debian's is MathJax 2.

@@ -60,8 +60,8 @@ DetectionChoice CommonOptions::detection() const {
 void add_common_options(CLI::App& app, CommonOptions& common) {
   const char* const group = kCommonGroup;
   app.add_option("--detector,--backend", common.detector,
-                 "What finds candidates for contact: auto is the fastest here for each query; "
-                 "gpu is the faster of framebuffer and compute. Results do not depend on it")
+                 "Detector of candidates for contact: auto, the fastest here for each query; "
+                 "gpu, the faster of framebuffer and compute. Results do not depend on it")
       ->check(one_of(detector_names()))
       ->group(group);
   app.add_option("--device", common.device,
@@ -178,18 +178,18 @@ std::optional<PhysicsMaterial> MaterialArguments::material() const {
 
 void add_material_options(CLI::App& app, MaterialArguments& arguments) {
   const char* const group = "Material";
-  app.add_option("--material", arguments.preset, "What the object is made of")
+  app.add_option("--material", arguments.preset, "Material of the object")
       ->check(one_of(material_names()))
       ->group(group);
   app.add_option(
          "--friction", arguments.friction,
-         "Coulomb friction coefficient; default: 0.5. Of two surfaces the smaller one holds")
+         "Coulomb friction coefficient; the smaller one of two surfaces holds; default: 0.5")
       ->check(number_from(kMinFriction, kMaxFriction))
       ->group(group);
-  app.add_option("--density", arguments.density, "kg/m^3; default: 1000")
+  app.add_option("--density", arguments.density, "Density (kg/m^3); default: 1000")
       ->check(number_from(kMinDensity, kMaxDensity))
       ->group(group);
-  app.add_option("--restitution", arguments.restitution, "For simulators; default: 0")
+  app.add_option("--restitution", arguments.restitution, "Restitution, for simulators; default: 0")
       ->check(number_from(0, kMaxRestitution))
       ->group(group);
 }

@@ -12,9 +12,10 @@ void add_foreign_options(CLI::App& app, ForeignArguments& arguments) {
          "Keyframe of MJCF that the poses are of; \"none\": where the bodies stand; default: "
          "the first, if it has positions")
       ->group(group);
-  app.add_option("--collide", arguments.collide,
-                 "Meshes that collide: as the engine takes them, by their convex hulls, or as they "
-                 "are")
+  app.add_option(
+         "--collide", arguments.collide,
+         "Shapes of colliding meshes: engine, their convex hulls, as engines take them; raw, "
+         "as they are")
       ->check(one_of({"engine", "raw"}))
       ->group(group);
   app.add_option("--root", arguments.roots,

@@ -138,9 +138,9 @@ std::string as_json(Machine& machine, const Calibration& calibration, const std:
 
 std::vector<Verb> add_backends(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
-      "backends", "Show what finds candidates here, how fast, and what --detector auto takes");
+      "backends", "Show the available detectors, their speed, and the choice of --detector auto");
   const auto again = std::make_shared<bool>(false);
-  verb->add_flag("--recalibrate", *again, "Measure again, and keep that");
+  verb->add_flag("--recalibrate", *again, "Measure again, and keep the result");
   return {
       {verb,
        [again, &common] {

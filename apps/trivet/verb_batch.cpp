@@ -186,7 +186,8 @@ void add_batch_options(CLI::App& verb, BatchArguments& a) {
       ->check(integer_from(1, 1'000'000'000'000));
   verb.add_option("--seed", a.run.seed, "Seed; each seed gives a different set of scenes")
       ->check(integer_from(0, std::numeric_limits<long>::max()));
-  verb.add_option("--out", a.options.out, "Folder of the batch; what is there is not made again")
+  verb.add_option("--out", a.options.out,
+                  "Folder of the batch; units that are there are not made again")
       ->type_name("DIR");
   verb.add_option("--shard", a.shard,
                   "I/N: every N-th unit from I; default: by the variables of Slurm, Kubernetes, "
@@ -204,7 +205,7 @@ void add_batch_options(CLI::App& verb, BatchArguments& a) {
       ->type_name("K,...")
       ->delimiter(',');
   add_worker_options(verb, a.options.jobs, a.options.limits);
-  verb.add_flag("--dry-run", a.dry_run, "Print what there is to do");
+  verb.add_flag("--dry-run", a.dry_run, "Print the work that is left, and do nothing");
   verb.add_option(
           "--template", a.engine,
           "Print a job file for an engine, with the other options; TRIVET_SHARDS says how many "
@@ -285,14 +286,14 @@ void add_worker_options(CLI::App& verb, int& jobs, WorkLimits& limits) {
   verb.add_option("--jobs", jobs, "Processes that make scenes; 0: as many as cores")
       ->check(integer_from(0, 4096));
   verb.add_option("--scene-seconds", limits.scene_seconds,
-                  "CPU time of a scene; by the clock ten times as much")
+                  "CPU time limit of a scene (s); by the clock ten times as much")
       ->check(number_from(0.001, 1e6));
   verb.add_option("--scene-memory-mb", limits.memory_mb,
                   "Memory limit of one worker process, in MB")
       ->check(integer_from(1, 100'000'000));
   verb.add_option("--retries", limits.retries, "Further tries of a scene that ends its process")
       ->check(integer_from(0, 100));
-  verb.add_option("--recycle", limits.recycle, "Scenes of a process before a new one takes over")
+  verb.add_option("--recycle", limits.recycle, "Number of scenes after which a process is replaced")
       ->check(integer_from(1, 1'000'000'000));
 }
 

@@ -150,10 +150,12 @@ std::vector<Verb> add_batch_audits(CLI::App& batch, const CommonOptions& common)
     return Verb{verb, [arguments, action, &common] { return action(*arguments, common); }};
   };
   std::vector<Verb> verbs{
-      add("status", "How far a batch is: exit status 0 complete, 1 not", show_status),
+      add("status",
+          "Show the progress of a batch; the exit status is 0 when it is complete, else 1",
+          show_status),
       add("verify", "Check every byte of a batch, and make a sample of scenes again", verify),
-      add("merge", "One manifest of all units; deletes old temporary files", merge),
-      add("materialise", "A scene as a file, from its poses", write_one)};
+      add("merge", "Write one manifest of all units, and delete old temporary files", merge),
+      add("materialise", "Write a scene as a file, from its poses", write_one)};
   verbs[1]
       .app
       ->add_option("--sample", arguments->verify.sample,
@@ -162,7 +164,7 @@ std::vector<Verb> add_batch_audits(CLI::App& batch, const CommonOptions& common)
   verbs[1]
       .app
       ->add_option("--scenes", arguments->verify.scenes,
-                   "Of a batch of pictures: that of its scenes")
+                   "Batch of the scenes, for a batch of pictures")
       ->type_name("DIR");
   add_worker_options(*verbs[1].app, arguments->verify.jobs, arguments->verify.limits);
   verbs[3]

@@ -41,7 +41,7 @@ int make(const ExportBatchArguments& arguments, const CommonOptions& common) {
 
 Verb add_batch_export(CLI::App& batch, const CommonOptions& common) {
   CLI::App* const verb =
-      batch.add_subcommand("export", "Simulator files of a batch's scenes, from their poses")
+      batch.add_subcommand("export", "Write simulator files of a batch's scenes, from their poses")
           ->fallthrough();
   const auto a = std::make_shared<ExportBatchArguments>();
   verb->add_option("folder", a->scenes, "The batch of the scenes: --out of trivet batch")
@@ -51,11 +51,12 @@ Verb add_batch_export(CLI::App& batch, const CommonOptions& common) {
                    "Folder of the files; meshes that scenes share are in its folder meshes")
       ->required()
       ->type_name("DIR");
-  verb->add_option("--as", a->kinds, "Kinds: mjcf, urdf, sdf, usd, glb")
+  verb->add_option("--as", a->kinds, "Formats to write: mjcf, urdf, sdf, usd, glb")
       ->required()
       ->check(one_of(export_kinds()))
       ->delimiter(',');
-  verb->add_option("--shard", a->shard, "I/N; default: as trivet batch")->type_name("I/N");
+  verb->add_option("--shard", a->shard, "Make every N-th unit from I; default: as for trivet batch")
+      ->type_name("I/N");
   verb->add_option("--per-folder", a->per_unit, "Scenes per folder; default: as the scenes")
       ->check(integer_from(1, 1'000'000));
   add_worker_options(*verb, a->options.jobs, a->options.limits);

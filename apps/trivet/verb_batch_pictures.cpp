@@ -100,28 +100,33 @@ std::string tried_opengl(const CommonOptions& common) {
 
 Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common) {
   CLI::App* const verb =
-      batch.add_subcommand("pictures", "Pictures and labels of a batch's scenes, from their poses")
+      batch
+          .add_subcommand("pictures",
+                          "Make pictures and labels of a batch's scenes, from their poses")
           ->fallthrough();
   const auto a = std::make_shared<PictureArguments>();
   verb->add_option("folder", a->scenes, "The batch of the scenes: --out of trivet batch")
       ->required()
       ->type_name("DIR");
-  verb->add_option("--out", a->options.out, "Folder of the pictures; what is there stays")
+  verb->add_option("--out", a->options.out, "Folder of the pictures; pictures that are there stay")
       ->type_name("DIR");
   verb->add_option(
           "--bop", a->bop,
-          "Instead a BOP data set in this folder: train_pbr/ with a folder for each scene, "
+          "Write a BOP data set to this folder instead: train_pbr/ with a folder for each scene, "
           "models/, camera.json")
       ->type_name("DIR");
-  verb->add_option("--coco", a->coco,
-                   "Instead a COCO data set in this folder: images/, and annotations.json once all "
-                   "scenes are there")
+  verb->add_option(
+          "--coco", a->coco,
+          "Write a COCO data set to this folder instead: images/, and annotations.json once "
+          "all scenes are there")
       ->type_name("DIR");
   verb->add_option("--views", a->views,
                    "Cameras and images, {\"views\": ...}; default: those of the recipe")
       ->type_name("FILE.json");
-  verb->add_option("--shard", a->shard, "I/N; default: as trivet batch")->type_name("I/N");
-  verb->add_option("--format", a->format, "Of units: tar or dir")->check(one_of({"tar", "dir"}));
+  verb->add_option("--shard", a->shard, "Make every N-th unit from I; default: as for trivet batch")
+      ->type_name("I/N");
+  verb->add_option("--format", a->format, "Form of units: tar or dir")
+      ->check(one_of({"tar", "dir"}));
   verb->add_option("--renderer", a->renderer,
                    "Renderer of the pictures: path, rays on the processor, or opengl, on --device; "
                    "labels are always by rays")

@@ -136,7 +136,7 @@ std::vector<Verb> add_check(CLI::App& app, const CommonOptions& common) {
       ->type_name("SCENE...");
   verb->add_option(
       "--report", arguments->report,
-      "Write the report, JSON; of scenes of other programs and of several, a line of JSON each");
+      "Write the report, JSON; for scenes of other programs, or several, a line of JSON each");
   verb->add_option("--object", arguments->object,
                    "Report on this object: its supports, its loads, whether it is stable, by what "
                    "margin");

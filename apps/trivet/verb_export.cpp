@@ -129,9 +129,10 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
                   "smaller one. More is an error")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
-  verb.add_option("--simulate", arguments.simulate,
-                  "Run MuJoCo on what was written for so many seconds, and tell what moved; exit "
-                  "status 1 if by more than a centimetre. For .xml and .mjcf")
+  verb.add_option(
+          "--simulate", arguments.simulate,
+          "Run MuJoCo on the written .xml or .mjcf for this time (s), and report what moved; "
+          "the exit status is 1 if an object moved by more than a centimetre")
       ->check(number_from(0, 1e4))
       ->group(kSimulators);
   verb.add_option("--mujoco", options.files.mujoco,

@@ -65,16 +65,16 @@ int tell(const IntentArguments& arguments, const CommonOptions& common) {
 }  // namespace
 
 std::vector<Verb> add_intent(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb = app.add_subcommand(
-      "intent",
-      "Tell what stands on, stands in and leans in a scene of any program, as its poses mean it, "
-      "though they may interpenetrate and float");
+  CLI::App* const verb = app.add_subcommand("intent",
+                                            "Infer what stands on what, stands in what and leans "
+                                            "in a scene of any program, even where its "
+                                            "poses interpenetrate and float");
   const auto arguments = std::make_shared<IntentArguments>();
   verb->add_option("file", arguments->file, "A scene: MJCF, URDF, SDF, glTF, or written by trivet")
       ->required()
       ->type_name("SCENE");
   verb->add_option("--tolerance", arguments->tolerance,
-                   "Metres by which poses may be off; 0: found from the poses")
+                   "Largest error of the poses (metres); 0: found from the poses")
       ->check(number_from(0, 1));
   add_foreign_options(*verb, arguments->foreign);
   return {{verb, [arguments, &common] { return tell(*arguments, common); },

@@ -129,8 +129,9 @@ std::vector<Verb> add_joint(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--by", arguments->by, "Metres or degrees to move by")
       ->check(number_from(-1e6, 1e6))
       ->excludes(to);
-  verb->add_option("-o,--output", arguments->out,
-                   "The same scene with the joint's new value, and new poses of what came along");
+  verb->add_option(
+      "-o,--output", arguments->out,
+      "Write the same scene with the joint's new value, and new poses of what came along");
   add_foreign_options(*verb, arguments->foreign);
   add_settle_options(*verb, arguments->settle);
   return {{verb, [arguments, &common] { return move(*arguments, common); },

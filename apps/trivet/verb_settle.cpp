@@ -111,11 +111,12 @@ void add_repair_options(CLI::App& verb, RepairArguments& arguments) {
   verb.add_option("file", arguments.file, "A scene: MJCF, URDF, SDF or glTF")
       ->required()
       ->type_name("SCENE");
-  verb.add_option("-o,--output", arguments.out, "The same scene with new poses")->required();
+  verb.add_option("-o,--output", arguments.out, "Write the same scene with new poses")->required();
   verb.add_option("--only", arguments.how.only, "Names of the objects that may move");
-  verb.add_option("--seconds", arguments.how.seconds,
-                  "Time for the whole scene; objects that are left over then stay where they are; "
-                  "0: unlimited")
+  verb.add_option(
+          "--seconds", arguments.how.seconds,
+          "Time limit of the whole scene (s); objects that are left over then stay where they "
+          "are; 0: none")
       ->check(number_from(0, 1e6));
   add_foreign_options(verb, arguments.foreign);
   add_settle_options(verb, arguments.settle);
@@ -150,7 +151,7 @@ std::vector<Verb> add_mend(CLI::App& app, const CommonOptions& common) {
                                             "what still does; written as by settle");
   const auto arguments = std::make_shared<RepairArguments>();
   verb->add_option("--tolerance", arguments->how.tolerance,
-                   "Metres by which poses may be off; 0: found from the poses")
+                   "Largest error of the poses (metres); 0: found from the poses")
       ->check(number_from(0, 1));
   add_repair_options(*verb, *arguments);
   return {{verb,

@@ -222,11 +222,11 @@ void add_motion_options(CLI::App& verb, MotionRequest& motion) {
 void add_stage_options(CLI::App& verb, ZListArguments& arguments) {
   const char* const group = "Stages of a motion";
   verb.add_option("--gpu-lists", arguments.gpu_lists,
-                  "Who lists the faces of a GPU's doubtful pixels; auto: what costs less")
+                  "Stage that lists the faces of a GPU's doubtful pixels; auto: the cheaper one")
       ->check(one_of({"auto", "gpu", "software"}))
       ->group(group);
   verb.add_option("--confirm", arguments.confirm,
-                  "Whether Embree visits the listed faces; auto: where they are many")
+                  "Visits of the listed faces by Embree; auto: where they are many")
       ->check(one_of({"auto", "embree", "off"}))
       ->group(group);
 }

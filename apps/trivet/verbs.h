@@ -14,7 +14,7 @@ struct Verb {
   std::function<int()> run;
   /// Command lines that show its use, one per line; tests/apps/test_help.py runs them.
   std::string examples = {};
-  /// Whether it has the options of reading models.
+  /// True if the verb has the options of reading models.
   bool reads_models = true;
 };
 

@@ -6,13 +6,13 @@ namespace trivet {
 namespace {
 
 constexpr const char* kOfMany[] = {
-    TRIVET_SENTENCE("row of %1 things on %2"), TRIVET_SENTENCE("grid of %1 things on %2"),
-    TRIVET_SENTENCE("circle of %1 things on %2"), TRIVET_SENTENCE("facings of %1 things on %2"),
-    TRIVET_SENTENCE("line of %1 things on %2")};
+    TRIVET_SENTENCE("row of %1 objects on %2"), TRIVET_SENTENCE("grid of %1 objects on %2"),
+    TRIVET_SENTENCE("circle of %1 objects on %2"), TRIVET_SENTENCE("facings of %1 objects on %2"),
+    TRIVET_SENTENCE("line of %1 objects on %2")};
 constexpr const char* kOfOne[] = {
-    TRIVET_SENTENCE("row of 1 thing on %1"), TRIVET_SENTENCE("grid of 1 thing on %1"),
-    TRIVET_SENTENCE("circle of 1 thing on %1"), TRIVET_SENTENCE("facings of 1 thing on %1"),
-    TRIVET_SENTENCE("line of 1 thing on %1")};
+    TRIVET_SENTENCE("row of 1 object on %1"), TRIVET_SENTENCE("grid of 1 object on %1"),
+    TRIVET_SENTENCE("circle of 1 object on %1"), TRIVET_SENTENCE("facings of 1 object on %1"),
+    TRIVET_SENTENCE("line of 1 object on %1")};
 
 }  // namespace
 

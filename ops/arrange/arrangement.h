@@ -70,7 +70,7 @@ struct Pattern {
   double spacing = 0;              // of Along: metres along it; 0: from its beginning to its end
   enum class Front { Right, Left, Onwards, Back };
   Front front = Front::Right;  // of Along: of the things, seen along the line
-  Sentence text() const;       // grid of 12 things on "tray"
+  Sentence text() const;       // grid of 12 objects on "tray"
 };
 
 /// Space beside an object that all others keep out of, but for what carries it: before a drawer,

@@ -279,7 +279,7 @@ class Writer {
   Sentence no_free_place() const {
     Sentence out = say(
         TRIVET_SENTENCE("no free place for %1 on %2: of %3 places, every %4 m, %5 are over no "
-                        "part of it and %6 are blocked by other things"),
+                        "part of it and %6 are blocked by other objects"),
         name(0), name(1), whole("judged"), number("spacing"), whole("beside"), whole("blocked"));
     if (m_r.number("outside") > 0)
       out = say(TRIVET_SENTENCE("%1; at %2 more it would leave its region"), out, whole("outside"));

@@ -52,7 +52,7 @@ const OperationTable& table<PutOperation>() {
            .in({kFrom})
            .needed(),
        R("on", &P::place, &PlaceOptions::on, kSupportName,
-         "Object it is to lie on, or \"floor\": a free place there is searched")
+         "Support, an object or \"floor\", on which a free place is searched")
            .in({kOn})
            .needed(),
        R("at", &P::place, &PlaceOptions::near, kAnywhere,

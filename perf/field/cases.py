@@ -11,7 +11,9 @@ import random
 import subprocess
 
 DEMOS = ("breakfast", "office1", "workshop", "market")
+KINDS = ("single", "pair", "bin", "heap", "table", "start")
 CLEAR = 0.005  # metres between objects at the start
+ERROR = 0.003  # metres by which start states are wrong
 UPRIGHT = [1.0, 0.0, 0.0, 0.0]
 # Objects that stay; a load falls on each of them.
 SUPPORTS = ("bowl", "plate", "saucer", "chair", "desk", "monitor", "waste_basket", "toolbox")
@@ -84,6 +86,10 @@ def poses_of(trivet, scene):
             for r in rows if not r["fixed"] and r["x"] is not None}
 
 
+def raised(position, height):
+    return [position[0], position[1], position[2] + height]
+
+
 def random_rotation(chance):
     """Uniform over all rotations, w x y z [Shoemake 1992]."""
     u, a, b = chance.random(), 2 * math.pi * chance.random(), 2 * math.pi * chance.random()
@@ -92,8 +98,11 @@ def random_rotation(chance):
 
 
 class Case:
+    """A start. Where objects stand in each other there, `free` has positions at which they do not, {name: position}, and
+    `lift` is the height in metres from which an object falls to those that are at rest already."""
+
     def __init__(self, kind, number):
-        self.kind, self.name, self.objects = kind, f"{kind}-{number:02d}", []
+        self.kind, self.name, self.objects, self.free, self.lift = kind, f"{kind}-{number:02d}", [], {}, 0
         self.chance = random.Random(self.name)
 
     def add(self, model, position, rotation, fixed=False):
@@ -113,6 +122,9 @@ class Case:
 
     def layout(self):
         return {"trivet": 1, "floor": True, "objects": self.objects}
+
+    def free_layout(self):
+        return dict(self.layout(), objects=[dict(o, position=self.free.get(o["name"], o["position"])) for o in self.objects])
 
     def layout_with(self, poses):
         """The layout with objects at other poses, {name: {position, rotation}}; those without one are left out."""
@@ -157,8 +169,8 @@ def heaps(models):
         yield case
 
 
-def tables(trivet, folder):
-    """BREAKFAST: 23 objects over their places on a table, each 5 mm over where it lies and over what carries it."""
+def laid_table(trivet, folder):
+    """BREAKFAST as Trivet lays it: (entry, level) of each object, the table first; the level counts what is below it."""
     folder = os.path.join(folder, "breakfast")
     scene, report = (os.path.join(folder, name) for name in ("scene.glb", "report.json"))
     run(trivet, "demo", "breakfast", "-o", scene, "--report", report)
@@ -168,20 +180,37 @@ def tables(trivet, folder):
     carriers = {o["name"]: o["supported_by"] for o in objects}
 
     def level(name):
-        return 1 + max((level(c) for c in carriers[name] if c in poses), default=0)
+        return 1 + max((level(c) for c in carriers[name] if c in poses), default=0) if name in poses else 0
 
-    case = Case("table", 0)
-    for o in sorted(objects, key=lambda o: (o["name"] in poses and level(o["name"]), o["name"])):
-        entry = {"name": o["name"], "model": os.path.join(folder, o["model"])}
-        if o["name"] not in poses:
-            case.objects.append(dict(entry, position=[0, 0, 1e-5], rotation=UPRIGHT, fixed=True))
-            continue
-        x, y, z = poses[o["name"]]["position"]
-        case.objects.append(dict(entry, position=[x, y, z + CLEAR * level(o["name"])], rotation=poses[o["name"]]["rotation"]))
-    yield case
+    for o in sorted(objects, key=lambda o: (level(o["name"]), o["name"])):
+        still = {"position": [0, 0, 1e-5], "rotation": UPRIGHT, "fixed": True}
+        yield dict({"name": o["name"], "model": os.path.join(folder, o["model"])}, **poses.get(o["name"], still)), level(o["name"])
 
 
-def all_cases(trivet, folder):
+def table(laid, case):
+    """BREAKFAST: 23 objects over their places on a table, each 5 mm over where it lies and over what carries it."""
+    case.objects = [dict(entry, position=raised(entry["position"], CLEAR * level)) for entry, level in laid]
+    return case
+
+
+def start_state(laid, case):
+    """BREAKFAST with errors such as start states of benchmarks have: each object up to 3 mm too high or too low."""
+    case.free = {o["name"]: o["position"] for o in table(laid, case).objects}
+    case.objects = [dict(entry, position=raised(entry["position"], case.chance.uniform(-ERROR, ERROR) if level else 0))
+                    for entry, level in laid]
+    case.lift = 2 * ERROR
+    return case
+
+
+def all_cases(trivet, folder, kinds):
+    """The cases of these kinds, in order; all kinds are in KINDS."""
     models = make_models(trivet, folder)
-    for kind in (singles(models), pairs(models), bins(models), heaps(models), tables(trivet, folder)):
-        yield from kind
+    for kind, made in (("single", singles), ("pair", pairs), ("bin", bins), ("heap", heaps)):
+        if kind in kinds:
+            yield from made(models)
+    if "table" in kinds or "start" in kinds:
+        laid = list(laid_table(trivet, folder))
+        if "table" in kinds:
+            yield table(laid, Case("table", 0))
+        if "start" in kinds:
+            yield from (start_state(laid, Case("start", number)) for number in range(3))

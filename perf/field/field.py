@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Sets down the same objects by several engines and has `trivet check` judge where they lie. Prints Markdown.
 
-    perf/field/field.py --trivet TRIVET --work DIR [--engines trivet,mujoco,rapier,jolt,NAME=COMMAND] [--kinds single,pair]
+    perf/field/field.py --trivet TRIVET --work DIR [--engines trivet,mujoco,bullet,NAME=COMMAND] [--kinds single,pair]
 
-Cases: single objects, pairs, bins, heaps and a laid table; see cases.py. Poses are judged after --seconds of simulation.
+Engines: trivet; mujoco, rapier and jolt of npm; bullet and mujoco2, Debian's, which are programs of a build with tests; blender;
+any other, see README.md. Cases: single objects, pairs, bins, heaps, a laid table, start states with errors; see cases.py.
+Poses are judged after --seconds of simulation.
 True: objects free of crossings, at rest within two clearances; within 0.1 mm: no crossing deeper, no gap below higher.
 Drift: how far the farthest object moves in two more seconds, in the engine itself; for Trivet in MuJoCo, as it exports
 the scene. CPU seconds include reading the models.
@@ -35,11 +37,9 @@ def drift(engine, case, folder, poses, watcher):
         file = os.path.join(folder, "rest", "scene.xml")
         os.makedirs(os.path.dirname(file), exist_ok=True)
         cases.run(engine.program, "export", os.path.join(folder, "trivet.glb"), "-o", file)
-        after = engines.Program("watcher", watcher.command_text, MORE_SECONDS, watcher.folder).settle(
-            case, os.path.dirname(file))[0]
+        after = watcher.running(MORE_SECONDS).settle(case, os.path.dirname(file))[0]
     else:
-        longer = engines.Program(engine.name, engine.command_text, engine.seconds + MORE_SECONDS, engine.folder)
-        after = longer.settle(case, folder)[0]
+        after = engine.running(engine.seconds + MORE_SECONDS).settle(case, folder)[0]
     return farthest_move(poses, after)
 
 
@@ -77,16 +77,23 @@ def main():
     parser.add_argument("--trivet", required=True, type=os.path.abspath)
     parser.add_argument("--work", required=True, type=os.path.abspath, help="folder for models, cases and poses")
     parser.add_argument("--engines", default="trivet,mujoco,rapier,jolt", type=lambda text: text.split(","))
-    parser.add_argument("--kinds", default="single,pair,bin,heap,table", type=lambda text: text.split(","))
+    parser.add_argument("--programs", type=os.path.abspath, help="folder of bullet_rest and mujoco2_rest; default: tests of the build")
+    parser.add_argument("--blender", default="blender", help="command that starts Blender")
+    parser.add_argument("--kinds", default=",".join(cases.KINDS), type=lambda text: text.split(","))
+    parser.add_argument("--most", type=int, help="most cases of each kind; default: all")
     parser.add_argument("--seconds", default=8, type=float, help="simulated, at most")
     parser.add_argument("--json", help="write all verdicts, too")
     arguments = parser.parse_args()
+    unknown = set(arguments.kinds) - set(cases.KINDS)
+    if unknown:
+        raise SystemExit(f"--kinds: there is no '{min(unknown)}'; accepted: {', '.join(cases.KINDS)}")
+    arguments.programs = arguments.programs or os.path.join(os.path.dirname(arguments.trivet), "..", "tests")
     os.makedirs(os.path.join(arguments.work, "models"), exist_ok=True)
     tried = list(engines.engines_of(arguments))
     watcher = next((e for e in tried if e.key == "mujoco"), None)
     rows = []
-    for case in cases.all_cases(arguments.trivet, os.path.join(arguments.work, "models")):
-        if case.kind not in arguments.kinds:
+    for case in cases.all_cases(arguments.trivet, os.path.join(arguments.work, "models"), arguments.kinds):
+        if arguments.most and int(case.name[-2:]) >= arguments.most:
             continue
         folder = os.path.join(arguments.work, case.name)
         os.makedirs(folder, exist_ok=True)

@@ -35,7 +35,7 @@ class TrivetPreferences(bpy.types.AddonPreferences):
         ("gpu", "z-lists on the GPU", "By the faster of the two ways"),
         ("framebuffer", "Framebuffers", "z-lists on the GPU, rasterised"),
         ("compute", "Compute shaders", "z-lists on the GPU, computed")],
-        description="What finds candidates for contact; no result depends on it")
+        description="Detector of candidates for contact; results do not depend on it")
     device: bpy.props.IntProperty(name="Device", default=0, min=0, description="EGL device of a GPU, from 1; 0: automatic")
     clearance: bpy.props.FloatProperty(name="Clearance", default=0.0, min=0.0, unit="LENGTH", precision=6,
                                        description="How far objects stay apart; 0: a millionth of the scene's size")

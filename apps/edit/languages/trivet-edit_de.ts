@@ -483,7 +483,7 @@
         <translation>%1 stünde nicht gut: nötig ist eine Reibung von %2; erlaubt: %3 oder weniger</translation>
     </message>
     <message>
-        <source>no free place for %1 on %2: of %3 places, every %4 m, %5 are over no part of it and %6 are blocked by other things</source>
+        <source>no free place for %1 on %2: of %3 places, every %4 m, %5 are over no part of it and %6 are blocked by other objects</source>
         <translation>kein freier Platz für %1 (auf: %2): von %3 Plätzen, alle %4 m, liegen %5 daneben, %6 sind von anderem besetzt</translation>
     </message>
     <message>
@@ -2215,12 +2215,12 @@
         <translation>der OpenGL-Kontext lässt sich in diesem Thread nicht verwenden, %1</translation>
     </message>
     <message>
-        <source>circle of %1 things on %2</source>
-        <translation>Kreis aus %1 Dingen auf %2</translation>
+        <source>circle of %1 objects on %2</source>
+        <translation>Kreis aus %1 Objekten auf %2</translation>
     </message>
     <message>
-        <source>circle of 1 thing on %1</source>
-        <translation>Kreis aus einem Ding auf %1</translation>
+        <source>circle of 1 object on %1</source>
+        <translation>Kreis aus einem Objekt auf %1</translation>
     </message>
     <message>
         <source>clear of %1</source>
@@ -2243,12 +2243,12 @@
         <translation>eglInitialize ist fehlgeschlagen, %1</translation>
     </message>
     <message>
-        <source>facings of %1 things on %2</source>
-        <translation>Frontreihen aus %1 Dingen auf %2</translation>
+        <source>facings of %1 objects on %2</source>
+        <translation>Frontreihen aus %1 Objekten auf %2</translation>
     </message>
     <message>
-        <source>facings of 1 thing on %1</source>
-        <translation>Frontreihen aus einem Ding auf %1</translation>
+        <source>facings of 1 object on %1</source>
+        <translation>Frontreihen aus einem Objekt auf %1</translation>
     </message>
     <message>
         <source>field of view</source>
@@ -2263,12 +2263,12 @@
         <translation>glTF Version %1; erlaubt: 2</translation>
     </message>
     <message>
-        <source>grid of %1 things on %2</source>
-        <translation>Raster aus %1 Dingen auf %2</translation>
+        <source>grid of %1 objects on %2</source>
+        <translation>Raster aus %1 Objekten auf %2</translation>
     </message>
     <message>
-        <source>grid of 1 thing on %1</source>
-        <translation>Raster aus einem Ding auf %1</translation>
+        <source>grid of 1 object on %1</source>
+        <translation>Raster aus einem Objekt auf %1</translation>
     </message>
     <message>
         <source>has %1 x %2 texels; accepted: 1 to %3 each way, at most %4 Mi together</source>
@@ -2375,12 +2375,12 @@
         <translation>Zeile %1: %2</translation>
     </message>
     <message>
-        <source>line of %1 things on %2</source>
-        <translation>Linie aus %1 Dingen auf %2</translation>
+        <source>line of %1 objects on %2</source>
+        <translation>Linie aus %1 Objekten auf %2</translation>
     </message>
     <message>
-        <source>line of 1 thing on %1</source>
-        <translation>Linie aus einem Ding auf %1</translation>
+        <source>line of 1 object on %1</source>
+        <translation>Linie aus einem Objekt auf %1</translation>
     </message>
     <message>
         <source>lines left out</source>
@@ -2539,12 +2539,12 @@
         <translation>die Auflösung von z-Listen ist %1; erlaubt: 1 bis %2</translation>
     </message>
     <message>
-        <source>row of %1 things on %2</source>
-        <translation>Reihe aus %1 Dingen auf %2</translation>
+        <source>row of %1 objects on %2</source>
+        <translation>Reihe aus %1 Objekten auf %2</translation>
     </message>
     <message>
-        <source>row of 1 thing on %1</source>
-        <translation>Reihe aus einem Ding auf %1</translation>
+        <source>row of 1 object on %1</source>
+        <translation>Reihe aus einem Objekt auf %1</translation>
     </message>
     <message>
         <source>scenes of other programs cannot be arranged; accepted: objects with models</source>
@@ -4113,8 +4113,8 @@
         <translation>Annehmen</translation>
     </message>
     <message>
-        <source>Do it, as one step</source>
-        <translation>Ausführen, als ein Schritt</translation>
+        <source>Apply the arrangement, as one step</source>
+        <translation>Anordnung übernehmen, als ein Schritt</translation>
     </message>
     <message>
         <source>Reject</source>
@@ -5801,8 +5801,8 @@
         <translation>Stufe</translation>
     </message>
     <message>
-        <source>Of the object&apos;s size: higher steps and deeper edges stop it</source>
-        <translation>Von der Größe des Objekts: höhere Stufen und tiefere Kanten halten es auf</translation>
+        <source>Largest step in parts of the object&apos;s size; higher steps and deeper edges stop it</source>
+        <translation>Größte Stufe als Anteil der Größe des Objekts; höhere Stufen und tiefere Kanten halten es auf</translation>
     </message>
     <message>
         <source>Drag over a surface: copies of the selected objects, in turn, along the stroke.</source>
@@ -5829,8 +5829,8 @@
         <translation>Jede Kopie wird um die Senkrechte gedreht</translation>
     </message>
     <message>
-        <source>Of the turns: the same strokes give the same scene</source>
-        <translation>Für die Drehungen: gleiche Striche ergeben dieselbe Szene</translation>
+        <source>Seed of the turns: the same strokes give the same scene</source>
+        <translation>Startwert der Drehungen: gleiche Striche ergeben dieselbe Szene</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -6017,8 +6017,8 @@
         <translation>Compute-Shader</translation>
     </message>
     <message>
-        <source>Who finds what stops a motion. Results are the same with all of them, to the bit.</source>
-        <translation>Wer findet, was eine Bewegung aufhält. Die Ergebnisse sind bei allen bitgleich.</translation>
+        <source>Method that finds what stops a motion. Results are the same with all of them, to the bit.</source>
+        <translation>Verfahren, das findet, was eine Bewegung aufhält. Die Ergebnisse sind bei allen bitgleich.</translation>
     </message>
     <message>
         <source>Collision detection</source>
@@ -6220,8 +6220,8 @@
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Of the model&apos;s file; with another one it is put anew</source>
-        <translation>Der Modelldatei; mit einer anderen wird es neu hingestellt</translation>
+        <source>Property of the model&apos;s file; with another one the object is put anew</source>
+        <translation>Eigenschaft der Modelldatei; mit einer anderen wird das Objekt neu hingestellt</translation>
     </message>
     <message>
         <source>Up axis</source>
@@ -6252,8 +6252,8 @@
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>As it lies; with another number the object is scaled, and settles with its loads</source>
-        <translation>So, wie es liegt; mit einer anderen Zahl wird das Objekt skaliert und kommt mit seinen Lasten zur Ruhe</translation>
+        <source>Height of the object as it lies; another number scales it, and it settles with its loads</source>
+        <translation>Höhe des Objekts, wie es liegt; eine andere Zahl skaliert es, und es kommt mit seinen Lasten zur Ruhe</translation>
     </message>
     <message>
         <source>Custom</source>

@@ -134,7 +134,7 @@ QWidget* ArrangePanel::make_search() {
   m_seed->setToolTip(tr("Turn the wheel for the next solution"));
   m_arrange = make_button("arrange", tr("Arrange"), tr("Look for an arrangement: a preview"));
   m_next = make_button("arrange_next", tr("Next"), tr("The next solution: another seed"));
-  m_accept = make_button("arrange_accept", tr("Accept"), tr("Do it, as one step"));
+  m_accept = make_button("arrange_accept", tr("Accept"), tr("Apply the arrangement, as one step"));
   m_reject = make_button("arrange_reject", tr("Reject"), tr("Leave the scene as it is"));
   m_drop = make_button("arrange_drop", tr("Drop the cheapest constraint"),
                        tr("Drop the constraint that is nearest to being met, and look again"));

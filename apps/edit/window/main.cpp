@@ -31,7 +31,7 @@ void add_options(QCommandLineParser& parser) {
                     "tight-table, bookcase, market, office3, workshop",
                     "name"});
   parser.addOption({{"detector", "backend"},
-                    "What finds candidates for contact: auto, bvh, software, gpu, framebuffer or "
+                    "Detector of candidates for contact: auto, bvh, software, gpu, framebuffer or "
                     "compute; results do not depend on it",
                     "name"});
   parser.addOption({"device", "Number of the EGL device for OpenGL, from 1, or auto", "number"});

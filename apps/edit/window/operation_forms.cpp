@@ -64,8 +64,9 @@ void OperationPanel::add_push(QFormLayout& form) {
   auto* const by_size =
       choice(form, tr("Steps in proportion to the object"), &ToolOptions::steps_by_size,
              tr("Otherwise in millimetres. Steps are measured across the surface"));
-  auto* const of_size = share(form, tr("Step"), &ToolOptions::step_share,
-                              tr("Of the object's size: higher steps and deeper edges stop it"));
+  auto* const of_size = share(
+      form, tr("Step"), &ToolOptions::step_share,
+      tr("Largest step in parts of the object's size; higher steps and deeper edges stop it"));
   auto* const up =
       push_length(form, tr("Step up"), kPushSteps[0], tr("Higher steps stop the object"));
   auto* const down =
@@ -183,7 +184,7 @@ void OperationPanel::add_paint(QFormLayout& form) {
          tr("Each copy is turned about the vertical axis"));
   auto* const seed = new QSpinBox;
   seed->setRange(0, std::numeric_limits<int>::max());
-  seed->setToolTip(tr("Of the turns: the same strokes give the same scene"));
+  seed->setToolTip(tr("Seed of the turns: the same strokes give the same scene"));
   seed->setValue(static_cast<int>(m_toolbox.options().paint_seed));
   connect(seed, &QSpinBox::valueChanged, this, [this](int value) {
     m_toolbox.options().paint_seed = static_cast<std::uint64_t>(value);

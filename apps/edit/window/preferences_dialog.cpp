@@ -33,8 +33,8 @@ PreferencesDialog::PreferencesDialog(Document& document, const EditorDetection& 
   form->addRow(snapping);
   form->addRow(tr("Grid"), m_grid);
   form->addRow(tr("Angles"), m_angle);
-  auto* const about = new QLabel(
-      tr("Who finds what stops a motion. Results are the same with all of them, to the bit."));
+  auto* const about = new QLabel(tr(
+      "Method that finds what stops a motion. Results are the same with all of them, to the bit."));
   about->setWordWrap(true);
   form->addRow(about);
   form->addRow(tr("Collision detection"), m_backend);

@@ -161,7 +161,8 @@ void Properties::add_scale() {
   m_height->setObjectName("height");
   for (QWidget* const widget : std::initializer_list<QWidget*>{tall, m_height})
     widget->setToolTip(
-        tr("As it lies; with another number the object is scaled, and settles with its loads"));
+        tr("Height of the object as it lies; another number scales it, and it settles with its "
+           "loads"));
   m_form->addRow(tall, m_height);
   connect(m_height, &QDoubleSpinBox::valueChanged, this, &Properties::take_height);
   connect(m_scale, &QDoubleSpinBox::valueChanged, this, &Properties::take_scale);
@@ -176,8 +177,10 @@ void Properties::add_frame() {
     title->setToolTip(tip), box->setToolTip(tip);
     m_form->addRow(title, box);
   };
-  add(tr("Unit"), m_unit, "unit", tr("Of the model's file; with another one it is put anew"));
-  add(tr("Up axis"), m_up, "up", tr("Of the model's file; with another one it is put anew"));
+  add(tr("Unit"), m_unit, "unit",
+      tr("Property of the model's file; with another one the object is put anew"));
+  add(tr("Up axis"), m_up, "up",
+      tr("Property of the model's file; with another one the object is put anew"));
   for (const LengthUnit& unit : length_units()) m_unit->addItem(unit.name, unit.metres);
   m_unit->addItem(tr("other"), 0.0);
   m_up->addItems({tr("Y"), tr("Z")});

@@ -38,7 +38,7 @@ class Scene(Files, Pictures, Pours, Questions):
     clearance : float
         Metres that objects stay apart; 0: 2^-20 of the size of what is within 10 m, at most 0.0095 mm (more for large objects).
     detector : "auto", "bvh", "software", "gpu", "framebuffer" or "compute"
-        What finds candidates for contact, as ``--detector`` of the program; results do not depend on it.
+        Detector of candidates for contact, as ``--detector`` of the program; results do not depend on it.
     device : int or "auto"
         Number of the EGL device of a GPU, from 1, as ``--device`` of the program.
     **options
@@ -144,7 +144,7 @@ class Scene(Files, Pictures, Pours, Questions):
 
     @property
     def detector(self) -> str:
-        """What finds candidates for contact, from the next operation on; results do not depend on it."""
+        """Detector of candidates for contact, from the next operation on; results do not depend on it."""
         return self._scene.detector
 
     @detector.setter

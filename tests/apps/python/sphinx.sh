@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the documentation site, and looks for its pages; warnings are errors.
+# Builds the documentation site, and looks for its pages and links; warnings are errors.
 #   tests/apps/python/sphinx.sh PYTHON PACKAGE_FOLDER OUTPUT_FOLDER
 # Status 77: a prerequisite is missing.
 set -euo pipefail
@@ -16,6 +16,7 @@ for page in index tutorial/index guide/index reference/index python/index python
   python/notebooks python/faq reference/report python/api; do
   grep -q "<h1>" "$output/html/$page.html"
 done
+"$python" "$root/tests/prose/links.py" --site "$output/html"
 # All that is public has an entry.
 "$python" - "$output/html/python/api.html" "$package" <<'END'
 import sys

@@ -7,42 +7,16 @@ import os
 import re
 import shutil
 import subprocess
-import textwrap
 from pathlib import Path
 
 import pytest
 
 import trivet
+from pages import blocks, folder  # noqa: F401, a fixture
 
 DOCS = Path(__file__).resolve().parents[3] / "docs" / "python"
 PROGRAM = os.environ.get("TRIVET_PROGRAM")
-BLOCK = re.compile(r"^\.\. code-block:: (\w+)\n((?:   :\w+:.*\n)*)\n((?:(?:   .*)?\n)+)", re.M)
-# In Markdown, blocks without a language are excerpts; those with one run.
-FENCE = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(?::caption: (\S+)\n\n)?(.*?)^```$", re.M | re.S)
 needs_program = pytest.mark.skipif(not PROGRAM, reason="TRIVET_PROGRAM is not set")
-
-
-@pytest.fixture
-def folder(tmp_path, monkeypatch):
-    """An empty folder to work in, with the program on the path, and Python where the package is."""
-    monkeypatch.chdir(tmp_path)
-    package = str(Path(trivet.__file__).parents[1])
-    monkeypatch.setenv("PYTHONPATH", package + os.pathsep + os.environ.get("PYTHONPATH", ""))
-    if PROGRAM:
-        monkeypatch.setenv("PATH", os.path.dirname(PROGRAM) + os.pathsep + os.environ["PATH"])
-    return tmp_path
-
-
-def blocks(page):
-    """(language, file name, text) of each block of code."""
-    source = (DOCS.parent / page).read_text(encoding="utf-8") + "\n"
-    if page.endswith(".md"):
-        for language, caption, text in FENCE.findall(source):
-            yield language, caption, text
-        return
-    for language, options, text in BLOCK.findall(source):
-        caption = re.search(r":caption: (\S+)", options)
-        yield language, caption and caption.group(1), textwrap.dedent(text)
 
 
 def test_the_ten_examples_are_doctests(folder):

@@ -48,7 +48,7 @@ TEST(Puzzle, ThirteenCubesAreOneTooMany) {
   const auto before = state_of(stage.scene);
   const ArrangeResult result = stage.run();
   EXPECT_EQ(result.status, ArrangeResult::Status::Conflict);
-  EXPECT_NE(result.reason().find("grid of 13 things on \"tray\" does not fit: there is room for 4 "
+  EXPECT_NE(result.reason().find("grid of 13 objects on \"tray\" does not fit: there is room for 4 "
                                  "by 3"),
             std::string::npos)
       << result.reason();
