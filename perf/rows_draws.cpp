@@ -127,7 +127,7 @@ std::unique_ptr<CandidateFinder> make_stage() {
   return make_gpu_candidate_finder(options);
 }
 
-/// What became of a piece.
+/// A piece that is done.
 struct Done {
   ResultHash hash;
   DetectionWork work;

@@ -198,7 +198,7 @@ class PlaceSearch {
   // there is.
   std::vector<float> falls_onto(const HeightMap& support, const HeightMap& underside,
                                 const DropBracketFunction& brackets) {
-    // Of lower bounds only the sign matters, which costs less alone.
+    // Only the sign of the lower bounds matters, which costs less alone.
     HeightMap samples = underside;
     std::fill(samples.bound.begin(), samples.bound.end(), kNever);
     const Brackets on = brackets(samples, support, m_columns, m_rows);

@@ -127,7 +127,7 @@ class SmallestGaps {
     return out;
   }
 
-  // Whether the differences are larger than `falls` at the first `count` places from (column, row)
+  // Tells if the differences are larger than `falls` at the first `count` places from (column, row)
   // on, by what is under the whole object; 0 for infinite falls.
   // @return whether all are decided; those that are not are kUndecided.
   bool farther(int column, int row, int count, const float* falls, char* out) const {

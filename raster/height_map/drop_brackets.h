@@ -24,7 +24,7 @@ namespace trivet {
 std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene, int columns,
                                        int rows);
 
-/// Whether the object falls farther than falls[i] at place i, as far as the bounds tell: exactly
+/// Tells if the object falls farther than falls[i] at place i, as far as the bounds tell: exactly
 /// where `lower` of drop_brackets() is larger. Costs a fraction of it, as most comparisons are
 /// decided by what is highest and lowest under the whole object.
 /// @param falls  one for each place; infinity: need not be known, the answer is 0.

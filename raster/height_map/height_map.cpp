@@ -90,7 +90,7 @@ HeightMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& vi
       if (std::min({triangle[0].z(), triangle[1].z(), triangle[2].z()}) > highest) return;
       raster.draw(triangle, sink);
     };
-    // Those that are seen come first: they hide most of the others.
+    // Faces that are seen come first: they hide most of the others.
     later.clear();
     for (const Index3& t : body.shape->mesh.triangles)
       if (faces_up(corners[t[0]], corners[t[1]], corners[t[2]]) == kTop)

@@ -34,7 +34,7 @@ class Coverage {
 
   int first_row() const { return m_first_row; }
   int last_row() const { return m_last_row; }
-  /// Of all rows together.
+  /// The range of all rows.
   int first_column() const { return m_first_column; }
   int last_column() const { return m_last_column; }
   /// It meets none of the pixels; of such a triangle nothing else is known.

@@ -55,7 +55,7 @@ class SpanSink {
   std::uint32_t face = 0;  // face of the following spans
 
   virtual void span(const Span& span) = 0;
-  /// Whether spans of a straight face within these pixels and depths would change nothing: they
+  /// True if spans of a straight face within these pixels and depths would change nothing: they
   /// are left out then.
   virtual bool is_hidden(const PixelBox&, float /*lower*/, float /*upper*/) const { return false; }
 
