@@ -15,6 +15,7 @@ void zlist_rows(Report& report);          // z-lists and BVHs, same motions
 void place_rows(Report& report);          // thousands of places at once
 void confirm_rows(Report& report);        // stages of a query by each finder
 void together_rows(Report& report);       // queries that share a draw of a GPU
+void draw_rows(Report& report);           // draws and read-backs of operations and batches
 void settling_rows(Report& report);       // ours, Bullet's and MuJoCo's, from the same starts
 void shape_rows(Report& report);          // memory, index, import
 

@@ -24,8 +24,8 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: trivet_perf [--out FOLDER] [--only PART,...]\n"
-    "Parts: first-contact, put, push, table1, scale, zlists, places, confirm, together, settling,\n"
-    "shapes.\n"
+    "Parts: first-contact, put, push, table1, scale, zlists, places, confirm, together, draws,\n"
+    "settling, shapes.\n"
     "Prints the table; with --out also writes FOLDER/<date>-<n>core.md (with --only PART:\n"
     "-<n>core-PART.md), and of z-lists a .csv beside it, for plot_zlists.py.\n";
 
@@ -43,6 +43,7 @@ constexpr Part kParts[] = {{"first-contact", first_contact_rows},
                            {"confirm", confirm_rows},
 #ifdef TRIVET_PERF_GPU
                            {"together", together_rows},
+                           {"draws", draw_rows},
 #endif
                            {"settling", settling_rows},
                            {"shapes", shape_rows}};

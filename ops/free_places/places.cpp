@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/tunables.h"
 #include "core/contact/pair_contact.h"
@@ -66,12 +67,10 @@ class PlaceSearch {
   Places run(const DropBracketFunction& brackets) {
     HeightMap underside = underside_on_grid();
     const HeightMap support = top_of_support(underside);
-    const auto on = brackets(underside, support, m_columns, m_rows);
+    const std::vector<float> falls = falls_onto(support, underside, brackets);
     HeightMap rest = top_of_others(underside);
-    // The others need only lower bounds: nothing is met on any line.
-    std::fill(underside.sample.begin(), underside.sample.end(), static_cast<float>(kInfinity));
     if (!(m_keep > 0)) {
-      sort_out(support, on, brackets(underside, rest, m_columns, m_rows));
+      take_starts(falls, underside, rest);
       return std::move(m_out);
     }
     const HeightMap wide = top_about(rest);
@@ -79,10 +78,10 @@ class PlaceSearch {
     const double reach = m_keep / (m_coarse * m_grid.pixel);
     HeightMap narrow = rest;
     take_higher(widened_top(wide, reach + kDiagonal, m_border), rest);
-    sort_out(support, on, brackets(underside, rest, m_columns, m_rows));
+    take_starts(falls, underside, rest);
     if (m_out.starts.empty()) {
       take_higher(widened_top(wide, std::max(reach - kDiagonal, 0.0), m_border), narrow);
-      find_doubtful(support, on, brackets(underside, narrow, m_columns, m_rows));
+      m_out.doubtful = ranked(farther_than(falls, underside, narrow));
     }
     return std::move(m_out);
   }
@@ -90,6 +89,7 @@ class PlaceSearch {
  private:
   using Brackets = std::vector<DropBracket>;
   static constexpr double kDiagonal = 1.5;  // of a pixel, and a little
+  static constexpr float kNever = static_cast<float>(kInfinity);
 
   double grown() const { return Clearance{m_setting.clearance}.largest_stop(); }
 
@@ -194,32 +194,48 @@ class PlaceSearch {
     return support.bound[under] > -kInfinity && on[place].upper < kInfinity;
   }
 
-  void sort_out(const HeightMap& support, const Brackets& on, const Brackets& others) {
-    std::vector<int> fitting;
+  // The fall onto the support at each place; infinite where the object cannot be put whatever else
+  // there is.
+  std::vector<float> falls_onto(const HeightMap& support, const HeightMap& underside,
+                                const DropBracketFunction& brackets) {
+    // Only the sign of the lower bounds matters, which costs less alone.
+    HeightMap samples = underside;
+    std::fill(samples.bound.begin(), samples.bound.end(), kNever);
+    const Brackets on = brackets(samples, support, m_columns, m_rows);
     m_out.num_judged = static_cast<std::int64_t>(on.size());
+    constexpr float kBelowZero = -std::numeric_limits<float>::denorm_min();
+    std::vector<float> out(on.size(), kNever);
     for (int i = 0; i < static_cast<int>(on.size()); ++i) {
       if (!m_setting.region.holds(centre_at(i)))
         ++m_out.num_outside;
       else if (!is_over(support, on, i))
         ++m_out.num_beside;
-      else if (!(on[i].upper < others[i].lower) || on[i].lower < 0)
-        ++m_out.num_blocked;
       else
-        fitting.push_back(i);
+        out[i] = kBelowZero;
     }
-    m_out.starts = ranked(fitting);
+    const std::vector<char> is_above = falls_farther(underside, support, m_columns, m_rows, out);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = is_above[i] ? on[i].upper : kNever;
+    return out;
   }
 
-  void find_doubtful(const HeightMap& support, const Brackets& on, const Brackets& others) {
-    std::vector<int> doubtful;
-    for (int i = 0; i < static_cast<int>(on.size()); ++i)
-      if (m_setting.region.holds(centre_at(i)) && is_over(support, on, i) && on[i].lower >= 0 &&
-          on[i].upper < others[i].lower)
-        doubtful.push_back(i);
-    m_out.doubtful = ranked(doubtful);
+  // Places at which the object reaches the support before it may touch the others.
+  std::vector<int> farther_than(const std::vector<float>& falls, const HeightMap& underside,
+                                const HeightMap& others) const {
+    const std::vector<char> is_farther = falls_farther(underside, others, m_columns, m_rows, falls);
+    std::vector<int> out;
+    for (int i = 0; i < static_cast<int>(falls.size()); ++i)
+      if (is_farther[i]) out.push_back(i);
+    return out;
   }
 
-  std::vector<Pose> ranked(std::vector<int>& places) const {
+  void take_starts(const std::vector<float>& falls, const HeightMap& underside,
+                   const HeightMap& others) {
+    m_out.starts = ranked(farther_than(falls, underside, others));
+    m_out.num_blocked = m_out.num_judged - m_out.num_outside - m_out.num_beside -
+                        static_cast<std::int64_t>(m_out.starts.size());
+  }
+
+  std::vector<Pose> ranked(std::vector<int> places) const {
     if (m_request.near) {
       std::vector<std::pair<double, int>> order;
       order.reserve(places.size());

@@ -1,5 +1,5 @@
-# Compares the choice of `auto` with what was measured: sourced by run.sh. Uses kit, out, work,
-# hardware, say. shellcheck shell=bash disable=SC2154
+# Compares the choice of `auto` with what was measured: sourced by run.sh. Uses kit, out, work, hardware, minutes, say.
+# shellcheck shell=bash disable=SC2154
 
 columns=(1K 15K 150K 1.5M)
 declare -A taken expected  # by "kind column": a source; by "kind column source": milliseconds
@@ -105,7 +105,7 @@ check_layout() {  # NAME COLUMN COMMAND...
   for way in "${ways[@]}"; do
     from="$(now_ms)"
     # shellcheck disable=SC2086
-    if ! timeout 120 "$kit/bin/trivet" "$@" -o "$work/s.glb" --report "$work/r.json" --detector $way >/dev/null 2>"$work/why"; then
+    if ! timeout "$((12 * minutes))" "$kit/bin/trivet" "$@" -o "$work/s.glb" --report "$work/r.json" --detector $way >/dev/null 2>"$work/why"; then
       say "FAILED: $name by $way: $(tail -n 1 "$work/why")"; failed=1; continue
     fi
     cell["$name, ms|$way"]=$(($(now_ms) - from))

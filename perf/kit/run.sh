@@ -1,25 +1,27 @@
 #!/usr/bin/env bash
 # Measures Trivet on this machine's GPU, without installing anything, within 10 minutes:
-#   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--parts table1,together,confirm,zlists]
+#   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--minutes 10]
+#     [--parts table1,together,draws,confirm,zlists]
 # Leaves in the folder OUT: summary.txt, backends.txt and backends.json (devices, self-tests, what `auto` takes), auto.txt (layouts by `auto`
-# and by each detector), tests.txt, table1.md, together.md, confirm.md, zlists.md, zlists.csv, and table.md (layouts, batches and Python by each
-# detector). Status 0: done; 1: a test or a measurement failed, or `auto` does not take what is fastest; 3: no hardware renderer
+# and by each detector), tests.txt, table1.md, together.md, draws.md, confirm.md, zlists.md, zlists.csv, table.md (layouts, batches and Python
+# by each detector), and which.md (which detector for which work, by that). Status 0: done; 1: a test or a measurement failed, or `auto` does not take what is fastest; 3: no hardware renderer
 # answers, unless --allow-software is given, for trying the kit where there is none.
 set -uo pipefail
 kit="$(dirname "$(readlink -f "$0")")"
-out="" parts="table1 together confirm zlists" allow=0
+out="" parts="table1 together draws confirm zlists" allow=0 minutes=10
 while [ $# -gt 0 ]; do
   case "$1" in
     --allow-software) allow=1 ;;
     --parts) parts="${2//,/ }"; shift ;;
-    -*) echo "run.sh: $1 is not accepted; accepted: --allow-software, --parts" >&2; exit 2 ;;
+    --minutes) minutes="$2"; shift ;;
+    -*) echo "run.sh: $1 is not accepted; accepted: --allow-software, --minutes, --parts" >&2; exit 2 ;;
     *) out="$1" ;;
   esac
   shift
 done
-[ -n "$out" ] || { sed -n '2,8s/^# \?//p' "$0"; exit 2; }
+[ -n "$out" ] || { sed -n '2,9s/^# \?//p' "$0"; exit 2; }
 mkdir -p "$out" && out="$(readlink -f "$out")" || exit 3
-deadline=$((SECONDS + 570)) status=0
+deadline=$((SECONDS + 60 * minutes - 30)) status=0
 work="$(mktemp -d)"; trap 'rm -rf "$work"' EXIT
 export XDG_CACHE_HOME="$work/cache" HOME="$work"
 : >"$out/summary.txt"
@@ -84,7 +86,7 @@ check_python || status=1
 
 : >"$out/tests.txt"
 for test in "$kit"/bin/test_gpu_*; do
-  (cd "$work" && timeout "$(($(left) < 240 ? $(left) : 240))" "$test" >"$work/test.txt" 2>&1)
+  (cd "$work" && timeout "$(($(left) < 24 * minutes ? $(left) : 24 * minutes))" "$test" >"$work/test.txt" 2>&1)
   code=$?
   cat "$work/test.txt" >>"$out/tests.txt"
   passed="$(sed -n 's/^\[  PASSED  \] \([0-9]*\) tests*\..*/\1/p' "$work/test.txt")"
@@ -107,5 +109,6 @@ for part in $parts; do
   if grep -q WRONG "$out/$part.md"; then status=1; fi
 done
 write_table
+write_which
 say "$([ $status = 0 ] && echo done || echo FAILED) after $SECONDS s"
 exit $status

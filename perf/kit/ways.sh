@@ -1,4 +1,4 @@
-# Batches and Python by each detector, and the table of all ways: sourced by run.sh. Uses kit, out, work, hardware, say, left.
+# Batches and Python by each detector, and the tables of all ways: sourced by run.sh. Uses kit, out, work, hardware, minutes, say, left.
 # shellcheck shell=bash disable=SC2154
 
 all_ways=(bvh software framebuffer compute auto)
@@ -14,7 +14,7 @@ check_batch() {
   cp "$kit/breakfast.json" "$work/models/"
   for way in "${all_ways[@]}"; do
     from="$(now_ms)"
-    if ! timeout "$(($(left) < 200 ? $(left) : 200))" "$kit/bin/trivet" batch "$work/models/breakfast.json" --count "$count" --per-tar "$count" \
+    if ! timeout "$(($(left) < 20 * minutes ? $(left) : 20 * minutes))" "$kit/bin/trivet" batch "$work/models/breakfast.json" --count "$count" --per-tar "$count" \
       --jobs 2 --out "$work/batch-$way" --detector "$way" --json --quiet >"$work/batch.json" 2>"$work/why"; then
       say "FAILED: a batch by $way: $(tail -n 1 "$work/why")"; failed=1; continue
     fi
@@ -40,7 +40,7 @@ check_python() {
   fi
   for way in "${all_ways[@]}"; do
     from="$(now_ms)"
-    hashes+="$(PYTHONPATH="$kit/python" timeout 100 python3 - "$way" "$work/models" 2>"$work/why" <<'END' || echo "$way: $(tail -n 1 "$work/why")"
+    hashes+="$(PYTHONPATH="$kit/python" timeout "$((10 * minutes))" python3 - "$way" "$work/models" 2>"$work/why" <<'END' || echo "$way: $(tail -n 1 "$work/why")"
 import hashlib, sys, trivet
 scene = trivet.Scene(detector=sys.argv[1])
 for i, name in enumerate(("plate", "bowl", "apple", "cup", "toast")):
@@ -68,4 +68,29 @@ write_table() {
     done
   } >"$out/table.md"
   cat "$out/table.md"
+}
+
+# For people: of each work the detector that was fastest here, and how many times as long the others took.
+write_which() {
+  local work_name way best best_ms ms line
+  {
+    echo "| work, on this machine | use | $(printf '%s takes | ' "${all_ways[@]}")"
+    echo "|---|---|$(printf -- '--:|%.0s' "${all_ways[@]}")"
+    for work_name in "${!cell[@]}"; do echo "${work_name%%|*}"; done | grep -E ', ms( a scene)?$' | sort -u | while read -r work_name; do
+      best="" best_ms=0 line=""
+      for way in "${all_ways[@]}"; do
+        ms="${cell["$work_name|$way"]:-}"
+        if [ -n "$ms" ] && { [ -z "$best" ] || [ "$ms" -lt "$best_ms" ]; }; then best="$way" best_ms=$((ms > 0 ? ms : 1)); fi
+      done
+      for way in "${all_ways[@]}"; do
+        ms="${cell["$work_name|$way"]:-}"
+        line+=" $([ -z "$ms" ] || echo "$((ms / best_ms)).$((10 * ms / best_ms % 10)) x") |"
+      done
+      # `auto` where nothing is clearly faster.
+      ms="${cell["$work_name|auto"]:-}"
+      if [ -n "$ms" ] && [ "$ms" -le $((best_ms * 5 / 4)) ]; then best=auto; fi
+      echo "| ${work_name%, ms*} | $best |$line"
+    done
+  } >"$out/which.md"
+  cat "$out/which.md"
 }

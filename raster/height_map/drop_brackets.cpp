@@ -86,9 +86,9 @@ struct Top {
         heights(size_t(stride) * num_rows, -kEmpty) {
     for (int y = 0; y < scene.height; ++y)
       std::copy_n(&from[scene.index(0, y)], scene.width, &heights[index(0, y)]);
-    tiles = Windows(heights, stride, kSide, kSide);
     objects = Windows(heights, stride, object.width, object.height);
   }
+  void add_tiles() { tiles = Windows(heights, stride, kSide, kSide); }
   size_t index(int column, int row) const { return size_t(row) * stride + column; }
 };
 
@@ -106,6 +106,11 @@ class SmallestGaps {
     for (const Tile& tile : m_tiles) m_lowest = std::min(m_lowest, tile.lowest);
   }
 
+  // Needed by at() and by farther_by_tiles().
+  void prepare_tiles() {
+    if (!m_tiles.empty()) m_top.add_tiles();
+  }
+
   // At the first `count` places from (column, row) on.
   // @param bounds  scratch.
   Lanes at(int column, int row, int count, std::vector<Lanes>& bounds) const {
@@ -114,22 +119,72 @@ class SmallestGaps {
     const Eigen::Map<const Lanes> low(&m_top.objects.lowest[place]);
     const Eigen::Map<const Lanes> high(&m_top.objects.highest[place]);
     if ((low == high).head(count).all()) return m_lowest - high;
+    const auto [least, most] = bounded(column, row, bounds);
+    Lanes out = most;
+    for (int lane = 0; lane < count; ++lane)
+      if (least[lane] < most[lane])
+        out[lane] = at_place(column + lane, row, lane, least[lane], most[lane], bounds);
+    return out;
+  }
+
+  // Tells if the differences are larger than `falls` at the first `count` places from (column, row)
+  // on, by what is under the whole object; 0 for infinite falls.
+  // @return whether all are decided; those that are not are kUndecided.
+  bool farther(int column, int row, int count, const float* falls, char* out) const {
+    bool all = true;
+    for (int lane = 0; lane < count; ++lane) {
+      const size_t place = m_top.index(column + lane, row);
+      const bool never = !(falls[lane] < kEmpty);
+      if (m_tiles.empty() || never) {
+        out[lane] = !never;
+      } else if (m_lowest - m_top.objects.highest[place] > falls[lane]) {
+        out[lane] = 1;
+      } else if (m_lowest - m_top.objects.lowest[place] > falls[lane]) {
+        out[lane] = kUndecided;
+        all = false;
+      } else {
+        out[lane] = 0;
+      }
+    }
+    return all;
+  }
+
+  // Decides those that farther() left.
+  void farther_by_tiles(int column, int row, int count, const float* falls,
+                        std::vector<Lanes>& bounds, char* out) const {
+    if (std::find(out, out + count, kUndecided) == out + count) return;
+    const auto [least, most] = bounded(column, row, bounds);
+    for (int lane = 0; lane < count; ++lane) {
+      if (out[lane] != kUndecided) continue;
+      if (least[lane] > falls[lane])
+        out[lane] = 1;
+      else
+        out[lane] = most[lane] > falls[lane] && at_place(column + lane, row, lane, least[lane],
+                                                         most[lane], bounds) > falls[lane];
+    }
+  }
+
+ private:
+  static constexpr char kUndecided = 2;
+
+  struct Bounds {
+    Lanes least, most;  // of the difference at each place
+  };
+
+  // @param bounds  scratch: the least difference within each tile.
+  Bounds bounded(int column, int row, std::vector<Lanes>& bounds) const {
     bounds.resize(m_tiles.size());
-    Lanes least = Lanes::Constant(kEmpty), most = least;
+    Bounds out{Lanes::Constant(kEmpty), Lanes::Constant(kEmpty)};
     for (size_t k = 0; k < m_tiles.size(); ++k) {
       const Tile& tile = m_tiles[k];
       const size_t under = m_top.index(column + tile.column, row + tile.row);
       bounds[k] = tile.lowest - Eigen::Map<const Lanes>(&m_top.tiles.highest[under]);
-      least = least.min(bounds[k]);
-      most = most.min(tile.lowest - Eigen::Map<const Lanes>(&m_top.tiles.lowest[under]));
+      out.least = out.least.min(bounds[k]);
+      out.most = out.most.min(tile.lowest - Eigen::Map<const Lanes>(&m_top.tiles.lowest[under]));
     }
-    for (int lane = 0; lane < count; ++lane)
-      if (least[lane] < most[lane])
-        most[lane] = at_place(column + lane, row, lane, least[lane], most[lane], bounds);
-    return most;
+    return out;
   }
 
- private:
   // The most promising tile, the first of the least bound, then all that can still go below
   // `found`.
   float at_place(int column, int row, int lane, float least, float found,
@@ -183,8 +238,10 @@ DropBracket DropProbe::at(const HeightMap& scene, int column, int row) const {
 std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene, int columns,
                                        int rows) {
   assert(scene.width >= columns + object.width - 1 && scene.height >= rows + object.height - 1);
-  const SmallestGaps lower(object, object.bound, scene, scene.bound);
-  const SmallestGaps upper(object, object.sample, scene, scene.sample);
+  SmallestGaps lower(object, object.bound, scene, scene.bound);
+  SmallestGaps upper(object, object.sample, scene, scene.sample);
+  lower.prepare_tiles();
+  upper.prepare_tiles();
   std::vector<DropBracket> out(size_t(columns) * rows);
   in_parallel(static_cast<size_t>(rows), [&](size_t row) {
     std::vector<Lanes> bounds;
@@ -195,6 +252,29 @@ std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap&
       for (int lane = 0; lane < count; ++lane)
         out[row * columns + column + lane] = {low[lane], high[lane]};
     }
+  });
+  return out;
+}
+
+std::vector<char> falls_farther(const HeightMap& object, const HeightMap& scene, int columns,
+                                int rows, std::span<const float> falls) {
+  assert(falls.size() == size_t(columns) * rows);
+  SmallestGaps gaps(object, object.bound, scene, scene.bound);
+  std::vector<char> out(falls.size());
+  // First by what is under the whole object; tiles are prepared where that leaves something.
+  std::vector<int> left;
+  for (int row = 0; row < rows; ++row) {
+    const size_t first = size_t(row) * columns;
+    if (!gaps.farther(0, row, columns, &falls[first], &out[first])) left.push_back(row);
+  }
+  if (left.empty()) return out;
+  gaps.prepare_tiles();
+  in_parallel(left.size(), [&](size_t i) {
+    std::vector<Lanes> bounds;
+    const size_t first = size_t(left[i]) * columns;
+    for (int column = 0; column < columns; column += kLanes)
+      gaps.farther_by_tiles(column, left[i], std::min(kLanes, columns - column),
+                            &falls[first + column], bounds, &out[first + column]);
   });
   return out;
 }

@@ -10,6 +10,7 @@
 // line of `upper` meets both surfaces, so there is a contact by then.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/candidates/height_map.h"
@@ -22,6 +23,13 @@ namespace trivet {
 /// pixels.
 std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap& scene, int columns,
                                        int rows);
+
+/// Tells if the object falls farther than falls[i] at place i, as far as the bounds tell: exactly
+/// where `lower` of drop_brackets() is larger. Costs a fraction of it, as most comparisons are
+/// decided by what is highest and lowest under the whole object.
+/// @param falls  one for each place; infinity: need not be known, the answer is 0.
+std::vector<char> falls_farther(const HeightMap& object, const HeightMap& scene, int columns,
+                                int rows, std::span<const float> falls);
 
 /// The same at single places.
 class DropProbe {

@@ -40,6 +40,17 @@ template <bool kTop>
 class SideSink final : public SpanSink {
  public:
   explicit SideSink(HeightMap& map) : m_map(map) {}
+  // A depth never exceeds its triangle's by more than `centre_error`, which is taken off again.
+  bool is_hidden(const PixelBox& box, float lower, float upper) const override {
+    const float best = kTop ? upper : lower;
+    const auto hides = [&](float height) { return kTop ? height >= best : height <= best; };
+    for (int row = box.first_row; row <= box.last_row; ++row)
+      for (int column = box.first_column; column <= box.last_column; ++column) {
+        const size_t at = m_map.index(column, row);
+        if (!hides(m_map.sample[at]) || !hides(m_map.bound[at])) return false;
+      }
+    return true;
+  }
   void span(const Span& s) override {
     const size_t at = m_map.index(s.first, s.row);
     float *bound = &m_map.bound[at], *sample = &m_map.sample[at];
@@ -57,6 +68,10 @@ class SideSink final : public SpanSink {
   HeightMap& m_map;
 };
 
+bool faces_up(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) > (b.y() - a.y()) * (c.x() - a.x());
+}
+
 template <bool kTop>
 HeightMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& view,
                double ceiling) {
@@ -64,16 +79,25 @@ HeightMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& vi
   SideSink<kTop> sink(map);
   TriangleRaster raster(view);
   const double highest = (ceiling - grid.level) / grid.pixel;
+  std::vector<const Index3*> later;
   for (const Body& body : bodies) {
     if (beside(body.world_box, grid) || body.world_box.lower.z() > ceiling) continue;
     const Affine pixels = view.frame->pixels_from_object(body);
     std::vector<Vec3> corners;
     for (const Vec3& v : body.shape->mesh.vertices) corners.push_back(pixels.apply(v));
-    for (const Index3& t : body.shape->mesh.triangles) {
+    const auto draw_face = [&](const Index3& t) {
       const Triangle triangle{corners[t[0]], corners[t[1]], corners[t[2]]};
-      if (std::min({triangle[0].z(), triangle[1].z(), triangle[2].z()}) > highest) continue;
+      if (std::min({triangle[0].z(), triangle[1].z(), triangle[2].z()}) > highest) return;
       raster.draw(triangle, sink);
-    }
+    };
+    // Faces that are seen come first: they hide most of the others.
+    later.clear();
+    for (const Index3& t : body.shape->mesh.triangles)
+      if (faces_up(corners[t[0]], corners[t[1]], corners[t[2]]) == kTop)
+        draw_face(t);
+      else
+        later.push_back(&t);
+    for (const Index3* const t : later) draw_face(*t);
   }
   return map;
 }

@@ -72,14 +72,19 @@ void TriangleRaster::draw_straight(const Triangle& c, SpanSink& sink) {
   const double rounding = kFloatError * (std::abs(low) + std::abs(high));
   const double grown = rounding + (m_view.moving ? m_view.frame->growth : 0);
   const auto lower = static_cast<float>(low - grown), upper = static_cast<float>(high + grown);
+  if (sink.is_hidden(
+          {cover.first_row(), cover.last_row(), cover.first_column(), cover.last_column()}, lower,
+          upper))
+    return;
   const Slope slope = slope_of(p, c, cover, half);
   const auto margin = static_cast<float>(slope.margin + grown);
   const auto error = static_cast<float>(rounding + 1e-3 * slope.margin);
   const auto step = static_cast<float>(slope.x);
+  cover.rows(kRoundingPixels, m_rows);
   for (int row = cover.first_row(); row <= cover.last_row(); ++row) {
-    const Coverage::Columns columns = cover.touched(row);
+    const CoverageRow& of_row = m_rows[row - cover.first_row()];
+    const Coverage::Columns columns = of_row.touched, in = of_row.inside;
     if (columns.first > columns.last) continue;
-    const Coverage::Columns in = cover.inside(row, kRoundingPixels);
     const auto start = static_cast<float>(c[0].z() + slope.x * (columns.first + 0.5 - p[0].x()) +
                                           slope.y * (row + 0.5 - p[0].y()));
     const int count = columns.last - columns.first + 1;

@@ -61,6 +61,7 @@ class TriangleRaster {
   View m_view;
   double m_growth;
   std::vector<float> m_lower, m_upper, m_centre;  // of a row
+  std::vector<CoverageRow> m_rows;                // of a triangle
   std::vector<double> m_angle_growth;             // of a turn, by column
   Range m_angles;                                 // angles that matter for a face of a rotation
 };

@@ -45,12 +45,19 @@ struct Span {
   float centre_error;          // bound of the error of `centre`
 };
 
+struct PixelBox {
+  int first_row, last_row, first_column, last_column;
+};
+
 /// Receives the spans that a rasteriser draws.
 class SpanSink {
  public:
   std::uint32_t face = 0;  // face of the following spans
 
   virtual void span(const Span& span) = 0;
+  /// True if spans of a straight face within these pixels and depths would change nothing: they
+  /// are left out then.
+  virtual bool is_hidden(const PixelBox&, float /*lower*/, float /*upper*/) const { return false; }
 
  protected:
   ~SpanSink() = default;

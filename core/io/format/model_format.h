@@ -20,13 +20,8 @@ ModelFormat model_format(std::string_view head, std::uintmax_t size, const std::
 inline constexpr std::uintmax_t kHeadBytes = 1 << 16;
 std::string head_of(const std::string& path);
 
-<<<<<<< HEAD
 /// Says what a file is that stands in place of a model, or of a file that a model names: a pointer
 /// of Git LFS or a web page. nullopt: neither. @param head  the file's first bytes.
-=======
-/// The substitute of a model, or of a file that a model names: a pointer of Git LFS or a web
-/// page. nullopt: neither. @param head  the file's first bytes.
->>>>>>> origin/wip-2
 std::optional<Sentence> placeholder(std::string_view head);
 
 /// @param head  the file's first bytes.

@@ -123,7 +123,7 @@ TEST_F(WorkerDetectionTest, ALostDeviceChangesNoByte) {
     GTEST_SKIP() << m_notes[0].text;
   ASSERT_EQ(m_notes.size(), 1u);
   EXPECT_NE(m_notes[0].text.find("BVHs and software answer instead of the GPU"), std::string::npos);
-  // Draws of two workers: ten each, the lost one included.
+  // Two workers have ten draws each, the lost one included.
   EXPECT_GE(m_totals.work.draws, 10);
   EXPECT_LE(m_totals.work.draws, 20);
 }

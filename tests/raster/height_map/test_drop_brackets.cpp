@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "raster/height_map/height_map.h"
@@ -36,6 +37,23 @@ DropBracket by_loops(const HeightMap& object, const HeightMap& scene, int column
   return out;
 }
 
+// Beyond the fall itself, a little less, a little more, and where it need not be known.
+void expect_farther(const HeightMap& object, const HeightMap& scene, int columns, int rows,
+                    const std::vector<DropBracket>& found, test::Random& random) {
+  std::vector<float> falls(found.size());
+  for (size_t i = 0; i < falls.size(); ++i) {
+    const int kind = random.integer(0, 4);
+    falls[i] = kind == 0   ? kInf
+               : kind == 1 ? found[i].lower
+               : kind == 2 ? std::nextafter(found[i].lower, -kInf)
+                           : static_cast<float>(random.uniform(-1.5, 1.5));
+  }
+  const std::vector<char> farther = falls_farther(object, scene, columns, rows, falls);
+  ASSERT_EQ(farther.size(), falls.size());
+  for (size_t i = 0; i < falls.size(); ++i)
+    ASSERT_EQ(farther[i], char{falls[i] < kInf && found[i].lower > falls[i]}) << i;
+}
+
 // A round underside over a flat top with pits, holes and steps: most tiles cannot hold the minimum.
 TEST(DropBrackets, EqualPlainLoopsOverFlatScenes) {
   test::Random random(12);
@@ -55,6 +73,7 @@ TEST(DropBrackets, EqualPlainLoopsOverFlatScenes) {
         scene.sample[at] = scene.bound[at] - 0.05F;
       }
     const auto found = drop_brackets(object, scene, columns, rows);
+    expect_farther(object, scene, columns, rows, found, random);
     const DropProbe probe(object);
     for (int i = 0; i < columns * rows; ++i) {
       const DropBracket truth = by_loops(object, scene, i % columns, i / columns);
@@ -77,6 +96,7 @@ TEST(DropBrackets, EqualPlainLoopsAtOddSizes) {
       for (const size_t threads : {1, 2, 8}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         const auto found = drop_brackets(object, scene, columns, rows);
+        expect_farther(object, scene, columns, rows, found, random);
         for (int i = 0; i < columns * rows; ++i) {
           const DropBracket truth = by_loops(object, scene, i % columns, i / columns);
           ASSERT_EQ(found[i].lower, truth.lower);
@@ -97,6 +117,43 @@ TEST(DropBrackets, NeedNoSamplesForLowerBounds) {
   for (size_t i = 0; i < both.size(); ++i) {
     ASSERT_EQ(lower[i].lower, both[i].lower);
     ASSERT_EQ(lower[i].upper, kInf);
+  }
+}
+
+Mesh single_face(const Triangle& t) { return {{t[0], t[1], t[2]}, {{0, 1, 2}}}; }
+
+// Faces that are hidden by others are left out: the maps are those of all faces, drawn one by one.
+TEST(HeightMaps, AreThoseOfAllFacesDrawnAlone) {
+  const test::MeshPool pool(17, 12);
+  for (int i = 0; i < 24; ++i) {
+    const test::RandomQuery q = test::random_query(pool, 17, i);
+    Body body = q.moving[0].body();
+    body.world_box = Aabb();
+    for (size_t v = 0; v < body.shape->mesh.vertices.size(); ++v)
+      body.world_box.extend(body.vertex(static_cast<Index>(v)));
+    const double pixel = body.world_box.diagonal() / (3 + 5 * (i % 5));
+    const MapGrid grid = MapGrid::about(body.world_box, pixel, body.world_box.lower.z());
+    const HeightMap under = draw_underside({&body, 1}, grid, 1e-4 * pixel);
+    const HeightMap top = draw_top({&body, 1}, grid, false, kInfinity);
+    HeightMap alone_under(grid.width, grid.height, kInf), alone_top(grid.width, grid.height, -kInf);
+    for (Index f = 0; f < static_cast<Index>(body.shape->mesh.triangles.size()); ++f) {
+      const Triangle t = body.shape->mesh.triangle(f);
+      const auto shape = make_shape(single_face(t));
+      Body face = body;
+      face.shape = shape.get();
+      const HeightMap below = draw_underside({&face, 1}, grid, 1e-4 * pixel);
+      const HeightMap above = draw_top({&face, 1}, grid, false, kInfinity);
+      for (size_t at = 0; at < top.bound.size(); ++at) {
+        alone_under.bound[at] = std::min(alone_under.bound[at], below.bound[at]);
+        alone_under.sample[at] = std::min(alone_under.sample[at], below.sample[at]);
+        alone_top.bound[at] = std::max(alone_top.bound[at], above.bound[at]);
+        alone_top.sample[at] = std::max(alone_top.sample[at], above.sample[at]);
+      }
+    }
+    ASSERT_EQ(under.bound, alone_under.bound) << i;
+    ASSERT_EQ(under.sample, alone_under.sample) << i;
+    ASSERT_EQ(top.bound, alone_top.bound) << i;
+    ASSERT_EQ(top.sample, alone_top.sample) << i;
   }
 }
 

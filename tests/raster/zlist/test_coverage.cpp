@@ -1,6 +1,8 @@
 // Coverage of every pixel that a triangle meets, including needles, segments and points.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "raster/zlist/coverage.h"
 #include "support/random_shapes.h"
 
@@ -39,8 +41,15 @@ TEST(Coverage, TouchesEveryPixelThatTriangleMeets) {
       ASSERT_TRUE(column >= touched.first && column <= touched.last) << i;
       ++num_met;
     }
+    std::vector<CoverageRow> rows;
+    if (cover.is_empty()) continue;
+    cover.rows(0.01, rows);
     for (int row = cover.first_row(); row <= cover.last_row(); ++row) {
       const Coverage::Columns touched = cover.touched(row), inside = cover.inside(row, 0.01);
+      const CoverageRow& same = rows[row - cover.first_row()];
+      ASSERT_EQ(std::tie(same.touched.first, same.touched.last),
+                std::tie(touched.first, touched.last));
+      ASSERT_EQ(std::tie(same.inside.first, same.inside.last), std::tie(inside.first, inside.last));
       num_touched += std::max(0, touched.last - touched.first + 1);
       num_inside += std::max(0, inside.last - inside.first + 1);
       for (int c = inside.first; c <= inside.last; ++c) {
