@@ -29,6 +29,10 @@ def select(context, names) -> int:
     return len(chosen)
 
 
+def counted(number: int, one: str, more: str) -> str:
+    return f"{number} {one if number == 1 else more}"
+
+
 class TRIVET_OT_check(Working, bpy.types.Operator):
     """Judges what Blender shows, exactly: what interpenetrates, which of the selected and free objects are at rest, and whether all stand as a whole"""
 
@@ -53,10 +57,11 @@ class TRIVET_OT_check(Working, bpy.types.Operator):
         if self.select and wrong:
             select(stage.context, wrong)
         if not wrong:
-            what = "Of the others none" if stage.reading.left_out else "Nothing"
-            return f"{what} interpenetrates, all is at rest; as a whole {verdict.stability}"
-        return (f"{len(memory.last.crossings)} pairs interpenetrate, {len(verdict.not_at_rest)} not at rest, "
-                f"{len(verdict.topples)} topple")
+            what = "None of the others" if stage.reading.left_out else "No object"
+            return f"{what} interpenetrates, all are at rest; as a whole {verdict.stability}"
+        return (f"{counted(len(memory.last.crossings), 'pair interpenetrates', 'pairs interpenetrate')}, "
+                f"{len(verdict.not_at_rest)} not at rest, "
+                f"{counted(len(verdict.topples), 'object topples', 'objects topple')}")
 
     def _show_faces(self, stage: Stage, report: Report) -> None:
         bodies = {body.name: body for body in stage.reading.bodies}

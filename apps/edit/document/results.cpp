@@ -73,15 +73,18 @@ QString quoted_names(const std::vector<std::string>& names) {
   return phrase(QT_TRANSLATE_NOOP("results", "%1 and %2")).arg(out.join(", "), last);
 }
 
+QString millimetres(double metres) {
+  return phrase(QT_TRANSLATE_NOOP("results", "%1 mm"))
+      .arg(QLocale().toString(1000 * metres, 'g', 2));
+}
+
 // "\"a\" by 1.2 mm and 0.3°, ...", each figure where it shows.
 QString gave_way_words(const std::vector<GaveWay>& objects) {
   QStringList out;
   const QLocale locale;
   for (const GaveWay& object : objects) {
     QStringList by;
-    if (object.moved >= kVisibleMetres)
-      by << phrase(QT_TRANSLATE_NOOP("results", "%1 mm"))
-                .arg(locale.toString(1000 * object.moved, 'g', 2));
+    if (object.moved >= kVisibleMetres) by << millimetres(object.moved);
     if (object.turned_deg >= kVisibleDeg)
       by << phrase(QT_TRANSLATE_NOOP("results", "%1°"))
                 .arg(locale.toString(object.turned_deg, 'g', 2));
@@ -94,7 +97,9 @@ QString gave_way_words(const std::vector<GaveWay>& objects) {
   return out.join(", ");
 }
 
-QString why_it_ended(const OperationResult& result) {
+// Only a PUSH ends at steps and edges.
+QString why_it_ended(const Operation& operation, const OperationResult& result) {
+  const auto* const push = std::get_if<PushOperation>(&operation);
   const std::string& name = result.blocked_by.name;
   const QString by =
       name == kFloorName ? phrase(QT_TRANSLATE_NOOP("results", "the floor")) : quoted_names({name});
@@ -102,10 +107,11 @@ QString why_it_ended(const OperationResult& result) {
     case OperationResult::End::Blocked:
       return phrase(QT_TRANSLATE_NOOP("results", "stopped by %1")).arg(by);
     case OperationResult::End::Step:
-      return phrase(QT_TRANSLATE_NOOP("results", "stopped by a step of %1 higher than allowed"))
-          .arg(by);
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped by a step of %1 higher than %2"))
+          .arg(by, millimetres(push ? push->step_up : 0));
     case OperationResult::End::Edge:
-      return phrase(QT_TRANSLATE_NOOP("results", "stopped at a drop that is deeper than allowed"));
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped at a drop deeper than %1"))
+          .arg(millimetres(push ? push->step_down : 0));
     case OperationResult::End::Done:
     case OperationResult::End::AtRest:
     case OperationResult::End::Reached:
@@ -139,7 +145,7 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
     return message;
   }
   QStringList what;
-  if (const QString why = why_it_ended(result); !why.isEmpty()) {
+  if (const QString why = why_it_ended(operation, result); !why.isEmpty()) {
     what << why;
     add(message.objects, scene.find(result.blocked_by.name));
     if (result.end != OperationResult::End::Edge) {

@@ -3542,8 +3542,8 @@
         <translation>aufgehalten, im Weg: %1</translation>
     </message>
     <message>
-        <source>stopped by a step of %1 higher than allowed</source>
-        <translation>aufgehalten von einer zu hohen Stufe: %1</translation>
+        <source>stopped by a step of %1 higher than %2</source>
+        <translation>aufgehalten von einer Stufe von %1, die höher ist als %2</translation>
     </message>
     <message>
         <source>gave way: %1</source>
@@ -3574,8 +3574,8 @@
         <translation>%1 um %2</translation>
     </message>
     <message>
-        <source>stopped at a drop that is deeper than allowed</source>
-        <translation>hält vor einer Kante, die tiefer abfällt als erlaubt</translation>
+        <source>stopped at a drop deeper than %1</source>
+        <translation>hält vor einer Kante, die tiefer abfällt als %1</translation>
     </message>
 </context>
 <context>
@@ -3679,7 +3679,7 @@
         <translation>Objekt ziehen: bewegen; Klick wählt aus, mit Umschalt dazu; vom Boden aus gezogen entsteht ein Auswahlrahmen</translation>
     </message>
     <message>
-        <source>%1 lies so, or cannot</source>
+        <source>%1 lies so already, or cannot lie so</source>
         <translation>%1 liegt schon so, oder kann es nicht</translation>
     </message>
     <message>
@@ -5561,6 +5561,14 @@
     <message>
         <source>Shift+L</source>
         <translation>Shift+L</translation>
+    </message>
+    <message>
+        <source>Alt+L</source>
+        <translation>Alt+L</translation>
+    </message>
+    <message>
+        <source>Alt+U</source>
+        <translation>Alt+U</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "apps/edit/tools/hand_ghost.h"
 #include "apps/edit/tools/placing.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kLevel = 0.95;       // z of the normal of a surface to slide on
 constexpr double kSameHeight = 0.02;  // of the object's size: surfaces of one level
-constexpr double kBeside = 0.25;      // of its size, from a wall
+constexpr double kBesideRoom = 0.01;  // of its size, from a wall
 constexpr double kFarBack = 0.3;      // of its size, behind the mouse
 
 }  // namespace
@@ -50,6 +51,7 @@ void HandGesture::begin(const View& view, const Vec2& grabbed_px) {
   m_at = {std::nullopt, m_foot, Vec3::UnitZ(), 0, 0};
   m_lift = 0;
   m_in_front.reset();
+  m_beside.reset();
   const auto there = pick(scene, view.seen_ray(foot_px(grabbed_px)), m_moving);
   if (there && there->object && !is_level_support(*there)) m_in_front = there->object;
   auto push = operation_of<PushOperation>(*m_start, m_document, m_options);
@@ -82,14 +84,15 @@ bool HandGesture::is_level_support(const Picked& at) const {
       [&](const ObjectContact& entry) { return entry.with == with && holds_up(entry); });
 }
 
-// The surface beside a wall: the floor of a box or a bowl, or what the thing stands on. Nullopt: it
-// is the level on which the object slides.
+// The surface beside a wall, where the object has room: the floor of a box or a bowl, or what the
+// thing stands on.
 std::optional<Picked> HandGesture::beside(const Picked& wall) const {
   const Vec3 away(wall.normal.x(), wall.normal.y(), 0);
   if (!(away.norm() > 0.1)) return std::nullopt;
-  const Vec3 from = wall.point + kBeside * m_size * away.normalized();
-  auto below = pick(*m_document.snapshot(), {from, -Vec3::UnitZ()}, m_moving);
-  if (!below || is_wall(*below) || is_level_support(*below)) return std::nullopt;
+  const Vec3 way = away.normalized();
+  const double reach = way.cwiseAbs().dot(world_box(*m_start).half_extent()) + kBesideRoom * m_size;
+  auto below = pick(*m_document.snapshot(), {wall.point + reach * way, -Vec3::UnitZ()}, m_moving);
+  if (!below || is_wall(*below)) return std::nullopt;
   return below;
 }
 
@@ -98,11 +101,11 @@ void HandGesture::follow(const PointerEvent& event, const std::optional<Picked>&
     m_lift = std::max(0.0, m_lift + m_px * (m_last_px.y() - event.px.y()));
   } else {
     const auto level = on_plane(event.view.ray(foot_px(event.px)), m_foot, Vec3::UnitZ());
-    const auto next_to = at && is_wall(*at) ? beside(*at) : std::nullopt;
+    m_beside = at && is_wall(*at) ? beside(*at) : std::nullopt;
     if (at && !is_wall(*at))
       m_at = *at;
-    else if (next_to)
-      m_at = *next_to;
+    else if (m_beside && !is_level_support(*m_beside))
+      m_at = *std::exchange(m_beside, std::nullopt);
     else if (level)
       m_at = {std::nullopt, *level, -Vec3::UnitZ(), 0, 0};
     for (int k = 0; k < 2; ++k) m_at.point[k] = rounded(m_at.point[k], m_px / kGoalsPerPx);
@@ -115,15 +118,19 @@ bool HandGesture::hangs_far_back() const {
   const auto& drag = m_document.snapshot()->drag;
   const ObjectSnapshot* const now = object();
   if (!drag || !drag->blocked || !now) return false;
-  const Vec3 way = m_at.point - m_foot - ((*now)->pose.translation - m_start->pose.translation);
-  return !is_wall(m_at) && way.head<2>().norm() > kFarBack * m_size;
+  const Vec3 here = m_foot + (*now)->pose.translation - m_start->pose.translation;
+  return (put_at().point - here).head<2>().norm() > kFarBack * m_size;
 }
+
+// Where it is put if it does not slide: beside a wall, not behind it.
+const Picked& HandGesture::put_at() const { return m_beside ? *m_beside : m_at; }
 
 bool HandGesture::slides() const {
   if (!m_pushes || !m_document.is_dragging()) return false;
   if (m_several) return true;
   if (m_turn.is_turned() || m_lift > 0) return false;
-  return is_wall(m_at) || (is_level_support(m_at) && !hangs_far_back());
+  if (is_wall(m_at)) return !m_beside || !hangs_far_back();
+  return is_level_support(m_at) && !hangs_far_back();
 }
 
 void HandGesture::update() {
@@ -147,7 +154,7 @@ void HandGesture::show_rest_of_slide() {
 std::vector<Operation> HandGesture::choices() const {
   Object turned = *m_start;
   turned.pose.rotation = m_turn.of(m_start->pose.rotation);
-  return put_choices(*m_document.snapshot(), turned, m_moving, m_at,
+  return put_choices(*m_document.snapshot(), turned, m_moving, put_at(),
                      operation_of<PutOperation>(*m_start, m_document, m_options),
                      m_options.drop_height, m_lift);
 }

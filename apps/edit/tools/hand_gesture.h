@@ -45,6 +45,7 @@ class HandGesture {
   bool hangs_back_from_all() const;
   bool falls_from_edge() const;
   std::optional<Picked> beside(const Picked& wall) const;
+  const Picked& put_at() const;
   void update();
   void show_rest_of_slide();
   std::vector<Operation> choices() const;
@@ -63,7 +64,8 @@ class HandGesture {
   std::optional<ObjectId> m_in_front;     // hides the foot at the start
   Vec2 m_last_px = Vec2::Zero();
   Picked m_at;
-  double m_lift = 0, m_px = 0;  // metres; of a pixel
+  std::optional<Picked> m_beside;  // on the level where it slides, if m_at is behind a wall
+  double m_lift = 0, m_px = 0;     // metres; of a pixel
   bool m_pushes = false, m_slides = false;
   QMetaObject::Connection m_snapshot, m_ended;
 };

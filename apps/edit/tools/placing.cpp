@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kWall = 0.1;    // a face is a wall where its normal's z is no larger
 constexpr double kClose = 0.01;  // of the object's size: above the point where it is put down
+constexpr double kLip = 0.1;     // of its height: what hangs over less than that is no ceiling
+constexpr int kMostLips = 4;     // over one another
 constexpr double kRoom = 0.001;  // of the object's size: distance from walls and ceilings
 
 bool overlap_from_above(const Aabb& a, const Aabb& b) {
@@ -53,6 +55,18 @@ class PutStart {
     return hit ? std::optional(hit->point.z()) : std::nullopt;
   }
 
+  /// The same, without lips of saucers and folds of cloths over the point.
+  std::optional<double> ceiling_over(const Vec3& point) const {
+    const double least = m_at.point.z() + kLip * (m_box.upper.z() - m_box.lower.z());
+    Vec3 from = point;
+    for (int i = 0; i < kMostLips; ++i) {
+      const auto ceiling = ceiling_above(from);
+      if (!ceiling || *ceiling >= least) return ceiling;
+      from.z() = *ceiling + m_room;
+    }
+    return std::nullopt;
+  }
+
   /// Height of the underside.
   double highest_below(double ceiling) const {
     return ceiling - m_room - (m_box.upper.z() - m_box.lower.z());
@@ -77,7 +91,7 @@ class PutStart {
   }
 
   Pose on_surface() const {
-    const auto ceiling = ceiling_above(m_at.point + m_room * m_at.normal);
+    const auto ceiling = ceiling_over(m_at.point + m_room * m_at.normal);
     if (!ceiling) return from_above();
     const double highest = highest_below(*ceiling);
     const double bottom = top_below(highest - m_height) + m_height;

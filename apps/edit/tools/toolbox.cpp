@@ -139,7 +139,7 @@ bool Toolbox::lean() {
   const SceneSnapshot& scene = *m_document.snapshot();
   const ObjectSnapshot* const object = scene.find(selected.front());
   if (!object || !(*object)->placed) return false;
-  const auto turn = lean_against(*object->object, *wall->object, scene);
+  const auto turn = lean_against(*object, *wall, scene);
   if (turn) m_document.perform(*turn);
   return turn.has_value();
 }
@@ -157,7 +157,7 @@ void Toolbox::lie_as_found(const WaysToLie& ways) {
   const ObjectSnapshot* const object = idle_active();
   if (!how || !object || object->id != ways.object) return;
   if (const auto way = way_of(ways.ways, *how)) return put_turned(*object, way->rotation);
-  const QString said = QCoreApplication::translate("tools", "%1 lies so, or cannot");
+  const QString said = QCoreApplication::translate("tools", "%1 lies so already, or cannot lie so");
   Q_EMIT m_document.message(
       {Message::Kind::Info,
        said.arg(QString::fromStdString(quoted((*object)->name))).toStdString(),

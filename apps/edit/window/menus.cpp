@@ -184,10 +184,11 @@ void MainWindow::make_hand_actions() {
       "next way", tr("Next wa&y to lie"), tr("L"), [this] { m_toolbox.lie(Lying::Next); },
       tr("Lift the object, lay it as it can lie next, and let it settle"));
   add_action(
-      "on its side", tr("Lay on its s&ide"), {}, [this] { m_toolbox.lie(Lying::OnItsSide); },
+      "on its side", tr("Lay on its s&ide"), tr("Alt+L"),
+      [this] { m_toolbox.lie(Lying::OnItsSide); },
       tr("Lift the object, lay it on its side, and let it settle"));
   add_action(
-      "upright", tr("Stand upri&ght"), {}, [this] { m_toolbox.lie(Lying::Upright); },
+      "upright", tr("Stand upri&ght"), tr("Alt+U"), [this] { m_toolbox.lie(Lying::Upright); },
       tr("Lift the object, stand it upright, and let it settle"));
   add_action(
       "lean", tr("L&ean against the last selected"), tr("Shift+L"),

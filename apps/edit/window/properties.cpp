@@ -265,7 +265,9 @@ void Properties::show_pose(const Object& object) {
 void Properties::show_rest(const Object& object, ObjectId id) {
   const QString none = QStringLiteral("–");
   const bool rests = object.placed && !object.fixed;
-  set(tr("To tipping"), rests ? length_text(object.stability_margin) : none,
+  // What rests between slopes is not held by the polygon alone.
+  const bool tips = object.stability_margin >= 0 || object.state != ObjectState::Stable;
+  set(tr("To tipping"), rests && tips ? length_text(object.stability_margin) : none,
       tr("Distance of the centre of mass inside the support polygon, seen from "
          "above; negative: outside"));
   set(tr("Least friction"),
