@@ -84,15 +84,15 @@ class SceneMaker {
     Mat3 covariance =
         link_from_object.linear * properties.covariance * link_from_object.linear.transpose();
     if (properties.rule != MassRule::Volume) {  // the wall that gives it weight
-      const double wall = kWallThickness * object.scale * object.shape->box.diagonal();
+      const double wall = wall_thickness(object);
       covariance += wall * wall / 12 * Mat3::Identity();
     }
     body.inertia = body.mass * inertia_per_mass(covariance);
     body.friction = m_options.friction.value_or(object.material.friction);
     body.restitution = object.material.restitution;
-    add_notes(id);
     m_sizes.push_back(object.scale * object.shape->box.diagonal());
     m_out.scene.bodies.push_back(std::move(body));
+    add_notes(id);
   }
 
   void add_notes(ObjectId id) {
@@ -100,6 +100,10 @@ class SceneMaker {
     if (object.flexible)
       m_out.notes.push_back(
           say("\"%1\" came to rest as it is: here it is fixed and does not bend", object.name));
+    if (object.shape->mass.volume == 0 && !object.given_mass && !object.fixed)
+      m_out.notes.push_back(say("\"%1\" encloses nothing: it weighs as a sheet of %2 metres, %3 kg",
+                                object.name, figure(wall_thickness(object)),
+                                figure(m_out.scene.bodies.back().mass)));
     if (object.state != ObjectState::Fixed && object.state != ObjectState::Stable)
       m_out.notes.push_back(
           say("\"%1\" is %2: it will move", object.name, to_string(object.state)));
