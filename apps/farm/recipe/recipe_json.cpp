@@ -59,10 +59,11 @@ void read_mass_range(const JsonPlace& place, RecipeModel& out) {
 /// messages.
 RecipeModel read_model_entry(const JsonPlace& place) {
   place.expect_object({"model"}, {"weight", "scale", "up", "material", "chord", "facet_angle_deg",
-                                  "class", "attributes", "id", "symmetries", "mass"});
+                                  "class", "attributes", "id", "symmetries", "mass", "collision"});
   RecipeModel out;
   LayoutObject& object = out.object;
   object.model = place.at("model").text();
+  if (const auto collision = place.find("collision")) object.collision = collision->text();
   if (const auto weight = place.find("weight")) out.weight = weight->number(1e-9, 1e9);
   if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
   if (const auto up = place.find("up")) object.up = read_up(*up);

@@ -26,6 +26,7 @@ void add_pose(const Object& object, Json& json) {
 
 Json object_of_scene(const Object& object, const LayoutObject& wanted, const std::string& reason) {
   Json json = {{"name", object.name}, {"model", object.model->path}, {"scale", object.scale}};
+  if (!wanted.collision.empty()) json["collision"] = wanted.collision;
   json["up"] = object.up == UpAxis::Y ? "y" : "z";
   write_tessellation(wanted.tessellation, json);
   json["material"] = material_json(object.material);
@@ -45,7 +46,7 @@ Json object_of_scene(const Object& object, const LayoutObject& wanted, const std
   return json;
 }
 
-// Of objects that are in the scene and may move: "floor" or names.
+// Supports of objects that are in the scene and may move: "floor" or names.
 std::map<std::string, Json> supports_by_name(const Scene& scene) {
   std::map<std::string, Json> out;
   for (const LoadSupport::Entry& entry : load_support(scene).entries)
@@ -122,7 +123,7 @@ Json manifest_row(const Json& scene) {
     if (object.contains("class")) ++classes[object.at("class").get<std::string>()];
   }
   row["objects"] = placed;
-  if (!classes.empty()) row["classes"] = classes;
+  if (scene.contains("kilograms")) row["classes"] = classes;  // scenes of before have neither
   return row;
 }
 

@@ -195,7 +195,7 @@ TEST(RecipeScene, DrawsMassesAndMaterialsOfRanges) {
       R"(, "class": "die", "mass": [1, 2], "material": {"friction": [0.4, 0.6], "density": 300})");
   const MadeScene made = make_scene({ranges, models(), {1, 2}}, 4);
   const MadeScene plain = make_scene({with(""), models(), {1, 2}}, 4);
-  const Json json = scene_json(4, made);
+  const Json told = scene_json(4, made);
   double total = 0;
   std::set<double> masses;
   for (const ObjectId id : made.run.scene.ids()) {
@@ -213,15 +213,15 @@ TEST(RecipeScene, DrawsMassesAndMaterialsOfRanges) {
               plain.run.scene.at(*plain.run.scene.find(object.name)).pose.translation);
   }
   EXPECT_EQ(masses.size(), 3u);
-  EXPECT_NEAR(json.at("kilograms").get<double>(), total, 1e-12);
-  for (const Json& object : json.at("objects")) {
+  EXPECT_NEAR(told.at("kilograms").get<double>(), total, 1e-12);
+  for (const Json& object : told.at("objects")) {
     EXPECT_EQ(object.at("class"), "die");
     EXPECT_NEAR(object.at("kilograms").get<double>(), object.at("mass").get<double>(), 1e-12);
     EXPECT_EQ(object.at("supports"), Json::array({"floor"}));
   }
-  EXPECT_EQ(manifest_row(json).at("classes"), Json({{"die", 3}}));
-  const Layout again = layout_of_poses(ranges, json, "scene 4");
-  EXPECT_EQ(again.objects[0].mass->kilograms, json.at("objects")[0].at("mass").get<double>());
+  EXPECT_EQ(manifest_row(told).at("classes"), Json({{"die", 3}}));
+  const Layout again = layout_of_poses(ranges, told, "scene 4");
+  EXPECT_EQ(again.objects[0].mass->kilograms, told.at("objects")[0].at("mass").get<double>());
   EXPECT_EQ(again.objects[0].class_name, "die");
   const Json without = scene_json(4, plain);
   EXPECT_NEAR(without.at("objects")[0].at("kilograms").get<double>(), 1, 1e-9)
