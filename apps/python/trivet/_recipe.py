@@ -295,8 +295,9 @@ def _with_whole_paths(document: Mapping[str, Any], folder: str) -> dict[str, Any
     entries = [entry for name in _LISTS for entry in out.get(name, [])]
     entries += [entry for group in out.get("groups", []) for entry in group.get("models", [])]
     for entry in entries:
-        if isinstance(entry.get("model"), str):
-            entry["model"] = os.path.join(folder, entry["model"])
+        for key in ("model", "collision"):
+            if isinstance(entry.get(key), str):
+                entry[key] = os.path.join(folder, entry[key])
     if "views" in out:
         out["views"] = _looks_with_whole_paths(out["views"], folder)
     return out
