@@ -10,8 +10,8 @@
 
 namespace trivet {
 
-/// What HullTree made of faces of one mesh, in one frame, with one shell: the same faces give the
-/// same again, so that trees of many scenes need each hull once. One thread at a time.
+/// Remembers what HullTree made of faces of one mesh, in one frame, with one shell: the same faces
+/// give the same again, so that trees of many scenes need each hull once. One thread at a time.
 class HullMemo {
  public:
   using Faces = std::vector<Index>;

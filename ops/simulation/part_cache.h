@@ -13,7 +13,7 @@ namespace trivet {
 /// last stay. One thread at a time.
 class PartCache {
  public:
-  /// Of the shape of this object, whatever its scale, however it lies.
+  /// The memory for the shape of this object, whatever its scale, however it lies.
   std::shared_ptr<HullMemo> of(const Object& object);
 
  private:

@@ -263,6 +263,10 @@
 <context>
     <name>refusal</name>
     <message>
+        <source>%1: &quot;%2&quot; has no triangle; accepted: a mesh</source>
+        <translation>%1: „%2“ hat kein Dreieck; erlaubt: ein Netz</translation>
+    </message>
+    <message>
         <source>no Radiance image: its header has no end</source>
         <translation>kein Radiance-Bild: Sein Kopf hat kein Ende</translation>
     </message>

@@ -207,6 +207,8 @@ class Files:
         """
         if simulate is not None:
             simulate = _arrays.number("simulate", simulate, "seconds, 1e-3 to 1e4", 1e-3, 1e4)
+            if not _arrays.path("path", path).lower().endswith((".xml", ".mjcf")):
+                raise _arrays.refuse("path", _arrays.short(path), "what MuJoCo reads: .xml or .mjcf, with simulate")
         if friction is not None:
             friction = _arrays.number("friction", friction, "a number from 0 to 1e3", 0.0, 1e3)
         if density is not None:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Callable, Iterable, Iterator, Mapping, Optional, Union
 
 from . import _arrays, _trivet
-from ._errors import BadInputError, EnvironmentFailure, OutOfTime
+from ._errors import BadInputError, EnvironmentFailure
 from ._scene import Scene
 from ._shape import PathLike, find_importer
 
@@ -21,7 +21,6 @@ BatchProgress = Callable[[int, int], Any]
 _LISTS = ("objects", "operations", "groups")
 _LOOKS = (("environments",), ("room", "floor_images"), ("room", "wall_images"))
 _POLL = 0.2  # seconds
-_COME_AGAIN = 75
 
 
 @dataclass(frozen=True)
@@ -105,7 +104,7 @@ class Recipe:
         k : int
             From 0.
         seconds : float
-            `OutOfTime` is raised beyond; 0: no limit.
+            TimeoutError is raised beyond; 0: no limit.
 
         Returns
         -------
@@ -114,7 +113,7 @@ class Recipe:
         k = _arrays.whole("k", k, 0, 2 ** 63)
         scene, text = self._recipe.scene(k, _arrays.number("seconds", seconds, "seconds, 0 to 1e9", 0.0, 1e9))
         if scene is None:
-            raise OutOfTime(f"scene {k} did not end within {seconds:g} s")
+            raise TimeoutError(f"scene {k} did not end within {seconds:g} s")
         info = json.loads(text)
         return MadeScene(k, Scene._of(scene), info["status"] == "ok", info.get("reason", ""), info)
 
@@ -252,10 +251,11 @@ def _run(words: list[str], out: str, total: int, jobs: int, shard: Optional[str]
                 process.wait()
         printed.seek(0), said.seek(0)
         lines, errors = printed.read().decode(), said.read().decode(errors="replace").strip()
-    if process.returncode in (0, 1, _COME_AGAIN) and lines.strip():
-        totals: dict[str, Any] = json.loads(lines.splitlines()[-1])
-        return totals
-    raise (BadInputError if process.returncode == 2 else EnvironmentFailure)(errors or "trivet batch ended early")
+    answer: dict[str, Any] = json.loads(lines) if lines.strip() else {}
+    if answer and "error" not in answer:
+        return answer
+    says = answer["error"]["message"] if answer else errors or "trivet batch ended early"
+    raise (BadInputError if process.returncode == 2 else EnvironmentFailure)(says)
 
 
 # Tells `progress` of the units that are there, until the process ends.

@@ -271,7 +271,7 @@ def test_textures_are_decoded_once_for_all_pictures_of_a_scene(tmp_path):
     again = [picture() for _ in range(3)]
     assert all((pixels == first).all() for pixels, _ in again)
     assert min(seconds for _, seconds in again) < 0.5 * long
-    carton.push([1.0, 0.0], 0.05)
+    carton.translate([0.1, 0.0, 0.0])
     assert (picture()[0] != first).any() and scene.labels(camera).names == ("carton",)
 
 

@@ -69,8 +69,8 @@ def test_the_same_bits_again_and_in_threads(folder):
         thread.join()
     assert [together[k] for k in range(4)] == alone
     made = recipe.scene(1)
-    brick = next(name for name in made.scene if name.startswith("brick"))
-    made.scene[brick].push([1.0, 0.0], 0.01)  # it is a scene like any other
+    brick = next(one for one in made.scene if one.name.startswith("brick"))
+    brick.push([1.0, 0.0], 0.01)  # it is a scene like any other
     assert made.scene.check().ok
 
 
@@ -83,7 +83,7 @@ def test_a_wrong_recipe_is_refused(folder):
         trivet.Recipe({"trivet_recipe": float("nan")}, folder=folder)
     with pytest.raises(trivet.BadInputError, match="none.json"):
         trivet.Recipe(folder / "none.json")
-    with pytest.raises(trivet.OutOfTime):
+    with pytest.raises(TimeoutError):
         trivet.Recipe(RECIPE, folder=folder).scene(0, seconds=1e-9)
 
 
