@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/tunables.h"
+#include "core/convex/hull_memo.h"
 #include "core/mesh/hull.h"
 
 namespace trivet {
@@ -37,8 +38,8 @@ double size_of(const std::vector<Vec3>& points) {
 
 }  // namespace
 
-HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
-    : m_mesh(mesh), m_adjacency(adjacency), m_shell(shell) {
+HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell, HullMemo* memo)
+    : m_mesh(mesh), m_adjacency(adjacency), m_shell(shell), m_memo(memo) {
   const size_t num_components = adjacency.components.size();
   const bool whole = num_components > kMaxParts;
   std::vector<std::vector<Index>> faces(whole ? 1 : num_components);
@@ -46,8 +47,9 @@ HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell)
     faces[whole ? 0 : adjacency.face_component[f]].push_back(static_cast<Index>(f));
   for (std::vector<Index>& of_root : faces) {
     if (of_root.empty()) continue;
-    m_nodes.push_back(make_node(std::move(of_root), m_shell));
-    const double filled = whole ? 0 : filled_part(m_num_roots);
+    m_nodes.push_back(known_node(std::move(of_root), m_shell));
+    const auto fill = [&] { return whole ? 0 : filled_part(m_num_roots); };
+    const double filled = m_memo ? m_memo->filled_part(m_num_roots, fill) : fill();
     m_is_convex.push_back(filled >= 1 - kConvexDefect);
     m_nodes.back().solid = filled >= kSolid;
     ++m_num_roots;
@@ -74,17 +76,19 @@ bool HullTree::refine(Index leaf) {
   if (const double backing = m_nodes[leaf].backing; backing > 0) {
     const bool solid = m_nodes[leaf].solid;
     const bool thin = backing <= kThinnestBacking * m_shell;
-    m_nodes[leaf] = make_node(std::move(m_nodes[leaf].faces), thin ? 0 : backing / 2);
+    m_nodes[leaf] = known_node(std::move(m_nodes[leaf].faces), thin ? 0 : backing / 2);
     m_nodes[leaf].solid = solid;
     return true;
   }
   if (m_nodes[leaf].faces.size() < 2) return false;
   if (leaf < m_num_roots && m_is_convex[leaf]) return false;
-  const auto [a, b] = halves(m_nodes[leaf].faces);
+  const std::vector<Index>& faces = m_nodes[leaf].faces;
+  const auto halve = [&] { return halves(faces); };
+  const auto [a, b] = m_memo ? m_memo->halves(faces, halve) : halve();
   Node of_a, of_b;
   try {
-    of_a = make_node(a, m_shell);
-    of_b = make_node(b, m_shell);
+    of_a = known_node(a, m_shell);
+    of_b = known_node(b, m_shell);
   } catch (const Error&) {
     return false;  // too small for hulls of their own
   }
@@ -95,6 +99,11 @@ bool HullTree::refine(Index leaf) {
   m_nodes[leaf].faces = {};
   ++m_num_leaves;
   return true;
+}
+
+HullTree::Node HullTree::known_node(std::vector<Index> faces, double shell) const {
+  if (!m_memo) return make_node(std::move(faces), shell);
+  return m_memo->node(faces, shell, [&] { return make_node(faces, shell); });
 }
 
 HullTree::Node HullTree::make_node(std::vector<Index> faces, double shell) const {

@@ -10,6 +10,8 @@
 
 namespace trivet {
 
+class HullMemo;
+
 /// A hull for each component of a mesh (of more than kMaxParts: one for all), and below it hulls of
 /// halves of its faces, down to single triangles, made when refine() asks for them. The leaves are
 /// the parts: together their hulls contain the whole surface, and the more of them there are the
@@ -20,7 +22,8 @@ class HullTree {
  public:
   /// @param mesh  in the unit and frame of the parts; outlives this, like `adjacency`, of the same
   ///   faces. @param shell  metres (units of the mesh).
-  HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell);
+  /// @param memo  of trees of the same mesh and shell, or null; outlives this.
+  HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell, HullMemo* memo = nullptr);
 
   struct Node {
     ConvexPart part;
@@ -43,6 +46,7 @@ class HullTree {
 
  private:
   Node make_node(std::vector<Index> faces, double shell) const;
+  Node known_node(std::vector<Index> faces, double shell) const;
   std::array<std::vector<Index>, 2> halves(const std::vector<Index>& faces) const;
   std::vector<Vec3> backed_corners(std::span<const Index> faces, double shell) const;
   double filled_part(Index root) const;
@@ -50,6 +54,7 @@ class HullTree {
   const Mesh& m_mesh;
   const Adjacency& m_adjacency;
   const double m_shell;
+  HullMemo* const m_memo;
   std::vector<Node> m_nodes;
   std::vector<bool> m_is_convex;  // of the roots
   Index m_num_roots = 0;

@@ -1,4 +1,4 @@
-// Image files of numbers: 8- and 16-bit PNG, float32 OpenEXR.
+// Image files of numbers: 8- and 16-bit PNG, float32 OpenEXR; Radiance's are read.
 #pragma once
 
 #include <cstdint>
@@ -32,5 +32,11 @@ inline constexpr std::int64_t kMaxFloatImagePixels = std::int64_t{1} << 26;
 /// Values that are not finite or below zero are 0.
 /// @throws Error: BadInput for what is no such image; Environment in a build without OpenEXR.
 FloatImage decode_exr(const std::string& bytes);
+
+/// A Radiance file (.hdr) of RGBE, rows from above, packed or not; its EXPOSURE is taken back.
+/// Untrusted: bounded in size. @throws Error (BadInput) for what is no such image.
+FloatImage decode_hdr(const std::string& bytes);
+/// Either of the two, by its first bytes. @throws Error as they do.
+FloatImage decode_float_image(const std::string& bytes);
 
 }  // namespace trivet

@@ -43,6 +43,22 @@ std::optional<PhysicsMaterial> material_preset(const std::string& name) {
   return std::nullopt;
 }
 
+std::optional<double> sheet_thickness(const PhysicsMaterial& material) {
+  struct Sheet {
+    const char* name;
+    double metres;
+  };
+  // Folding boxes, plates and cups, slabs, panes, a frozen puddle, belts, housings, mats, sheet
+  // metal, tiles, boards.
+  static constexpr Sheet kSheets[] = {
+      {"cardboard", 0.0015}, {"ceramic", 0.005},  {"concrete", 0.06}, {"glass", 0.004},
+      {"ice", 0.01},         {"leather", 0.0015}, {"plastic", 0.002}, {"rubber", 0.003},
+      {"steel", 0.001},      {"stone", 0.02},     {"wood", 0.015}};
+  for (const Sheet& sheet : kSheets)
+    if (material.name == sheet.name) return sheet.metres;
+  return std::nullopt;
+}
+
 bool same_material(const PhysicsMaterial& a, const PhysicsMaterial& b) {
   return a.name == b.name && a.friction == b.friction && a.density == b.density &&
          a.restitution == b.restitution;

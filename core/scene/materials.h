@@ -20,6 +20,11 @@ std::vector<std::string> material_names();
 /// @return nullopt if there is no such preset.
 std::optional<PhysicsMaterial> material_preset(const std::string& name);
 
+/// Metres that an open sheet of this preset is usually thick: tableware, panes, boards, sheets.
+/// Estimates of everyday things, by which open meshes weigh; values: materials.cpp. nullopt for
+/// numbers without a name.
+std::optional<double> sheet_thickness(const PhysicsMaterial& material);
+
 /// True if numbers and name are the same.
 bool same_material(const PhysicsMaterial& a, const PhysicsMaterial& b);
 /// True if it is the preset of its name; false without a name.

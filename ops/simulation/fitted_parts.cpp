@@ -44,7 +44,7 @@ class PartFitter {
     const HullTree::Node& of_tree = tree(body).node(node);
     Placed& out = all[node];
     if (!out.part || out.backing != of_tree.backing) {
-      out.part = std::make_unique<PlacedPart>(of_tree.part, m_bodies[body].world_from_link);
+      out.part = std::make_unique<PlacedPart>(of_tree.part, m_bodies[body].world_from_tree);
       out.backing = of_tree.backing;
     }
     return *out.part;
@@ -125,8 +125,11 @@ class PartFitter {
       if (of_b.solid) return refine(a, pair.a) || refine(b, pair.b);
       return refine(b, pair.b) || refine(a, pair.a);
     }
-    const bool a_first = of_a.backing != of_b.backing ? of_a.backing > of_b.backing
-                                                      : of_a.box.diagonal() >= of_b.box.diagonal();
+    const double metres_a = m_bodies[a].scale, metres_b = m_bodies[b].scale;
+    const double backing_a = of_a.backing * metres_a, backing_b = of_b.backing * metres_b;
+    const bool a_first = backing_a != backing_b
+                             ? backing_a > backing_b
+                             : of_a.box.diagonal() * metres_a >= of_b.box.diagonal() * metres_b;
     if (a_first) return refine(a, pair.a) || refine(b, pair.b);
     return refine(b, pair.b) || refine(a, pair.a);
   }

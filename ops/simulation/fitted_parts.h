@@ -12,7 +12,8 @@ namespace trivet {
 /// A body of a scene for simulators whose parts are the leaves of a tree.
 struct FittedBody {
   size_t tree = 0;
-  Affine world_from_link;
+  Affine world_from_tree;
+  double scale = 1;  // metres per unit of the tree
   bool fixed = false;
 };
 

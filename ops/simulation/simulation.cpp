@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/extension.h"
+#include "core/base/float32.h"
 #include "core/base/tunables.h"
 #include "core/model/exported_floats.h"
 #include "core/scene/friction.h"
@@ -17,6 +18,7 @@
 #include "ops/simulation/fitted_parts.h"
 #include "ops/simulation/looks.h"
 #include "ops/simulation/overlaps.h"
+#include "ops/simulation/part_cache.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -27,6 +29,13 @@ Mesh in_frame(const Mesh& mesh, const Affine& frame_from_object) {
   out.triangles = mesh.triangles;
   for (const Vec3& v : mesh.vertices) out.vertices.push_back(frame_from_object.apply(v));
   return out;
+}
+
+std::vector<ConvexPart> scaled(std::vector<ConvexPart> parts, double scale) {
+  if (scale == 1) return parts;
+  for (ConvexPart& part : parts)
+    for (Vec3& v : part.vertices) v = as_float32(Vec3(v * scale));
+  return parts;
 }
 
 PartRule part_rule(CollisionRule rule) {
@@ -84,15 +93,15 @@ class SceneMaker {
     Mat3 covariance =
         link_from_object.linear * properties.covariance * link_from_object.linear.transpose();
     if (properties.rule != MassRule::Volume) {  // the wall that gives it weight
-      const double wall = kWallThickness * object.scale * object.shape->box.diagonal();
+      const double wall = wall_thickness(object);
       covariance += wall * wall / 12 * Mat3::Identity();
     }
     body.inertia = body.mass * inertia_per_mass(covariance);
     body.friction = m_options.friction.value_or(object.material.friction);
     body.restitution = object.material.restitution;
-    add_notes(id);
     m_sizes.push_back(object.scale * object.shape->box.diagonal());
     m_out.scene.bodies.push_back(std::move(body));
+    add_notes(id);
   }
 
   void add_notes(ObjectId id) {
@@ -100,6 +109,10 @@ class SceneMaker {
     if (object.flexible)
       m_out.notes.push_back(
           say("\"%1\" came to rest as it is: here it is fixed and does not bend", object.name));
+    if (object.shape->mass.volume == 0 && !object.given_mass && !object.fixed)
+      m_out.notes.push_back(say("\"%1\" encloses nothing: it weighs as a sheet of %2 metres, %3 kg",
+                                object.name, figure(wall_thickness(object)),
+                                figure(m_out.scene.bodies.back().mass)));
     if (object.state != ObjectState::Fixed && object.state != ObjectState::Stable)
       m_out.notes.push_back(
           say("\"%1\" is %2: it will move", object.name, to_string(object.state)));
@@ -113,7 +126,8 @@ class SceneMaker {
   }
 
   size_t model_of(const Object& object) {
-    const auto key = std::make_tuple(object.model.get(), object.up, object.scale);
+    const auto key =
+        std::make_tuple(object.model.get(), object.shape->index.get(), object.up, object.scale);
     const auto [it, is_new] = m_models.try_emplace(key, m_out.scene.models.size());
     if (is_new) add_model(object);
     return it->second;
@@ -133,6 +147,8 @@ class SceneMaker {
                          model.look->left_out.end());
     m_shifts.push_back(shift);
     m_shapes.push_back(object.shape.get());
+    m_scales.push_back(object.scale);
+    m_memos.push_back(m_options.cache ? m_options.cache->of(object) : nullptr);
     m_out.scene.models.push_back(std::move(model));
   }
 
@@ -170,29 +186,37 @@ class SceneMaker {
 
   void add_fitted_parts() {
     std::vector<SimulationModel>& models = m_out.scene.models;
+    // In units of the files: hulls are the same then whatever the scale is.
     std::vector<Mesh> meshes;
-    for (size_t i = 0; i < models.size(); ++i)
-      meshes.push_back(in_frame(m_shapes[i]->mesh, models[i].link_from_object));
+    for (size_t i = 0; i < models.size(); ++i) {
+      Affine unscaled = models[i].link_from_object;
+      unscaled.linear /= m_scales[i], unscaled.translation /= m_scales[i];
+      meshes.push_back(in_frame(m_shapes[i]->mesh, unscaled));
+    }
     std::vector<HullTree> trees;
     trees.reserve(models.size());
     for (size_t i = 0; i < models.size(); ++i)
       trees.emplace_back(meshes[i], m_shapes[i]->adjacency,
-                         kWallThickness * meshes[i].box().diagonal());
+                         kWallThickness * meshes[i].box().diagonal(), m_memos[i].get());
     std::vector<FittedBody> bodies;
     for (const SimulationBody& body : m_out.scene.bodies)
-      bodies.push_back(
-          {body.model, world_from_object(body.world_from_link, UpAxis::Z, 1), body.fixed});
+      bodies.push_back({body.model,
+                        world_from_object(body.world_from_link, UpAxis::Z, m_scales[body.model]),
+                        m_scales[body.model], body.fixed});
     fit_parts(trees, bodies, m_out.scene.floor, closest_fit());
-    for (size_t i = 0; i < models.size(); ++i) set_parts(models[i], trees[i].parts());
+    for (size_t i = 0; i < models.size(); ++i)
+      set_parts(models[i], scaled(trees[i].parts(), m_scales[i]));
   }
 
   const Scene& m_scene;
   const SimulationOptions& m_options;
   SimulationExport m_out;
-  std::map<std::tuple<const Model*, UpAxis, double>, size_t> m_models;
-  std::vector<Vec3> m_shifts;          // of the models: from the pose to the link frame
-  std::vector<const Shape*> m_shapes;  // of the models
-  std::vector<double> m_sizes;         // of the bodies
+  std::map<std::tuple<const Model*, const ShapeIndex*, UpAxis, double>, size_t> m_models;
+  std::vector<Vec3> m_shifts;                      // of the models: from the pose to the link frame
+  std::vector<const Shape*> m_shapes;              // of the models
+  std::vector<std::shared_ptr<HullMemo>> m_memos;  // the same; null without a cache
+  std::vector<double> m_scales;                    // of the models, metres per unit
+  std::vector<double> m_sizes;                     // of the bodies
 };
 
 bool is_too_deep(const PartOverlap& overlap) { return overlap.depth > overlap.allowed; }

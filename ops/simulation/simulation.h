@@ -2,6 +2,7 @@
 // objects, and which parts overlap.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,12 +27,15 @@ const char* to_string(CollisionRule rule);
 /// @throws Error (BadInput) when the format of the file, or this build, has no such rule.
 void check_collision_rule(CollisionRule rule, const std::string& path);
 
+class PartCache;  // part_cache.h
+
 struct SimulationOptions {
   std::optional<double> density;   // kg/m^3, of everything; none: of the materials
   std::optional<double> friction;  // of everything; none: of the materials
   CollisionRule collision = CollisionRule::Fitted;
-  double max_overlap = 0;     // metres; 0: kMaxPartOverlap of the smaller of two objects
-  double hull_clearance = 0;  // metres by which faces of convex parts are moved inwards
+  double max_overlap = 0;            // metres; 0: kMaxPartOverlap of the smaller of two objects
+  double hull_clearance = 0;         // metres by which faces of convex parts are moved inwards
+  std::shared_ptr<PartCache> cache;  // of scenes with the same models; null: none is kept
   SimulationFileOptions files;
 };
 

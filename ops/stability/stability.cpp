@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "core/scene/materials.h"
 #include "ops/placement/clearance.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
@@ -295,10 +296,17 @@ std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& st
   return out;
 }
 
+double wall_thickness(const Object& object) {
+  const double wall = kWallThickness * object.shape->box.diagonal() * object.scale;
+  return std::min(wall, sheet_thickness(object.material).value_or(wall));
+}
+
 double weight_of(const Object& object, double density) {
   if (object.given_mass) return kGravity * object.given_mass->kilograms;
   const MassProperties& mass = object.shape->mass;
-  const double wall = kWallThickness * object.shape->box.diagonal();
+  double wall = kWallThickness * object.shape->box.diagonal();
+  if (const auto sheet = sheet_thickness(object.material))
+    wall = std::min(wall, *sheet / object.scale);
   const double volume = mass.volume != 0 ? std::abs(mass.volume) : mass.area * wall;
   const double least = wall * wall * wall;  // lines and points
   const double scale = object.scale;

@@ -98,7 +98,10 @@ inline constexpr double kCarriedPart = 0.01;
 
 inline constexpr double kMarginalFriction = 0.99, kMarginalShift = 1e-3;
 inline constexpr double kGravity = 9.80665;  // m/s^2
-/// Newtons. By volume, or by area and kWallThickness where there is none.
+/// Metres of wall by which an object without volume weighs: kWallThickness of its size, at most as
+/// thick as sheets of its material are.
+double wall_thickness(const Object& object);
+/// Newtons. As given; else by volume, or by area and wall_thickness() where there is none.
 /// @param density  kg/m^3
 double weight_of(const Object& object, double density);
 inline double weight_of(const Object& object) { return weight_of(object, object.material.density); }

@@ -99,6 +99,7 @@ def render(model, side, samples, folder):
     bpy.ops.render.render(write_still=True)
 
 
-side, samples, folder, *models = sys.argv[sys.argv.index("--") + 1:]
-for path in models:
-    render(path, int(side), int(samples), folder)
+if __name__ == "__main__":
+    side, samples, folder, *models = sys.argv[sys.argv.index("--") + 1:]
+    for path in models:
+        render(path, int(side), int(samples), folder)

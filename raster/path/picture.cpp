@@ -13,6 +13,7 @@ namespace trivet {
 namespace {
 
 constexpr float kKnee = 0.6f;
+constexpr std::size_t kMostLamps = 64;
 
 // Straight up to kKnee, then bent so that white is reached slowly: gpu's film().
 float film(float x) {
@@ -99,9 +100,21 @@ void check_look(const PictureLook& look) {
     bad_input("the key light has no direction");
   if (!is_light(look.key_colour) || !is_light(look.sky_colour) || !is_light(look.floor_colour))
     bad_input("a colour of light or floor is out of range; accepted: 0 to 1e6");
-  for (const double x : {look.exposure, look.noise, look.environment_strength})
+  for (const double x : {look.exposure, look.noise, look.environment_strength, look.f_number})
     if (!(x >= 0 && x <= 1e6))
-      bad_input("exposure, noise or strength of %1; accepted: 0 to 1e6", std::to_string(x));
+      bad_input("exposure, noise, strength or f-number of %1; accepted: 0 to 1e6",
+                std::to_string(x));
+  if (!(look.focus > 0 && look.focus <= 1e6))
+    bad_input("a focus at %1 of the distance; accepted: above 0, to 1e6",
+              std::to_string(look.focus));
+  if (look.lamps.size() > kMostLamps)
+    bad_input("%1 lamps; accepted: at most %2", look.lamps.size(), kMostLamps);
+  for (const PictureLamp& lamp : look.lamps) {
+    if (!is_light(lamp.colour)) bad_input("a colour of a lamp is out of range; accepted: 0 to 1e6");
+    if (!(lamp.towards.allFinite() && lamp.towards.norm() > 1e-9 && lamp.distance > 0 &&
+          lamp.distance <= 1e6 && lamp.size >= 0 && lamp.size <= 1e6))
+      bad_input("a lamp without direction, or a distance or size out of range");
+  }
 }
 
 }  // namespace

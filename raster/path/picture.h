@@ -5,7 +5,9 @@
 #include <atomic>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/image.h"
 #include "core/picture/pinhole_camera.h"
@@ -20,8 +22,24 @@ class PictureCancelled : public std::exception {
 
 class EnvironmentMap;
 
+/// A lamp that is not seen itself, but for its mirror images on rough surfaces.
+struct PictureLamp {
+  enum class Kind {
+    Sun,   // far away: a disc of parallel light
+    Bulb,  // a ball that shines in all directions
+    Panel  // a square that faces the middle of the scene; nothing behind it is lit
+  };
+  Kind kind = Kind::Sun;
+  Vec3 towards = Vec3::UnitZ();  // from the middle of the scene's box, world; of any length
+  double distance = 1;           // metres, from there; of a sun none
+  double size = 0.1;             // metres: diameter or side; of a sun its angle in radians
+  /// In the middle of the scene on a surface that faces it: times the studio's key light.
+  Vec3 colour = Vec3::Ones();
+};
+
 /// Light, floor and camera of a picture, relative to those of the studio.
 struct PictureLook {
+  std::vector<PictureLamp> lamps;  // instead of the key light; none: that one
   std::optional<Vec3> key;  // towards the key light, world; none: behind the viewer, to the left
   Vec3 key_colour = Vec3::Ones(), sky_colour = Vec3::Ones();   // times the studio's, linear RGB
   Vec3 floor_colour = Vec3::Constant(0.62);                    // linear RGB
@@ -31,7 +49,11 @@ struct PictureLook {
   double environment_strength = 1;
   Vec2 environment_turn = {1, 0};  // cosine and sine of its turn about z
   double exposure = 1;             // times all light
-  double noise = 0;                // standard deviation of each component, of 1
+  // A lens instead of a pinhole: of a sensor 36 mm wide, so that its focal length follows from the
+  // camera. 0: all is sharp. Labels are those of the pinhole.
+  double f_number = 0;
+  double focus = 1;  // times the distance to the middle of the scene
+  double noise = 0;  // standard deviation of each component, of 1
   std::uint64_t noise_seed = 0;
 };
 

@@ -21,8 +21,9 @@ struct PathTracer::Path {
   int num_bounces = 0, num_through = 0, num_absent = 0;
   float width = 0, spread = 0;     // of the cone around it: by now, per length
   Vec3f absorbed = Vec3f::Zero();  // inside, per length
-  // Light of the key lamp if nothing is in the way.
+  // Light of a lamp if nothing is in the way up to it.
   bool asks_key = false, asks_first = false;
+  float key_end = 0;
   Vec3f key_from, key_direction, key_matt, key_bright;
   // Values of this sample.
   float coverage = 0;

@@ -18,6 +18,7 @@ constexpr int kSkyViews = 256;                      // that the lights' brightne
 constexpr float kKeep = 1.5f;                       // paths of this inverse weight go on
 constexpr int kMaxThrough = 24;                     // see-through surfaces of a path
 constexpr int kMaxAbsent = 256;                     // cut-out ones
+constexpr double kSensorWidth = 0.036;              // metres, of a camera with a lens
 // Cones of rays, over which textures are looked up; by length. Half a pixel, as samples differ.
 constexpr float kPixelShare = 0.5f, kMattSpread = 0.3f, kBrightSpread = 0.2f;
 
@@ -48,14 +49,11 @@ PathTracer::PathTracer(const PictureScene& scene, const PinholeCamera& camera,
       m_frame(make_picture_frame(scene)),
       m_scene(scene, m_frame),
       m_frame_from_camera(camera.camera_from_world.transpose().cast<float>()),
+      m_lamps(path.look, PictureLights(kSkyViews, frame_camera(camera)), m_frame),
       m_eye(m_frame.apply(camera.eye).cast<float>()) {
   const PictureLights lights(kSkyViews, frame_camera(camera));
   const PictureLook& look = path.look;
-  m_key = look.key.value_or(lights.key_direction()).normalized().cast<float>();
-  const Tangents t = tangents(m_key);
-  m_key_x = t.x, m_key_y = t.y;
-  m_key_radius = static_cast<float>(std::tan(kKeyRadiusDeg * std::numbers::pi / 180));
-  m_key_irradiance = lights.key_irradiance().cwiseProduct(look.key_colour).cast<float>();
+  set_lens(camera, look);
   m_sky_horizon = lights.sky_colour(0).cwiseProduct(look.sky_colour).cast<float>();
   m_sky_slope = lights.sky_colour(1).cwiseProduct(look.sky_colour).cast<float>() - m_sky_horizon;
   m_floor_colour = look.floor_colour.cast<float>();
@@ -64,9 +62,12 @@ PathTracer::PathTracer(const PictureScene& scene, const PinholeCamera& camera,
   m_fade_begin = float(kFadeBegin * radius), m_fade_end = float(kFadeEnd * radius);
 }
 
-Vec3f PathTracer::key_light(Sampler::Pair u) const {
-  const float r = m_key_radius * std::sqrt(u.x), phi = 2 * std::numbers::pi_v<float> * u.y;
-  return (m_key + r * std::cos(phi) * m_key_x + r * std::sin(phi) * m_key_y).normalized();
+void PathTracer::set_lens(const PinholeCamera& camera, const PictureLook& look) {
+  if (look.f_number <= 0) return;
+  const double focal_length = kSensorWidth * camera.fx / camera.width;
+  m_lens_radius = static_cast<float>(m_frame.scale * focal_length / (2 * look.f_number));
+  const double middle = camera.camera_from_world.row(2).dot(m_frame.centre - camera.eye);
+  m_in_focus = static_cast<float>(m_frame.scale * look.focus * std::max(middle, focal_length));
 }
 
 Vec3f PathTracer::sky(const Vec3f& direction, bool mirrored) const {
@@ -92,6 +93,13 @@ void PathTracer::start_path(Path& path, int x, int y, int sample) const {
                   float((y + u.y - 0.5 - m_camera.cy) / m_camera.fy), 1);
   path.from = m_eye;
   path.direction = (m_frame_from_camera * ray).normalized();
+  if (m_lens_radius > 0) {
+    const Sampler::Pair at = path.sampler.next();
+    const float r = m_lens_radius * std::sqrt(at.x), phi = 2 * std::numbers::pi_v<float> * at.y;
+    const Vec3f on_lens(r * std::cos(phi), r * std::sin(phi), 0);
+    path.from += m_frame_from_camera * on_lens;
+    path.direction = (m_frame_from_camera * (m_in_focus * ray - on_lens)).normalized();
+  }
   path.spread = kPixelShare / float(m_camera.fx);
 }
 
@@ -168,17 +176,19 @@ void PathTracer::ask_environment(Path& path, const SurfacePoint& at) const {
   path.key_bright = Vec3f::Zero();
   path.key_matt = opacity_of(at) * strength * light.matt * path.weight.cwiseProduct(drawn.weight);
   if (!path.asks_first) path.key_matt = path.key_matt.cwiseProduct(diffuse_albedo(at.material));
-  path.key_from = lifted(at, path.key_direction);
+  path.key_from = lifted(at, path.key_direction), path.key_end = kRayEnd;
 }
 
 void PathTracer::ask_key_light(Path& path, const SurfacePoint& at) const {
   if (m_environment) return ask_environment(path, at);
-  path.key_direction = key_light(path.sampler.next());
+  const LampLight lamp = m_lamps.towards(at.position, path.sampler.next());
+  path.key_direction = lamp.direction;
   const Reflected light = reflected(at, path.key_direction, -path.direction);
   path.asks_key = light.matt > 0 || light.bright.maxCoeff() > 0;
   if (!path.asks_key) return;
   path.asks_first = path.is_first();
-  const Vec3f weight = opacity_of(at) * path.weight.cwiseProduct(m_key_irradiance);
+  path.key_end = lamp.distance;
+  const Vec3f weight = opacity_of(at) * path.weight.cwiseProduct(lamp.irradiance);
   path.key_bright = weight.cwiseProduct(light.bright);
   path.key_matt = weight * light.matt;
   if (!path.asks_first) path.key_matt = path.key_matt.cwiseProduct(diffuse_albedo(at.material));
@@ -265,7 +275,7 @@ void PathTracer::follow(std::array<Path, kRayLanes>& paths) const {
       path.asks_key = false;
       if (path.on) advance(path, rays, hits, i);
       if (!path.asks_key || !m_options.shadows) continue;
-      shadows.set(i, path.key_from, path.key_direction, 0, kRayEnd);
+      shadows.set(i, path.key_from, path.key_direction, 0, path.key_end);
       any_shadow = true;
     }
     std::array<Vec3f, kRayLanes> passed;

@@ -4,6 +4,7 @@
 #include "core/picture/lights.h"
 #include "core/picture/pinhole_camera.h"
 #include "raster/path/environment.h"
+#include "raster/path/lamps.h"
 #include "raster/path/picture.h"
 #include "raster/path/sums.h"
 #include "raster/path/surface_light.h"
@@ -36,7 +37,7 @@ class PathTracer {
   void go_on(Path& path, const SurfacePoint& at) const;
   static void finish(const Path& path, PixelSums& sums);
   float floor_coverage(const Vec3f& at) const;
-  Vec3f key_light(Sampler::Pair u) const;  // direction towards a point of its disc
+  void set_lens(const PinholeCamera& camera, const PictureLook& look);
   Vec3f sky(const Vec3f& direction, bool mirrored) const;
   Vec3f surroundings(const Vec3f& direction) const;  // of the environment
   void ask_environment(Path& path, const SurfacePoint& at) const;
@@ -49,9 +50,10 @@ class PathTracer {
   PictureFrame m_frame;
   PathScene m_scene;
   Eigen::Matrix3f m_frame_from_camera;
-  Vec3f m_eye, m_key, m_key_x, m_key_y, m_key_irradiance, m_sky_horizon, m_sky_slope,
-      m_floor_colour;
-  float m_key_radius, m_floor_z, m_fade_begin, m_fade_end;
+  Lamps m_lamps;
+  Vec3f m_eye, m_sky_horizon, m_sky_slope, m_floor_colour;
+  float m_floor_z, m_fade_begin, m_fade_end;
+  float m_lens_radius = 0, m_in_focus = 1;  // distance along the view; picture frame
 };
 
 }  // namespace trivet

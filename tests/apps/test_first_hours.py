@@ -58,8 +58,9 @@ class FirstHours(BatchCase):
         self.write("box.obj", box_obj(0.05, 0.03, 0.02))
         self.write("brick.obj", box_obj(0.03, 0.03, 0.05))
         self.write_recipe(groups=[
-            {"name": "thing", "models": [{"model": "box.obj", "class": "carton"}, {"model": "brick.obj"}], "count": [2, 4],
-             "on": "slab"},
+            {"name": "thing", "count": [2, 4], "on": "slab",
+             "models": [{"model": "box.obj", "class": "carton", "mass": [0.1, 0.2], "material": {"friction": [0.3, 0.6]}},
+                        {"model": "brick.obj", "collision": "brick.obj"}]},
             {"name": "clutter", "models": [{"model": "cube.obj"}], "count": 2, "on": "slab", "target": False,
              "scale_range": [0.3, 0.6]}],
             views={"width": 64, "height": 48, "samples": 1,
@@ -81,6 +82,32 @@ class FirstHours(BatchCase):
         means = {k: sum(bop.image(k, "rgb", 0)[3]) // (64 * 48) for k in bop.scene_ids() if bop.scene(k)[1]}
         self.assertGreater(len(set(means.values())), len(means) // 2)
         self.assertIn("0 findings", self.trivet("batch", "verify", "set", "--scenes", "scenes")[0])
+        cartons = [o for k in range(NUM) for o in self.scene(k)["objects"] if o.get("class") == "carton"]
+        for carton in cartons:
+            self.assertTrue(0.1 <= carton["kilograms"] <= 0.2 and 0.3 <= carton["material"]["friction"] <= 0.6, carton)
+            self.assertTrue(carton["position"] is None or carton["supports"], carton)
+        for row in self.merged("scenes"):
+            self.assertEqual(sum(row["classes"].values()), row["objects"])
+        self.other_looks(means)
+
+    def scene(self, k):
+        return json.loads(self.trivet("batch", "recipe.json", "--count", NUM, "--seed", 7, "--only", k)[0])
+
+    def other_looks(self, means):
+        """The same scenes by lamps through a lens, and in surroundings of a Radiance file."""
+        sky = b"".join(bytes((40, 60, 120, 129)) if y < 4 else bytes((60, 50, 40, 128)) for y in range(8) for x in range(16))
+        self.write("sky.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + sky)
+        for name, look in (("lamps", {"lamps": {"kind": ["sun", "bulb", "panel"], "count": [1, 3], "temperature": [2500, 9000]},
+                                      "lens": {"f_number": [1, 4]}}), ("sky", {"environments": ["sky.hdr"]})):
+            self.write(name + ".json", json.dumps({"views": {"width": 64, "height": 48, "samples": 1, "dome": {"count": 1},
+                                                             "look": look}}))
+            self.trivet("batch", "pictures", "scenes", "--views", name + ".json", "--bop", name, "--quiet")
+            bop = BopSet(self.path(name))
+            shown = {k: sum(bop.image(k, "rgb", 0)[3]) // (64 * 48) for k in bop.scene_ids() if bop.scene(k)[1]}
+            self.assertEqual(sorted(shown), sorted(means))
+            self.assertTrue(all(shown[k] > 0 for k in shown), shown)
+        self.write("none.json", json.dumps({"views": {"look": {"environments": ["none.hdr"]}}}))
+        self.trivet("batch", "pictures", "scenes", "--views", "none.json", "--bop", "none", status=2)
 
 
 if __name__ == "__main__":

@@ -263,6 +263,62 @@
 <context>
     <name>refusal</name>
     <message>
+        <source>%1: &quot;%2&quot; has no triangle; accepted: a mesh</source>
+        <translation>%1: „%2“ hat kein Dreieck; erlaubt: ein Netz</translation>
+    </message>
+    <message>
+        <source>no Radiance image: its header has no end</source>
+        <translation>kein Radiance-Bild: Sein Kopf hat kein Ende</translation>
+    </message>
+    <message>
+        <source>no Radiance image: it ends early</source>
+        <translation>kein Radiance-Bild: Es endet zu früh</translation>
+    </message>
+    <message>
+        <source>an image of size &quot;%1&quot;; accepted: -Y HEIGHT +X WIDTH, rows from above</source>
+        <translation>ein Bild der Größe „%1“; erlaubt: -Y HÖHE +X BREITE, Zeilen von oben</translation>
+    </message>
+    <message>
+        <source>no Radiance image: it does not begin with #?</source>
+        <translation>kein Radiance-Bild: Es beginnt nicht mit #?</translation>
+    </message>
+    <message>
+        <source>a Radiance image of %1; accepted: FORMAT=32-bit_rle_rgbe</source>
+        <translation>ein Radiance-Bild mit %1; erlaubt: FORMAT=32-bit_rle_rgbe</translation>
+    </message>
+    <message>
+        <source>no Radiance image: a run beyond its row</source>
+        <translation>kein Radiance-Bild: eine Wiederholung über ihre Zeile hinaus</translation>
+    </message>
+    <message>
+        <source>a Radiance image with an exposure of %1</source>
+        <translation>ein Radiance-Bild mit einer Belichtung von %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; encloses nothing: it weighs as a sheet of %2 metres, %3 kg</source>
+        <translation>„%1“ umschließt nichts: Es wiegt wie ein Blatt von %2 Metern, %3 kg</translation>
+    </message>
+    <message>
+        <source>exposure, noise, strength or f-number of %1; accepted: 0 to 1e6</source>
+        <translation>Belichtung, Rauschen, Stärke oder Blendenzahl von %1; erlaubt: 0 bis 1e6</translation>
+    </message>
+    <message>
+        <source>a focus at %1 of the distance; accepted: above 0, to 1e6</source>
+        <translation>ein Fokus beim %1-fachen der Entfernung; erlaubt: über 0, bis 1e6</translation>
+    </message>
+    <message>
+        <source>%1 lamps; accepted: at most %2</source>
+        <translation>%1 Lampen; erlaubt: höchstens %2</translation>
+    </message>
+    <message>
+        <source>a colour of a lamp is out of range; accepted: 0 to 1e6</source>
+        <translation>Die Farbe einer Lampe liegt außerhalb; erlaubt: 0 bis 1e6</translation>
+    </message>
+    <message>
+        <source>a lamp without direction, or a distance or size out of range</source>
+        <translation>eine Lampe ohne Richtung, oder ihr Abstand oder ihre Größe liegt außerhalb</translation>
+    </message>
+    <message>
         <source>%1 kg; accepted: %2 to %3 kg</source>
         <translation>%1 kg; erlaubt: %2 bis %3 kg</translation>
     </message>
@@ -2721,10 +2777,6 @@
     <message>
         <source>a colour of light or floor is out of range; accepted: 0 to 1e6</source>
         <translation>eine Farbe von Licht oder Boden liegt außerhalb des Bereichs; erlaubt: 0 bis 1e6</translation>
-    </message>
-    <message>
-        <source>exposure, noise or strength of %1; accepted: 0 to 1e6</source>
-        <translation>Belichtung, Rauschen oder Stärke von %1; erlaubt: 0 bis 1e6</translation>
     </message>
     <message>
         <source>this server writes no files; it answers with a scene&apos;s bytes</source>

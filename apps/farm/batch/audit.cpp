@@ -67,9 +67,9 @@ std::optional<double> rate_of(const std::vector<std::pair<FileTime, std::uint64_
   return static_cast<double>(scenes - first->second) / seconds;
 }
 
-const char* const kColumns[] = {"k",         "status",     "reason",       "attempt",
-                                "objects",   "operations", "refused",      "triangles",
-                                "stability", "margin",     "smallest_gap", "least_friction"};
+const char* const kColumns[] = {
+    "k",         "status",    "reason", "attempt",      "objects",        "operations", "refused",
+    "triangles", "stability", "margin", "smallest_gap", "least_friction", "kilograms"};
 
 std::string csv_field(const Json& row, const char* column) {
   if (!row.contains(column) || row[column].is_null()) return "";

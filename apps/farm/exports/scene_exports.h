@@ -6,6 +6,7 @@
 
 #include "apps/farm/store/run_file.h"
 #include "ops/files/layout/scene_of_layout.h"
+#include "ops/simulation/part_cache.h"
 
 namespace trivet::farm {
 
@@ -16,6 +17,7 @@ struct ExportWork {
   std::string out;                 // the batch of the exports: OUT/meshes is shared by all scenes
   std::vector<std::string> kinds;  // of export_kinds()
   std::string version;             // of the program
+  std::shared_ptr<PartCache> parts = std::make_shared<PartCache>();  // of each process
 };
 
 /// "mjcf", "urdf", "sdf", "usd", "glb".

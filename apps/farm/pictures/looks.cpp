@@ -11,6 +11,7 @@ namespace trivet::farm {
 namespace {
 
 constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{1} << 30;
+constexpr double kSunRadians = 0.0093;  // that the sun is wide
 
 Vec3 linear_sum(double x, double y) {  // of CIE's x and y, of luminance 1
   const double big_x = x / y, big_z = (1 - x - y) / y;
@@ -40,15 +41,36 @@ Vec3 light_within(const LightRange& range, Decision decision) {
   return strength * colour_of_temperature(decision.within(*range.temperature));
 }
 
+Vec3 direction_within(const Interval& elevation_deg, const Interval& azimuth_deg,
+                      Decision& decision) {
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double elevation = kDegree * decision.within(elevation_deg);
+  const double azimuth = kDegree * decision.within(azimuth_deg);
+  return Vec3(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+              std::sin(elevation));
+}
+
 // Towards the light.
 std::optional<Vec3> key_within(const LookRanges& ranges, Decision decision) {
   if (!ranges.elevation_deg && !ranges.azimuth_deg) return std::nullopt;
-  constexpr double kDegree = std::numbers::pi / 180;
-  const double elevation =
-      kDegree * decision.within(ranges.elevation_deg.value_or(Interval{52, 52}));
-  const double azimuth = kDegree * decision.within(ranges.azimuth_deg.value_or(Interval{0, 360}));
-  return Vec3(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-              std::sin(elevation));
+  return direction_within(ranges.elevation_deg.value_or(Interval{52, 52}),
+                          ranges.azimuth_deg.value_or(Interval{0, 360}), decision);
+}
+
+PictureLamp::Kind kind_of_lamp(LampRanges::Kind kind) {
+  if (kind == LampRanges::Kind::Sun) return PictureLamp::Kind::Sun;
+  return kind == LampRanges::Kind::Bulb ? PictureLamp::Kind::Bulb : PictureLamp::Kind::Panel;
+}
+
+PictureLamp lamp_within(const LampRanges& ranges, Decision decision) {
+  PictureLamp out;
+  out.kind = kind_of_lamp(ranges.kinds[decision.index(ranges.kinds.size())]);
+  out.towards = direction_within(ranges.elevation_deg, ranges.azimuth_deg, decision);
+  out.distance = decision.within(ranges.distance);
+  const double size = decision.within(ranges.size);
+  out.size = out.kind == PictureLamp::Kind::Sun ? kSunRadians : size;
+  out.colour = light_within(ranges.light, std::move(decision));
+  return out;
 }
 
 void draw_environment(const LookRanges& ranges, LookImages& images, Decision decision,
@@ -81,7 +103,7 @@ std::shared_ptr<const Image> LookImages::get(
 
 std::shared_ptr<const EnvironmentMap> LookImages::environment(const std::string& name) {
   return get(m_environments, name,
-             [](const std::string& bytes) { return EnvironmentMap(decode_exr(bytes)); });
+             [](const std::string& bytes) { return EnvironmentMap(decode_float_image(bytes)); });
 }
 
 std::shared_ptr<const TextureImage> LookImages::texture(const std::string& name) {
@@ -110,6 +132,12 @@ PictureLook look_of(const LookRanges& ranges, LookImages& images, const PhiloxKe
   PictureLook out;
   out.key = key_within(ranges, of_scene("key/direction"));
   out.key_colour = light_within(ranges.key, of_scene("key"));
+  if (ranges.lamps) {
+    const int count = of_scene("lamps/count").count(ranges.lamps->count);
+    for (int i = 0; i < count; ++i)
+      out.lamps.push_back(
+          lamp_within(*ranges.lamps, of_scene(("lamps/" + std::to_string(i)).c_str())));
+  }
   out.sky_colour = light_within(ranges.sky, of_scene("sky"));
   if (ranges.floor) {
     const std::array<float, 3> colour = colour_within(*ranges.floor, of_scene("floor"));
@@ -124,6 +152,11 @@ PictureLook look_of(const LookRanges& ranges, LookImages& images, const PhiloxKe
   out.exposure = of_view.within(ranges.exposure);
   out.noise = of_view.within(ranges.noise);
   out.noise_seed = of_view.bits();
+  if (ranges.lens) {
+    Decision of_lens(key, k, "look/" + std::to_string(view) + "/lens");
+    out.f_number = of_lens.within(ranges.lens->f_number);
+    out.focus = of_lens.within(ranges.lens->focus);
+  }
   return out;
 }
 

@@ -6,6 +6,8 @@
 namespace trivet::farm {
 namespace {
 
+constexpr int kMaxLamps = 16;
+
 LightRange read_light(const JsonPlace& place) {
   LightRange out;
   if (const auto strength = place.find("strength"))
@@ -31,9 +33,10 @@ ColourRange read_colours(const JsonPlace& place) {
 void read_environments(const JsonPlace& place, LookRanges& out) {
   for (const JsonPlace& file : place.items()) {
     out.environments.push_back(file.text());
-    if (lower_extension(out.environments.back()) != ".exr") file.refuse("OpenEXR files: .exr");
+    const std::string kind = lower_extension(out.environments.back());
+    if (kind != ".exr" && kind != ".hdr") file.refuse("OpenEXR or Radiance files: .exr or .hdr");
   }
-  if (out.environments.empty()) place.refuse("an array of at least one .exr file");
+  if (out.environments.empty()) place.refuse("an array of at least one .exr or .hdr file");
 }
 
 std::vector<std::string> read_image_files(const JsonPlace& place) {
@@ -45,6 +48,42 @@ std::vector<std::string> read_image_files(const JsonPlace& place) {
       file.refuse("pictures: .png, .jpg, .jpeg or .webp");
   }
   if (out.empty()) place.refuse("an array of at least one picture");
+  return out;
+}
+
+LampRanges::Kind read_lamp_kind(const JsonPlace& place) {
+  if (place.value() == "sun") return LampRanges::Kind::Sun;
+  if (place.value() == "bulb") return LampRanges::Kind::Bulb;
+  if (place.value() == "panel") return LampRanges::Kind::Panel;
+  place.refuse("\"sun\", \"bulb\" or \"panel\"");
+}
+
+LampRanges read_lamps(const JsonPlace& place) {
+  place.expect_object({}, {"kind", "count", "strength", "temperature", "elevation_deg",
+                           "azimuth_deg", "distance", "size"});
+  LampRanges out;
+  if (const auto kind = place.find("kind")) {
+    out.kinds.clear();
+    if (kind->value().is_array())
+      for (const JsonPlace& one : kind->items()) out.kinds.push_back(read_lamp_kind(one));
+    else
+      out.kinds.push_back(read_lamp_kind(*kind));
+    if (out.kinds.empty()) kind->refuse("a kind, or an array of at least one");
+  }
+  out.light = read_light(place);
+  if (const auto count = place.find("count")) out.count = read_counts(*count, 1, kMaxLamps);
+  if (const auto deg = place.find("elevation_deg")) out.elevation_deg = read_interval(*deg, 1, 90);
+  if (const auto deg = place.find("azimuth_deg")) out.azimuth_deg = read_interval(*deg, -360, 360);
+  if (const auto metres = place.find("distance")) out.distance = read_interval(*metres, 1e-3, 1e3);
+  if (const auto metres = place.find("size")) out.size = read_interval(*metres, 0, 1e3);
+  return out;
+}
+
+LensRanges read_lens(const JsonPlace& place) {
+  place.expect_object({}, {"f_number", "focus"});
+  LensRanges out;
+  if (const auto number = place.find("f_number")) out.f_number = read_interval(*number, 0.5, 1000);
+  if (const auto focus = place.find("focus")) out.focus = read_interval(*focus, 0.01, 100);
   return out;
 }
 
@@ -72,9 +111,16 @@ SurfaceRanges read_surface(const JsonPlace& place) {
 }
 
 LookRanges read_look(const JsonPlace& place) {
-  place.expect_object({}, {"key", "sky", "environments", "environment_strength", "floor",
-                           "background", "room", "exposure", "noise"});
+  place.expect_object({}, {"key", "lamps", "sky", "environments", "environment_strength", "floor",
+                           "background", "room", "exposure", "noise", "lens"});
   LookRanges out;
+  if (const auto lamps = place.find("lamps")) {
+    for (const char* const other : {"key", "environments"})
+      if (place.find(other))
+        lamps->fail(say("there is \"%1\" beside it; accepted: one of them", other));
+    out.lamps = read_lamps(*lamps);
+  }
+  if (const auto lens = place.find("lens")) out.lens = read_lens(*lens);
   if (const auto key = place.find("key")) {
     key->expect_object({}, {"strength", "temperature", "elevation_deg", "azimuth_deg"});
     out.key = read_light(*key);

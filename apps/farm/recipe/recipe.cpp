@@ -165,7 +165,8 @@ void rename_models(nlohmann::json& document, const char* list,
                    const std::function<std::string(const std::string&)>& rename) {
   if (!document.contains(list)) return;
   for (nlohmann::json& item : document[list])
-    if (item.contains("model")) item["model"] = rename(item["model"].get<std::string>());
+    for (const char* const key : {"model", "collision"})
+      if (item.contains(key)) item[key] = rename(item[key].get<std::string>());
 }
 
 }  // namespace
@@ -205,11 +206,15 @@ std::string canonical_recipe(const std::string& text, const std::string& file,
 
 std::vector<std::string> models_of(const Recipe& recipe) {
   std::set<std::string> out;
-  for (const LayoutObject& object : recipe.base.objects) out.insert(object.model);
+  const auto add = [&](const LayoutObject& object) {
+    out.insert(object.model);
+    if (!object.collision.empty()) out.insert(object.collision);
+  };
+  for (const LayoutObject& object : recipe.base.objects) add(object);
   for (const Operation& operation : recipe.base.operations)
     if (const auto* append = std::get_if<AppendOperation>(&operation)) out.insert(append->model);
   for (const RecipeGroup& group : recipe.groups)
-    for (const RecipeModel& model : group.models) out.insert(model.object.model);
+    for (const RecipeModel& model : group.models) add(model.object);
   return {out.begin(), out.end()};
 }
 

@@ -13,9 +13,16 @@
 
 namespace trivet::farm {
 
+/// Drawn for each object; what is not given is that of the model's material and geometry.
+struct PhysicsRanges {
+  std::optional<Interval> friction, density, restitution;
+  std::optional<Interval> kilograms;
+};
+
 /// One of the models that objects of a group are made of.
 struct RecipeModel {
-  LayoutObject object;     // without name and pose
+  LayoutObject object;  // without name and pose
+  PhysicsRanges physics;
   double weight = 1;       // how often, beside the others
   std::optional<int> id;   // in data sets
   std::string symmetries;  // JSON {"continuous", "discrete"} as BOP has them, metres; empty: none

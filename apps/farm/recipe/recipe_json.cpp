@@ -4,6 +4,7 @@
 
 #include "apps/farm/recipe/set_labels.h"
 #include "core/base/limits.h"
+#include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
 #include "ops/files/layout/label_keys.h"
@@ -23,18 +24,52 @@ std::string read_plain_name(const JsonPlace& place) {
   return name;
 }
 
+// A number is that of the material; of [low, high] each object draws its own.
+void read_material_value(const JsonPlace& place, const char* key, double lower, double upper,
+                         double& value, std::optional<Interval>& range) {
+  const auto found = place.find(key);
+  if (!found) return;
+  const Interval read = read_interval(*found, lower, upper);
+  value = read.low;
+  if (read.low < read.high) range = read;
+}
+
+PhysicsMaterial read_material_ranges(const JsonPlace& place, PhysicsRanges& ranges) {
+  if (!place.value().is_object()) return read_material(place);
+  place.expect_object({}, {"friction", "density", "restitution"});
+  PhysicsMaterial out;
+  const auto read = [&](const char* key, double lower, double upper, double& value,
+                        std::optional<Interval>& range) {
+    read_material_value(place, key, lower, upper, value, range);
+  };
+  read("friction", kMinFriction, kMaxFriction, out.friction, ranges.friction);
+  read("density", kMinDensity, kMaxDensity, out.density, ranges.density);
+  read("restitution", 0, kMaxRestitution, out.restitution, ranges.restitution);
+  return out;
+}
+
+void read_mass_range(const JsonPlace& place, RecipeModel& out) {
+  if (place.value().is_array())
+    out.physics.kilograms = read_interval(place, kMinMass, kMaxMass);
+  else
+    out.object.mass = read_mass(place);
+}
+
 /// Reads what a model has of a layout's object by the layout's reader: the same keys, ranges and
 /// messages.
 RecipeModel read_model_entry(const JsonPlace& place) {
   place.expect_object({"model"}, {"weight", "scale", "up", "material", "chord", "facet_angle_deg",
-                                  "class", "attributes", "id", "symmetries"});
+                                  "class", "attributes", "id", "symmetries", "mass", "collision"});
   RecipeModel out;
   LayoutObject& object = out.object;
   object.model = place.at("model").text();
+  if (const auto collision = place.find("collision")) object.collision = collision->text();
   if (const auto weight = place.find("weight")) out.weight = weight->number(1e-9, 1e9);
   if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
   if (const auto up = place.find("up")) object.up = read_up(*up);
-  if (const auto material = place.find("material")) object.material = read_material(*material);
+  if (const auto material = place.find("material"))
+    object.material = read_material_ranges(*material, out.physics);
+  if (const auto mass = place.find("mass")) read_mass_range(*mass, out);
   object.tessellation = read_tessellation(place, object.model);
   read_labels(place, object);
   read_set_keys(place, out);

@@ -63,6 +63,7 @@ class Attempt {
 
  private:
   Decision decide(const std::string& name) const { return {m_source.key, m_k, m_prefix + name}; }
+  void draw_physics(const PhysicsRanges& ranges, LayoutObject& object) const;
   void draw_objects();
   void do_base();
   Operation with_seed(const Operation& operation, size_t number) const;
@@ -88,6 +89,20 @@ class Attempt {
   MadeScene m_out;
 };
 
+void Attempt::draw_physics(const PhysicsRanges& ranges, LayoutObject& object) const {
+  const auto draw = [&](const char* what, const std::optional<Interval>& range, double& value) {
+    if (range) value = decide(object.name + what).within(*range);
+  };
+  if (object.material) {
+    draw("/friction", ranges.friction, object.material->friction);
+    draw("/density", ranges.density, object.material->density);
+    draw("/restitution", ranges.restitution, object.material->restitution);
+  }
+  if (!ranges.kilograms) return;
+  object.mass.emplace();
+  draw("/mass", ranges.kilograms, object.mass->kilograms);
+}
+
 void Attempt::draw_objects() {
   m_out.layout = m_recipe.base;
   m_out.layout.operations.clear();
@@ -99,8 +114,10 @@ void Attempt::draw_objects() {
     std::vector<std::string>& members = m_members[group.name];
     for (int i = 0; i < count; ++i) {
       const std::string name = group.name + "_" + std::to_string(i);
-      LayoutObject object = group.models[decide(name + "/model").weighted(weights)].object;
+      const RecipeModel& drawn = group.models[decide(name + "/model").weighted(weights)];
+      LayoutObject object = drawn.object;
       object.name = name;
+      draw_physics(drawn.physics, object);
       const LoadedModel& loaded = m_source.models.at({object.model, object.tessellation});
       object.scale = metres_per_unit(object.scale, loaded.model.get()) *
                      decide(name + "/scale").within(group.scale_range);

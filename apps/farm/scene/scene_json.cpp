@@ -1,13 +1,17 @@
 #include "apps/farm/scene/scene_json.h"
 
 #include <cmath>
+#include <map>
 
 #include "apps/farm/store/damage.h"
 #include "core/base/bad_input.h"
+#include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
+#include "ops/files/labels/labelled_scene.h"
 #include "ops/files/layout/named_objects.h"
 #include "ops/files/report/json_parts.h"
+#include "ops/stability/stability.h"
 
 namespace trivet::farm {
 namespace {
@@ -22,10 +26,14 @@ void add_pose(const Object& object, Json& json) {
 
 Json object_of_scene(const Object& object, const LayoutObject& wanted, const std::string& reason) {
   Json json = {{"name", object.name}, {"model", object.model->path}, {"scale", object.scale}};
+  if (!wanted.collision.empty()) json["collision"] = wanted.collision;
   json["up"] = object.up == UpAxis::Y ? "y" : "z";
   write_tessellation(wanted.tessellation, json);
   json["material"] = material_json(object.material);
-  if (!wanted.class_name.empty()) json["class"] = wanted.class_name;
+  if (object.given_mass) json["mass"] = mass_json(*object.given_mass);
+  json["kilograms"] = weight_of(object) / kGravity;
+  json["class"] =
+      wanted.class_name.empty() ? class_of_model(object.model->path) : wanted.class_name;
   if (!wanted.attributes.empty()) json["attributes"] = Json::parse(wanted.attributes);
   if (object.fixed) json["fixed"] = true;
   if (object.placed) {
@@ -36,6 +44,15 @@ Json object_of_scene(const Object& object, const LayoutObject& wanted, const std
   json["state"] = to_string(object.state);
   if (!reason.empty()) json["reason"] = reason;
   return json;
+}
+
+// Supports of objects that are in the scene and may move: "floor" or names.
+std::map<std::string, Json> supports_by_name(const Scene& scene) {
+  std::map<std::string, Json> out;
+  for (const LoadSupport::Entry& entry : load_support(scene).entries)
+    if (const Object& object = scene.at(entry.object); !object.fixed)
+      out[object.name] = supports_json(scene, entry);
+  return out;
 }
 
 double least_friction(const Scene& scene) {
@@ -50,12 +67,18 @@ double least_friction(const Scene& scene) {
 void add_totals(const MadeScene& made, Json& json) {
   const LayoutRun& run = made.run;
   size_t refused = 0, triangles = 0;
+  double kilograms = 0;
   for (const OperationRecord& record : run.operations) refused += record.result.ok() ? 0 : 1;
-  for (const ObjectId id : run.scene.ids())
-    if (run.scene.at(id).placed) triangles += run.scene.at(id).shape->mesh.triangles.size();
+  for (const ObjectId id : run.scene.ids()) {
+    const Object& object = run.scene.at(id);
+    if (!object.placed) continue;
+    triangles += object.shape->mesh.triangles.size();
+    if (!object.fixed) kilograms += weight_of(object) / kGravity;
+  }
   json["operations"] = run.operations.size();
   json["refused"] = refused;
   json["triangles"] = triangles;
+  json["kilograms"] = kilograms;
   json["stability"] = to_string(run.stability.status);
   json["margin"] = finite(run.stability.margin);
   json["smallest_gap"] = finite(run.check.smallest_gap);
@@ -71,6 +94,7 @@ Json scene_json(std::uint64_t k, const MadeScene& made) {
   add_totals(made, json);
   const NamedObjects wanted = objects_after(made.layout);
   const LayoutObject none;
+  const std::map<std::string, Json> supports = supports_by_name(made.run.scene);
   Json objects = Json::array();
   for (const ObjectId id : made.run.scene.ids()) {
     const Object& object = made.run.scene.at(id);
@@ -78,6 +102,8 @@ Json scene_json(std::uint64_t k, const MadeScene& made) {
     const LayoutObject* const own = wanted.find(object.name);
     objects.push_back(object_of_scene(object, own ? *own : none,
                                       left_out == made.left_out.end() ? "" : left_out->second));
+    if (const auto found = supports.find(object.name); found != supports.end())
+      objects.back()["supports"] = found->second;
   }
   json["objects"] = std::move(objects);
   return json;
@@ -90,8 +116,14 @@ Json failed_scene_json(std::uint64_t k, const std::string& reason) {
 Json manifest_row(const Json& scene) {
   Json row = scene;
   size_t placed = 0;
-  for (const Json& object : scene.at("objects")) placed += object.at("position").is_null() ? 0 : 1;
+  std::map<std::string, int> classes;
+  for (const Json& object : scene.at("objects")) {
+    if (object.at("position").is_null()) continue;
+    ++placed;
+    if (object.contains("class")) ++classes[object.at("class").get<std::string>()];
+  }
   row["objects"] = placed;
+  if (scene.contains("kilograms")) row["classes"] = classes;  // scenes of before have neither
   return row;
 }
 
@@ -105,7 +137,7 @@ Json placed_objects(const Json& scene) {
   Json out = Json::array();
   for (Json object : scene.at("objects")) {
     if (object.at("position").is_null()) continue;
-    object.erase("state");
+    for (const char* const told : {"state", "kilograms", "supports"}) object.erase(told);
     out.push_back(std::move(object));
   }
   return out;

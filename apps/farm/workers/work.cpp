@@ -12,14 +12,16 @@ namespace {
 
 std::vector<ModelRequest> requests_of(const Recipe& recipe) {
   std::set<ModelRequest> requests;
-  for (const LayoutObject& object : recipe.base.objects)
+  const auto add = [&](const LayoutObject& object) {
     requests.insert({object.model, object.tessellation});
+    if (!object.collision.empty()) requests.insert({object.collision, {}});
+  };
+  for (const LayoutObject& object : recipe.base.objects) add(object);
   for (const Operation& operation : recipe.base.operations)
     if (const auto* append = std::get_if<AppendOperation>(&operation))
       requests.insert({append->model, append->tessellation});
   for (const RecipeGroup& group : recipe.groups)
-    for (const RecipeModel& model : group.models)
-      requests.insert({model.object.model, model.object.tessellation});
+    for (const RecipeModel& model : group.models) add(model.object);
   return {requests.begin(), requests.end()};
 }
 

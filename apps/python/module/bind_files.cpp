@@ -5,13 +5,14 @@
 #include "apps/python/module/callback.h"
 #include "apps/python/module/errors.h"
 #include "apps/python/module/made_by_functions.h"
+#include "core/base/bad_input.h"
 #include "core/io/overwrites.h"
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
 #include "ops/files/layout/paths.h"
 #include "ops/files/report/scene_file.h"
 #include "ops/session/kept_layout.h"
-#include "ops/simulation/simulation.h"
+#include "ops/simulation/simulate.h"
 
 namespace trivet::python {
 namespace {
@@ -122,10 +123,19 @@ void save(SharedScene& scene, const std::string& path) {
   });
 }
 
+py::object moved_in(const SimulatedScene& simulated) {
+  py::dict moved;
+  for (const SimulatedObject& object : simulated.objects)
+    moved[py::str(object.name)] = py::make_tuple(object.moved, object.turned_deg);
+  return py::dict("simulator"_a = simulated.simulator, "seconds"_a = simulated.seconds,
+                  "penetration"_a = simulated.penetration, "warnings"_a = simulated.num_warnings,
+                  "stays"_a = stays(simulated), "objects"_a = moved);
+}
+
 py::dict export_to(SharedScene& scene, const std::string& path, const std::string& collision,
                    std::optional<double> friction, std::optional<double> density,
-                   double max_overlap, double hull_clearance, int mujoco,
-                   const std::string& meshes) {
+                   double max_overlap, double hull_clearance, int mujoco, const std::string& meshes,
+                   std::optional<double> seconds) {
   const Snapshot now = snapshot(scene);
   SimulationOptions options;
   options.collision = collision_rule_from_name(collision);
@@ -135,9 +145,13 @@ py::dict export_to(SharedScene& scene, const std::string& path, const std::strin
   options.hull_clearance = hull_clearance;
   options.files.mujoco = mujoco;
   options.files.mesh_folder = meshes;
+  std::optional<SimulatedScene> simulated;
   const SimulationExport done = without_gil([&] {
     check_collision_rule(options.collision, path);
-    return export_simulation(now.scene, path, options);
+    if (seconds && !can_simulate()) bad_input(no_simulator());
+    SimulationExport out = export_simulation(now.scene, path, options);
+    if (seconds) simulated = simulate(out, *seconds, options.files);
+    return out;
   });
   py::list overlaps;
   for (const PartOverlap& one : done.overlaps)
@@ -145,7 +159,9 @@ py::dict export_to(SharedScene& scene, const std::string& path, const std::strin
   py::dict masses;
   for (const SimulationBody& body : done.scene.bodies) masses[py::str(body.name)] = body.mass;
   return py::dict("files"_a = done.files, "notes"_a = in_english(done.notes),
-                  "overlaps"_a = overlaps, "masses"_a = masses);
+                  "overlaps"_a = overlaps, "masses"_a = masses,
+                  "simulated"_a = simulated ? moved_in(*simulated) : py::none(),
+                  "report"_a = simulation_json(done, options, simulated ? &*simulated : nullptr));
 }
 
 }  // namespace
@@ -167,7 +183,7 @@ void bind_files(py::module_& m, SceneClass& scene) {
       .def("restore", &restore, "snapshot"_a)
       .def("save", &save, "path"_a)
       .def("export", &export_to, "path"_a, "collision"_a, "friction"_a, "density"_a,
-           "max_overlap"_a, "hull_clearance"_a, "mujoco"_a, "meshes"_a);
+           "max_overlap"_a, "hull_clearance"_a, "mujoco"_a, "meshes"_a, "seconds"_a);
 }
 
 }  // namespace trivet::python

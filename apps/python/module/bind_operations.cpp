@@ -6,6 +6,7 @@
 #include "apps/python/module/operation_values.h"
 #include "apps/python/module/python_shape.h"
 #include "core/base/bad_input.h"
+#include "core/io/mesh_model.h"
 #include "core/model/unit.h"
 
 namespace trivet::python {
@@ -36,14 +37,17 @@ UpAxis up_of(const std::string& up) {
 
 py::dict add(SharedScene& scene, const std::string& name, const PythonShape& shape,
              const std::optional<Doubles>& matrix, std::optional<double> scale, bool fixed,
-             const std::optional<std::string>& up, const py::object& material) {
+             const std::optional<std::string>& up, const py::object& material,
+             const PythonShape* collision) {
   AppendOperation append;
   append.object = name;
   append.scale = scale;
   append.fixed = fixed;
   if (up) append.up = up_of(*up);
-  append.shape = shape.shape;
+  append.shape = collision ? collision->shape : shape.shape;
   append.model_data = shape.model;
+  if (collision && !shape.model)  // of arrays: what is drawn needs a model
+    append.model_data = std::make_shared<const Model>(model_of_mesh(shape.shape->mesh));
   append.material = material_of(material);
   std::vector<Operation> operations;
   StandOperation stand;
@@ -63,7 +67,8 @@ py::dict add(SharedScene& scene, const std::string& name, const PythonShape& sha
 void bind_operations(SceneClass& scene) {
   scene.def("perform", &perform, "operation"_a, "key"_a, "budget"_a)
       .def("perform_all", &perform_all, "operations"_a, "budget"_a)
-      .def("add", &add, "name"_a, "shape"_a, "pose"_a, "scale"_a, "fixed"_a, "up"_a, "material"_a);
+      .def("add", &add, "name"_a, "shape"_a, "pose"_a, "scale"_a, "fixed"_a, "up"_a, "material"_a,
+           "collision"_a);
 }
 
 }  // namespace trivet::python

@@ -25,6 +25,8 @@ void bind_transaction(py::module_& m, SceneClass& scene);
 void bind_drag(py::module_& m, SceneClass& scene);
 /// Cameras of pictures and labelled images.
 void bind_camera(py::module_& m);
+/// Random scenes of recipes.
+void bind_recipe(py::module_& m);
 /// Scenes of other programs.
 void bind_foreign(py::module_& m);
 /// Functions that need no scene.

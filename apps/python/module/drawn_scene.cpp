@@ -10,6 +10,7 @@ DrawnScene::DrawnScene(SharedScene& shared, Names classes, Colours highlights)
     const SceneGuard guard(shared);
     m_scene = shared.scene();
     m_layout = shared.session().layout();
+    m_looks = shared.looks;
   }
   for (const auto& [name, class_name] : m_classes)
     if (!m_scene.find(name)) raise("NoSuchObject", "there is no object \"" + name + "\"");
@@ -22,6 +23,7 @@ LabelledScene& DrawnScene::labelled() {
   if (m_labelled) return *m_labelled;
   m_whole.emplace(m_scene);
   m_labelled = labelled_scene(m_whole->scene(), m_layout, m_classes);
+  m_looks->share(*m_labelled, m_whole->scene());
   for (std::size_t i = 0; i < m_labelled->objects.size(); ++i)
     if (const auto found = m_highlights.find(m_labelled->objects[i].name);
         found != m_highlights.end())

@@ -31,6 +31,7 @@ class DrawnScene {
   Layout m_layout;
   Names m_classes;
   Colours m_highlights;
+  std::shared_ptr<DrawnLooks> m_looks;
   std::optional<WholeModels> m_whole;       // of m_scene
   std::optional<LabelledScene> m_labelled;  // of m_whole
 };

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_trivet, m) {
   trivet::python::bind_shape(m);
   trivet::python::bind_camera(m);
   trivet::python::bind_scene(m);
+  trivet::python::bind_recipe(m);
   trivet::python::bind_foreign(m);
   trivet::python::bind_geometry(m);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "apps/python/module/detectors.h"
+#include "apps/python/module/drawn_looks.h"
 #include "apps/python/module/running.h"
 #include "ops/files/animation/motion_film.h"
 #include "ops/session/restore.h"
@@ -32,6 +33,7 @@ class SharedScene {
   SettleOptions settle;
   double time_budget_s = 0;  // of each operation; 0: none
   std::shared_ptr<ChosenDetectors> detectors = detectors_of("auto", "auto");
+  const std::shared_ptr<DrawnLooks> looks = std::make_shared<DrawnLooks>();
 
   const Scene& scene() const { return m_opened.session.scene(); }
   OpenedSession& opened() { return m_opened; }

@@ -20,7 +20,9 @@ from ._foreign_scene import Foreign
 from ._geometry import Interpenetration, first_contact, interpenetrations, random_rotation
 from ._labels import FLOOR, Labels
 from ._object import Object
-from ._results import (CAUSES, Check, Contacts, Crossing, Export, FirstContact, GaveWay, Overlap, Result, SupportGraph)
+from ._recipe import MadeScene, Recipe, batch_export, batch_pictures
+from ._results import (CAUSES, Check, Contacts, Crossing, Export, FirstContact, GaveWay, Overlap, Result, Simulated,
+                       SupportGraph)
 from ._scene import Scene, materials
 from ._settle import Settle
 from ._shape import Shape
@@ -31,8 +33,8 @@ from ._zlists import ZList, ZLists
 
 __all__ = [
     "BadInputError", "CAUSES", "Camera", "Cancelled", "Check", "Contacts", "Crossing", "Drag", "EnvironmentFailure",
-    "Export", "FLOOR", "Film", "FirstContact", "Foreign", "GaveWay", "Interpenetration", "Labels", "NoSuchObject", "NotDone", "Object",
-    "OutOfTime", "Overlap", "Refused", "Result", "Scene", "SceneBusy", "Settle", "Shape", "Snapshot", "SupportGraph",
+    "Export", "FLOOR", "Film", "FirstContact", "Foreign", "GaveWay", "Interpenetration", "Labels", "MadeScene", "NoSuchObject", "NotDone", "Object",
+    "OutOfTime", "Overlap", "Recipe", "Refused", "Result", "Scene", "SceneBusy", "Settle", "Shape", "Simulated", "Snapshot", "SupportGraph",
     "TrivetError", "TrivetWarning", "View", "ZList", "ZLists",
-    "__version__", "encode_png", "first_contact", "interpenetrations", "materials", "random_rotation",
+    "__version__", "batch_export", "batch_pictures", "encode_png", "first_contact", "interpenetrations", "materials", "random_rotation",
 ]

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _foreign, _trivet
 from ._properties import Material, material_of
-from ._results import Export, Overlap
+from ._results import Export, Overlap, Simulated
 from ._settle import detection, settings
-from ._shape import PathLike, find_importer
+from ._shape import PathLike, find_importer, write_file
 from ._snapshot import Snapshot, TrivetWarning
 
 if TYPE_CHECKING:
@@ -172,7 +172,8 @@ class Files:
 
     def export(self, path: PathLike, *, collision: str = "fitted", friction: Optional[float] = None,
                density: Optional[float] = None, max_overlap: float = 0.0, hull_clearance: float = 0.0, mujoco: int = 3,
-               meshes: Optional[PathLike] = None) -> Export:
+               meshes: Optional[PathLike] = None, simulate: Optional[float] = None,
+               report: Optional[PathLike] = None) -> Export:
         """For a simulator, by extension: .xml or .mjcf (MuJoCo), .urdf, .sdf, .usda.
 
         Parameters
@@ -190,6 +191,10 @@ class Files:
         meshes : path, optional
             Folder of meshes and images, relative to that of the file; scenes may share one, in which equal ones are one file.
             Nothing: beside the file, with its name.
+        simulate : float, optional
+            Seconds that MuJoCo lets the written .xml or .mjcf go: `Export.simulated` tells what moved.
+        report : path, optional
+            File for all of it as JSON, as ``--report`` of the program.
 
         Returns
         -------
@@ -198,8 +203,12 @@ class Files:
         Raises
         ------
         BadInputError
-            Parts overlap by more: a simulator would push them apart.
+            Parts overlap by more: a simulator would push them apart. To simulate: no MuJoCo here, or another format.
         """
+        if simulate is not None:
+            simulate = _arrays.number("simulate", simulate, "seconds, 1e-3 to 1e4", 1e-3, 1e4)
+            if not _arrays.path("path", path).lower().endswith((".xml", ".mjcf")):
+                raise _arrays.refuse("path", _arrays.short(path), "what MuJoCo reads: .xml or .mjcf, with simulate")
         if friction is not None:
             friction = _arrays.number("friction", friction, "a number from 0 to 1e3", 0.0, 1e3)
         if density is not None:
@@ -208,6 +217,10 @@ class Files:
                                     _arrays.number("max_overlap", max_overlap, "metres, 0 to 1e3", 0.0, 1e3),
                                     _arrays.number("hull_clearance", hull_clearance, "metres, 0 to 1e3", 0.0, 1e3),
                                     _arrays.whole("mujoco", mujoco, 2, 3),
-                                    "" if meshes is None else _arrays.path("meshes", meshes))
+                                    "" if meshes is None else _arrays.path("meshes", meshes), simulate)
+        if report is not None:
+            write_file(report, values["report"].encode())
+        moved = values["simulated"]
         return Export(tuple(values["files"]), tuple(values["notes"]),
-                      tuple(Overlap(*one) for one in values["overlaps"]), values["masses"])
+                      tuple(Overlap(*one) for one in values["overlaps"]), values["masses"],
+                      None if moved is None else Simulated(**moved))

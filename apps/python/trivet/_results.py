@@ -266,6 +266,35 @@ class Overlap(NamedTuple):
 
 
 @dataclass(frozen=True)
+class Simulated:
+    """What a simulator made of an exported scene; true if all stayed where they were.
+
+    Attributes
+    ----------
+    simulator : str
+        Its name and version.
+    seconds, penetration : float
+        How long it ran; metres of the deepest contact at the start.
+    warnings : int
+        Of the simulator.
+    stays : bool
+        No object moved by more than a centimetre, and there was no warning.
+    objects : dict
+        (metres, degrees) that each free object moved and turned, by names.
+    """
+
+    simulator: str
+    seconds: float
+    penetration: float
+    warnings: int
+    stays: bool
+    objects: dict[str, tuple[float, float]]
+
+    def __bool__(self) -> bool:
+        return self.stays
+
+
+@dataclass(frozen=True)
 class Export:
     """Files of a simulator's scene, the scene itself first.
 
@@ -276,12 +305,15 @@ class Export:
         Deepest first.
     masses : dict
         Kilograms by the objects' names.
+    simulated : Simulated or None
+        With ``simulate``.
     """
 
     files: tuple[str, ...]
     notes: tuple[str, ...]
     overlaps: tuple[Overlap, ...]
     masses: dict[str, float]
+    simulated: Optional[Simulated] = None
 
 
 @dataclass(frozen=True)

@@ -63,7 +63,8 @@ class Scene(Files, Pictures, Pours, Questions):
     # Objects.
 
     def add(self, name: str, shape: Union[Shape, Any], *, pose: Optional[ArrayLike] = None, scale: Optional[float] = None,
-            fixed: bool = False, up: Optional[str] = None, material: Optional[Material] = None) -> Object:
+            fixed: bool = False, up: Optional[str] = None, material: Optional[Material] = None,
+            collision: Optional[Union[Shape, Any]] = None) -> Object:
         """A new object; out of the scene until it is put, or standing exactly at `pose`.
 
         Parameters
@@ -81,6 +82,8 @@ class Scene(Files, Pictures, Pours, Questions):
             Axis of the shape that points up; nothing: `shape.up`.
         material : str or dict, optional
             As `Object.material`.
+        collision : Shape or mesh, optional
+            Judged instead of `shape`, in its coordinates; `shape` is what is drawn and seen.
 
         Returns
         -------
@@ -97,11 +100,13 @@ class Scene(Files, Pictures, Pours, Questions):
         if up not in (None, "y", "z"):
             raise _arrays.refuse("up", _arrays.short(up), '"y" or "z"')
         given = shape if isinstance(shape, Shape) else Shape(shape)
+        judged = collision if collision is None or isinstance(collision, Shape) else Shape(collision)
         matrix = None if pose is None else _arrays.matrix(f'pose of "{name}"', pose)
         metres = None
         if scale is not None:
             metres = _arrays.number("scale", scale, "a number from 1e-15 to 1e15", 1e-15, 1e15)
-        done(self._scene.add(name, given._shape, matrix, metres, _arrays.flag("fixed", fixed), up, material_of(material)))
+        done(self._scene.add(name, given._shape, matrix, metres, _arrays.flag("fixed", fixed), up, material_of(material),
+                             None if judged is None else judged._shape))
         return self[name]
 
     def __getitem__(self, name: str) -> Object:

@@ -62,13 +62,14 @@ LayoutObject read_scene_object(const JsonPlace& place) {
 
 // Its marks for the section "arrange" go there.
 LayoutObject read_object(const JsonPlace& place) {
-  place.expect_object({"name", "model"}, {"scale", "up", "fixed", "material", "mass", "chord",
-                                          "facet_angle_deg", "position", "rotation", "class",
-                                          "attributes", "front", "zones", "surfaces"});
+  place.expect_object({"name", "model"}, {"collision", "scale", "up", "fixed", "material", "mass",
+                                          "chord", "facet_angle_deg", "position", "rotation",
+                                          "class", "attributes", "front", "zones", "surfaces"});
   LayoutObject object;
   read_labels(place, object);
   object.name = read_name(place.at("name"));
   object.model = place.at("model").text();
+  if (const auto collision = place.find("collision")) object.collision = collision->text();
   if (const auto scale = place.find("scale")) object.scale = scale->number(kMinScale, kMaxScale);
   if (const auto up = place.find("up")) object.up = read_up(*up);
   if (const auto fixed = place.find("fixed")) object.fixed = fixed->boolean();
@@ -206,6 +207,7 @@ std::string write_layout(const Layout& layout) {
   for (const LayoutObject& o : layout.objects) {
     Json entry = {{"name", o.name}};
     if (layout.scene.empty()) entry["model"] = o.model;
+    if (!o.collision.empty()) entry["collision"] = o.collision;
     if (layout.scene.empty() && o.scale) entry["scale"] = *o.scale;
     if (o.up) entry["up"] = *o.up == UpAxis::Y ? "y" : "z";
     if (o.fixed) entry["fixed"] = true;

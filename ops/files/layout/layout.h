@@ -37,6 +37,9 @@ struct LayoutObject {
   Tessellation tessellation = {};                // of a model with curved surfaces
   std::optional<PhysicsMaterial> material = {};  // nothing: the layout's
   std::optional<GivenMass> mass = {};            // nothing: density times volume
+  // Path of the model that is judged, in the coordinates of the other, which is drawn; empty: it is
+  // judged itself.
+  std::string collision = {};
   // For labelled images.
   std::string class_name = {};  // empty: the name of the model's file
   std::string attributes = {};  // text of a JSON object; empty: none

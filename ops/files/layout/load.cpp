@@ -10,6 +10,7 @@
 
 #include "core/base/arena.h"
 #include "core/io/process/sandboxed_import.h"
+#include "core/scene/collision_mesh.h"
 
 namespace trivet {
 namespace {
@@ -71,7 +72,7 @@ void load_model(const Scene& scene, const ModelSource& models, AppendOperation& 
   if (operation.shape) return;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
-    if (object.given_mass || object.model->path != operation.model ||
+    if (object.given_mass || has_collision_mesh(object) || object.model->path != operation.model ||
         object.model->tessellation != operation.tessellation)
       continue;
     operation.model_data = object.model;

@@ -28,7 +28,7 @@ std::vector<std::string> model_files(const Layout& layout, const std::string& fo
       out.push_back((fs::path(folder) / name).string());
   };
   add(layout.scene);
-  for (const LayoutObject& object : layout.objects) add(object.model);
+  for (const LayoutObject& object : layout.objects) add(object.model), add(object.collision);
   for (const Operation& operation : layout.operations)
     if (const auto* const append = std::get_if<AppendOperation>(&operation)) add(append->model);
   return out;

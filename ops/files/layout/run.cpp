@@ -34,9 +34,13 @@ ModelSource with_place(const Layout& layout, const ModelSource& models, const Ru
       const auto asks = [&](const LayoutObject& o) {
         return o.model == name && o.tessellation == tessellation;
       };
-      const auto it = std::find_if(layout.objects.begin(), layout.objects.end(), asks);
+      const auto judges = [&](const LayoutObject& o) { return o.collision == name; };
+      auto it = std::find_if(layout.objects.begin(), layout.objects.end(), asks);
+      const char* const key = it == layout.objects.end() ? "/collision" : "/model";
+      if (it == layout.objects.end())
+        it = std::find_if(layout.objects.begin(), layout.objects.end(), judges);
       const auto index = static_cast<size_t>(it - layout.objects.begin());
-      throw Error(e.kind(), "%1: %2", place(options.layout_file, index, "/model"), e.sentence());
+      throw Error(e.kind(), "%1: %2", place(options.layout_file, index, key), e.sentence());
     }
   };
 }
@@ -53,6 +57,14 @@ void check_reach(const LayoutObject& object, double scale, double reach, size_t 
   if (total <= kMaxLength) return;
   throw Error(Error::Kind::BadInput, "%1: \"%2\" reaches %3 metres; accepted: up to %4",
               place(layout_file, index), object.name, figure(total), figure(kMaxLength));
+}
+
+std::shared_ptr<const Shape> collision_shape(const LayoutObject& object, const LoadedModels& models,
+                                             size_t index, const std::string& layout_file) {
+  const std::shared_ptr<const Shape>& shape = models.at({object.collision, {}}).shape;
+  if (shape->has_faces()) return shape;
+  throw Error(Error::Kind::BadInput, "%1: \"%2\" has no triangle; accepted: a mesh",
+              place(layout_file, index, "/collision"), object.collision);
 }
 
 LoadedModels load_all(const Layout& layout, const ModelSource& models, const RunOptions& options) {
@@ -182,6 +194,8 @@ std::vector<ModelRequest> model_requests(const Layout& layout) {
   for (const LayoutObject& object : layout.objects) {
     const ModelRequest request{object.model, object.tessellation};
     if (seen.insert(request).second) requests.push_back(request);
+    const ModelRequest judged{object.collision, {}};
+    if (!object.collision.empty() && seen.insert(judged).second) requests.push_back(judged);
   }
   return requests;
 }
@@ -192,7 +206,8 @@ Scene make_scene(const Layout& layout, const LoadedModels& models, const std::st
   scene.floor_material = layout.floor_material.value_or(layout.material);
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& wanted = layout.objects[i];
-    const LoadedModel& loaded = models.at({wanted.model, wanted.tessellation});
+    LoadedModel loaded = models.at({wanted.model, wanted.tessellation});
+    if (!wanted.collision.empty()) loaded.shape = collision_shape(wanted, models, i, layout_file);
     const double scale = metres_per_unit(wanted.scale, loaded.model.get());
     check_reach(wanted, scale, reach_of(loaded), i, layout_file);
     Object object;

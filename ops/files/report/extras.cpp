@@ -5,7 +5,9 @@
 
 #include "core/base/extension.h"
 #include "core/io/json.h"
+#include "core/io/mesh_model.h"
 #include "core/model/exported_floats.h"
+#include "core/scene/collision_mesh.h"
 #include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
@@ -49,6 +51,12 @@ OrderedJson model_json(const Model& model, bool shown, const SceneFileOptions& o
   return json;
 }
 
+/// A model, and where another mesh is judged what all copies of its shape share.
+using DrawnAndJudged = std::pair<const Model*, const ShapeIndex*>;
+DrawnAndJudged drawn_and_judged(const Object& object) {
+  return {object.model.get(), has_collision_mesh(object) ? object.shape->index.get() : nullptr};
+}
+
 OrderedJson stored_object_json(const Object& object, size_t model) {
   OrderedJson json = {
       {"name", object.name},   {"model", model},        {"up", object.up == UpAxis::Y ? "y" : "z"},
@@ -80,14 +88,16 @@ OrderedJson load_support_json(const Scene& scene) {
 
 OrderedJson layout_json(Layout layout, const SceneFileOptions& options) {
   for (LayoutObject& object : layout.objects)
-    object.model = joined_path(options.model_folder, object.model);
+    for (std::string* const path : {&object.model, &object.collision})
+      if (!path->empty()) *path = joined_path(options.model_folder, *path);
   layout.settle = rules_of(with_rules({}, layout.settle));  // none stated: those of today
   return OrderedJson::parse(write_layout(layout));
 }
 
 ExtrasModel read_model_entry(const JsonPlace& place) {
-  place.expect_object({"triangles", "fingerprint", "stored_fingerprint", "centre"},
-                      {"path", "face_order", "own_nodes", "mesh", "chord", "facet_angle_deg"});
+  place.expect_object(
+      {"triangles", "fingerprint", "stored_fingerprint", "centre"},
+      {"path", "face_order", "own_nodes", "mesh", "collision", "chord", "facet_angle_deg"});
   ExtrasModel model;
   if (const auto path = place.find("path")) model.path = path->text();
   model.tessellation = read_tessellation(place, model.path);
@@ -103,6 +113,8 @@ ExtrasModel read_model_entry(const JsonPlace& place) {
     if (geometry_fingerprint(model.mesh->mesh) != stored.fingerprint)
       mesh->fail("is not the mesh that Trivet wrote");
   }
+  if (const auto mesh = place.find("collision"))
+    model.collision = std::make_shared<const Model>(read_stored_mesh(*mesh));
   if (const auto order = place.find("face_order"))
     for (const JsonPlace& run : order->items()) {
       const std::vector<double> entry = run.numbers(2, 0, kMaxCount);
@@ -180,15 +192,19 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
 std::string scene_extras(const Scene& scene, const Layout& layout,
                          const SceneFileOptions& options) {
   OrderedJson models = OrderedJson::array(), objects = OrderedJson::array();
-  std::map<const Model*, size_t> index_of;
-  std::set<const Model*> shown;
+  std::map<DrawnAndJudged, size_t> index_of;
+  std::set<DrawnAndJudged> shown;
   for (const ObjectId id : scene.ids())
-    if (scene.at(id).placed) shown.insert(scene.at(id).model.get());
+    if (scene.at(id).placed) shown.insert(drawn_and_judged(scene.at(id)));
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
-    const auto [it, is_new] = index_of.emplace(object.model.get(), models.size());
-    if (is_new)
-      models.push_back(model_json(*object.model, shown.contains(object.model.get()), options));
+    const DrawnAndJudged of = drawn_and_judged(object);
+    const auto [it, is_new] = index_of.emplace(of, models.size());
+    if (is_new) {
+      models.push_back(model_json(*object.model, shown.contains(of), options));
+      if (of.second)
+        models.back()["collision"] = stored_mesh_json(model_of_mesh(object.shape->mesh), false);
+    }
     objects.push_back(stored_object_json(object, it->second));
   }
   OrderedJson json = {{"trivet", kExtrasVersion},

@@ -4,7 +4,8 @@
 //     "models":  [{"path", "triangles", "fingerprint", "stored_fingerprint", "centre",
 //                  "face_order", "own_nodes",            see geometry.h
 //                  "chord", "facet_angle_deg",                 as a layout has them
-//                  "mesh"}],                             see stored_mesh.h; no path: of no file
+//                  "mesh",                               see stored_mesh.h; no path: of no file
+//                  "collision"}],                        likewise, of what is judged instead
 //     "objects": [{"name", "model": index, "up", "scale", "fixed", "state",
 //                  "position", "rotation",               no position: out of the scene
 //                  "locked", "group", "material", "mass",    if it is, has
@@ -39,6 +40,7 @@ struct ExtrasModel {
   Tessellation tessellation;  // of a model with curved surfaces
   StoredGeometry geometry;
   std::shared_ptr<const Model> mesh;  // of no file, and not to be had from the scene; else null
+  std::shared_ptr<const Model> collision;  // its mesh is judged, the model's is drawn; else null
 };
 
 struct ExtrasObject {

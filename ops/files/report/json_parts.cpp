@@ -148,6 +148,7 @@ OrderedJson object_json(const Scene& scene, const Object& object, const LoadSupp
   json["mass_rule"] = to_string(object.shape->mass.rule);
   json["material"] = whole_material_json(object.material);
   if (object.given_mass) json["mass"] = mass_json(*object.given_mass);
+  json["kilograms"] = weight_of(object) / kGravity;
   json["state"] = to_string(object.state);
   json["supported_by"] = entry ? supports_json(scene, *entry) : OrderedJson::array();
   if (entry)

@@ -146,7 +146,8 @@ class SceneReader {
       return;
     }
     auto& shape = m_shapes[entry.model];
-    if (!shape) shape = make_shape(model->mesh);
+    const auto& judged = m_extras.models[entry.model].collision;
+    if (!shape) shape = make_shape((judged ? judged : model)->mesh);
     Object object;
     object.name = entry.name;
     object.model = model;

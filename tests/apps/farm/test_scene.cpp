@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <set>
 
 #include "apps/farm/scene/make_scene.h"
 #include "apps/farm/scene/scene_json.h"
@@ -181,6 +182,52 @@ TEST(RecipeScene, TellsRefusalsAsTheRecipeSays) {
   const MadeScene retried = make(R"(, "on_refusal": "retry", "tries": 4)");
   EXPECT_LE(retried.left_out.size(), kept.left_out.size() + 1);
   EXPECT_EQ(retried.run.operations.size(), 6u) << "one record for each object";
+}
+
+TEST(RecipeScene, DrawsMassesAndMaterialsOfRanges) {
+  const auto with = [](const std::string& model) {
+    return parse_recipe(
+        R"({"trivet_recipe": 1, "groups": [{"name": "cube", "count": 3, "on": "floor", "models": [{"model": "cube")" +
+            model + "}]}]}",
+        "a");
+  };
+  const Recipe ranges = with(
+      R"(, "class": "die", "mass": [1, 2], "material": {"friction": [0.4, 0.6], "density": 300})");
+  const MadeScene made = make_scene({ranges, models(), {1, 2}}, 4);
+  const MadeScene plain = make_scene({with(""), models(), {1, 2}}, 4);
+  const Json told = scene_json(4, made);
+  double total = 0;
+  std::set<double> masses;
+  for (const ObjectId id : made.run.scene.ids()) {
+    const Object& object = made.run.scene.at(id);
+    ASSERT_TRUE(object.given_mass);
+    EXPECT_GE(object.given_mass->kilograms, 1);
+    EXPECT_LE(object.given_mass->kilograms, 2);
+    EXPECT_GE(object.material.friction, 0.4);
+    EXPECT_LE(object.material.friction, 0.6);
+    EXPECT_EQ(object.material.density, 300);
+    masses.insert(object.given_mass->kilograms);
+    if (object.placed) total += object.given_mass->kilograms;
+    // A range moves no other decision.
+    EXPECT_EQ(object.pose.translation,
+              plain.run.scene.at(*plain.run.scene.find(object.name)).pose.translation);
+  }
+  EXPECT_EQ(masses.size(), 3u);
+  EXPECT_NEAR(told.at("kilograms").get<double>(), total, 1e-12);
+  for (const Json& object : told.at("objects")) {
+    EXPECT_EQ(object.at("class"), "die");
+    EXPECT_NEAR(object.at("kilograms").get<double>(), object.at("mass").get<double>(), 1e-12);
+    EXPECT_EQ(object.at("supports"), Json::array({"floor"}));
+  }
+  EXPECT_EQ(manifest_row(told).at("classes"), Json({{"die", 3}}));
+  const Layout again = layout_of_poses(ranges, told, "scene 4");
+  EXPECT_EQ(again.objects[0].mass->kilograms, told.at("objects")[0].at("mass").get<double>());
+  EXPECT_EQ(again.objects[0].class_name, "die");
+  const Json without = scene_json(4, plain);
+  EXPECT_NEAR(without.at("objects")[0].at("kilograms").get<double>(), 1, 1e-9)
+      << "10 cm of density 1000";
+  EXPECT_EQ(without.at("objects")[0].at("class"), "cube");
+  EXPECT_FALSE(without.at("objects")[0].contains("mass"));
 }
 
 TEST(RecipeScene, StandsAgainFromItsPoses) {

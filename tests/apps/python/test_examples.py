@@ -26,6 +26,22 @@ def test_meshes_from_arrays_are_put(tmp_path):
     assert scene.check().ok
 
 
+def test_a_collision_shape_is_judged_and_the_other_is_drawn():
+    scene = trivet.Scene()
+    ring = scene.add("ring", torus(), collision=box(0.13, 0.13, 0.05))
+    ring.put([0.0, 0.0, 1.0])
+    assert ring.position[2] == pytest.approx(0.05, abs=1e-5), "it stands on the box"
+    assert ring.weight == pytest.approx(9.80665 * 0.26 * 0.26 * 0.1 * 1000)
+    scene.add("die", box(0.01, 0.01, 0.01)).put([0.0, 0.0, 1.0])
+    assert scene["die"].position[2] == pytest.approx(0.11, abs=1e-5), "not in the hole of the ring"
+    again = trivet.Scene.from_bytes(scene.to_glb())
+    assert again.check().ok and again["die"].supports == [again["ring"]]
+    camera = trivet.Camera.look_at([0.0, 0.0, 1.0], size=(40, 40))
+    seen = scene.labels(camera)
+    assert seen.pixels_visible[0] > 0 and (seen.instances == again.labels(camera).instances).all()
+    assert len(again["ring"].shape.faces) == 12
+
+
 def tub(half, height, wall):
     """A box without a lid."""
     parts = [(0, 0, half, half, wall), *((sx * half, sy * half, wall if sx else half + wall, wall if sy else half + wall, height)

@@ -13,6 +13,7 @@ import pytest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from label_files import read_exr, read_png  # noqa: E402
+from textured_boxes import textured_box_obj  # noqa: E402
 
 import trivet  # noqa: E402
 from shapes import at, box, box_arrays, table_with_cup, torus_arrays  # noqa: E402
@@ -250,6 +251,28 @@ def film_of(glb):
         values = np.frombuffer(binary, np.float32, accessor["count"] * width, begin).reshape(-1, width)
         out[scene["nodes"][channel["target"]["node"]]["name"], channel["target"]["path"]] = values
     return out
+
+
+def test_textures_are_decoded_once_for_all_pictures_of_a_scene(tmp_path):
+    (tmp_path / "carton.obj").write_text(textured_box_obj(0.1, 0.1, 0.1))
+    (tmp_path / "carton.mtl").write_text("newmtl paper\nmap_Kd carton.png\n")
+    noise = np.random.default_rng(1).integers(0, 256, (1500, 1500, 3), dtype=np.uint8)
+    (tmp_path / "carton.png").write_bytes(trivet.encode_png(noise))
+    scene = trivet.Scene()
+    carton = scene.add("carton", trivet.Shape.load(tmp_path / "carton.obj"), pose=at(0, 0, 0.1001))
+    camera = scene.camera((16, 12))
+
+    def picture():
+        begin = time.process_time()
+        pixels = scene.render(camera, samples=1)
+        return pixels, time.process_time() - begin
+
+    first, long = picture()
+    again = [picture() for _ in range(3)]
+    assert all((pixels == first).all() for pixels, _ in again)
+    assert min(seconds for _, seconds in again) < 0.5 * long
+    carton.translate([0.1, 0.0, 0.0])
+    assert (picture()[0] != first).any() and scene.labels(camera).names == ("carton",)
 
 
 def test_films_show_what_moved(tmp_path):

@@ -8,12 +8,14 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/convex/hull_memo.h"
 #include "core/convex/hull_overlap.h"
 #include "core/convex/hull_tree.h"
 #include "core/scene/materials.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/files/layout/boxes.h"
+#include "ops/simulation/part_cache.h"
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"
 #include "support/solids.h"
@@ -301,6 +303,81 @@ TEST(HullTree, LeavesContainSurfaceHoweverFine) {
     }
   }
   EXPECT_GT(num_split, 300);
+}
+
+std::vector<ConvexPart> refined_parts(const Mesh& mesh, const Adjacency& adjacency, HullMemo* memo,
+                                      int num_refined) {
+  HullTree tree(mesh, adjacency, 0.01, memo);
+  for (Index i = 0; i < tree.num_nodes() && num_refined > 0; ++i)
+    while (tree.node(i).is_leaf() && num_refined-- > 0 && tree.refine(i)) {
+    }
+  return tree.parts();
+}
+
+void expect_same_parts(const std::vector<ConvexPart>& a, const std::vector<ConvexPart>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].vertices, b[i].vertices);
+    EXPECT_EQ(a[i].triangles, b[i].triangles);
+  }
+}
+
+TEST(HullTree, GivesTheSameFromMemory) {
+  const Mesh mesh = weld(bumpy_sphere(6, 10, 0.3, 3));
+  const Adjacency adjacency = make_adjacency(mesh);
+  HullMemo memo;
+  for (const int num : {30, 5, 60, 60})  // each tree goes another way down
+    expect_same_parts(refined_parts(mesh, adjacency, &memo, num),
+                      refined_parts(mesh, adjacency, nullptr, num));
+}
+
+TEST(Simulation, FitsPartsAlikeAtEveryScale) {
+  const auto parts_at = [](double scale) {
+    Scene scene;
+    const Model box = open_box(0.2, 0.2, 0.01);
+    const ObjectId id = add(scene, "box", box, {{}, Vec3(0, 0, scale * 0.010001)});
+    const ObjectId in =
+        add(scene, "content", box_model(0.05, 0.05, 0.05), {{}, scale * Vec3(0.1, 0.1, 0.060002)});
+    for (const ObjectId each : {id, in})
+      edit_object(scene, each, [&](Object& o) { o.scale = scale; });
+    const SimulationExport done = simulation_of(scene, "s", {});
+    EXPECT_TRUE(done.overlaps.empty());
+    return done.scene.models[0].parts;
+  };
+  const std::vector<ConvexPart> one = parts_at(1), large = parts_at(3);
+  ASSERT_EQ(one.size(), large.size());
+  EXPECT_GT(one.size(), 1u);
+  for (size_t i = 0; i < one.size(); ++i) {
+    ASSERT_EQ(one[i].vertices.size(), large[i].vertices.size());
+    for (size_t v = 0; v < one[i].vertices.size(); ++v)
+      EXPECT_NEAR((3 * one[i].vertices[v] - large[i].vertices[v]).norm(), 0, 1e-6);
+  }
+}
+
+TEST(PartCache, ChangesNoExport) {
+  Scene scene;
+  const Model box = open_box(0.2, 0.2, 0.01);
+  add(scene, "box", box, {{}, Vec3(0, 0, 0.010001)});
+  add(scene, "content", box_model(0.05, 0.05, 0.05), {{}, Vec3(0.1, 0.1, 0.060002)});
+  SimulationOptions options, plain;
+  options.cache = std::make_shared<PartCache>();
+  for (int round = 0; round < 2; ++round) {
+    const SimulationExport with = simulation_of(scene, "s", options);
+    const SimulationExport without = simulation_of(scene, "s", plain);
+    ASSERT_EQ(with.scene.models.size(), without.scene.models.size());
+    for (size_t i = 0; i < with.scene.models.size(); ++i)
+      expect_same_parts(with.scene.models[i].parts, without.scene.models[i].parts);
+    // The content moves: other parts of the box are in its way.
+    edit_object(scene, *scene.find("content"), [](Object& o) { o.pose.translation.x() += 0.04; });
+  }
+  const auto first = options.cache->of(scene.at(*scene.find("box")));
+  EXPECT_EQ(options.cache->of(scene.at(*scene.find("box"))), first);
+  for (int i = 0; i < 100; ++i) {
+    Object other = scene.at(*scene.find("content"));
+    other.shape = make_shape(other.shape->mesh);
+    options.cache->of(other);
+  }
+  EXPECT_NE(options.cache->of(scene.at(*scene.find("box"))), first) << "old ones are forgotten";
 }
 
 TEST(HullTree, KeepsConvexSolidsAndStopsAtTriangles) {
