@@ -162,7 +162,8 @@ class Mutants(Served):
         self.assertEqual(problems, [])
         self.assertEqual(set(counts) - STATUSES - {"closed"}, set())
         self.assertGreater(counts[200], 0.3 * sum(counts.values()))
-        self.assertLess(memory[-1] - memory[0], GROWTH_MB)
+        if not os.environ.get("TRIVET_SANITIZE"):  # which keep what is freed
+            self.assertLess(memory[-1] - memory[0], GROWTH_MB)
 
 
 if __name__ == "__main__":
