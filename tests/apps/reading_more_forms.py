@@ -237,6 +237,23 @@ def passed_over():
     yield row("line.ac", (ac3d(CUBE) % "").replace("numsurf 6", "numsurf 7").replace("kids 0", "SURF 0x22\nmat 0\nrefs 2\n0 0 0\n1 0 0\nkids 0"), "lines left out: 1")
 
 
+def flat_and_broken():
+    """Transforms that flatten, strides and properties that cannot be."""
+    note = "flattens them: 1"
+    for scale in ([1, 1, 0], [0, 0, 0]):
+        yield row("f.gltf", mf.gltf(mf.with_nodes(mf.gltf_parts(CUBE), {"mesh": 0, "scale": scale})), note, None)
+        yield row("f.dae", mf.dae(CUBE, node="<scale>%s</scale>" % mf.words(scale)), note, None)
+    yield row("f.3mf", mf.threemf(CUBE, items='<item objectid="1" transform="1 0 0 0 1 0 0 0 0 1 2 3"/>'), note, None)
+    for numbers in ("1 0 0 0 1 0 0 0 1 0 0", "1 0 0 0 1 0 0 0 1 0 0 0 7", "1 0 0 0 1 0 0 0 1 0 0 x"):
+        yield refused("t.3mf", mf.threemf(CUBE, items='<item objectid="1" transform="%s"/>' % numbers), "12 numbers")
+    root, data = mf.gltf_parts(CUBE)
+    root["bufferViews"][0]["byteStride"] = 8
+    yield refused("s.gltf", mf.gltf((root, data)), "stride of 8", "item of 12")
+    for axis in "xyz":
+        yield refused("p.ply", mf.ply(CUBE).replace("property double %s" % axis, "property double q"), '\\"%s\\"' % axis, "accepted: x, y and z")
+    yield refused("z.amf", mf.archive({"a.amf": amf(CUBE)}), "packed")
+
+
 def answers_of_servers():
     for name in ("a.gltf", "a.glb", "a.obj", "a.stl", "a.fbx"):
         yield refused(name, '{"message":"Not Found"}', name)
@@ -298,4 +315,4 @@ def more_packages():
 
 
 KINDS = [odd_rotations, more_of_off, pointers_beside_models, more_encodings, more_lines, other_formats, commas, cad_by_other_names, with_holes, passed_over,
-         answers_of_servers, more_parts_of_gltf, more_packages]
+         flat_and_broken, answers_of_servers, more_parts_of_gltf, more_packages]

@@ -5,7 +5,7 @@
 Box, area, volume of solids and number of triangles must agree. The second reader is reader.py for OBJ, STL, PLY and
 OFF, three.js for glTF, Collada, FBX, 3DS, LightWave, AMF and 3MF (three_reader.mjs; FOLDER has node_modules),
 OpenSceneGraph for AC3D and DirectX. Whatever disagrees must be in explained.tsv, and whatever is there must disagree.
-Archives are unpacked below FOLDER. Prints a table by formats.
+Archives are unpacked below FOLDER. Prints a table by formats, and one by readers (further.py, further.tsv).
 """
 import fnmatch
 import json
@@ -20,6 +20,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
+import further  # noqa: E402
 import reader  # noqa: E402
 
 PACKAGES = ["assimp-testmodels", "sweethome3d-furniture", "morse-simulator-data"]
@@ -110,10 +111,9 @@ def differs(a, b, within):
     return abs(a - b) > within
 
 
-def disagreement(found, second, path):
-    """Empty: they agree. Others than reader.py turn axes, read float32 and scale Collada to metres."""
-    exact = extension_of(path) in reader.READERS
-    unit = found["metres_per_unit"] if extension_of(path) in (".dae", ".zae") else 1
+def disagreement(found, second, path, exact, scaled=(".dae", ".zae")):
+    """Empty: they agree. @param exact  reader.py; others turn axes and read float32. @param scaled  what the other one has in metres."""
+    unit = found["metres_per_unit"] if extension_of(path) in scaled else 1
     size = max(max(abs(x) for x in second.lower + second.upper), 1e-300)
     if found["triangles"] != second.triangles:
         return "triangles %d, not %d" % (found["triangles"], second.triangles)
@@ -140,8 +140,8 @@ def is_plain_solid(found):
     return closed and not any(p["cavity"] for p in parts) and len({p["turned"] for p in parts}) == 1
 
 
-def verdict(program, name, path, three):
-    found, why = by_trivet(program, path)
+def verdict(name, path, three, own):
+    found, why = own
     if found is None and ("stopped with" in why or "longer than" in why):
         return name, path, "fault", why
     if extension_of(path) not in reader.READERS.keys() | THREE | SCENEGRAPH:
@@ -151,12 +151,54 @@ def verdict(program, name, path, three):
         alike = found is None and (second is None or second.triangles == 0)
         return name, path, "both refuse" if alike else "differs", "Trivet: %s; second: %s" % (
             why or "reads it", fault or "reads %d triangles" % (second.triangles if second else 0))
-    text = disagreement(found, second, path)
+    text = disagreement(found, second, path, extension_of(path) in reader.READERS)
     return name, path, "differs" if text else "agrees", text
 
 
-def explanations():
-    lines = (HERE / "explained.tsv").read_text().splitlines()
+def further_verdict(answer, own):
+    """What another reader says of a file, beside Trivet."""
+    path, (found, _) = answer["file"], own
+    try:
+        other = surface_of(answer)
+    except ValueError:
+        other = None
+    if other is None or other.triangles == 0:
+        return "does not read" if found else "both refuse", ""
+    if found is None:
+        return "reads alone", "Trivet refuses"
+    blender = answer["reader"] == "Blender"
+    # Triangles of bent polygons are the reader's own choice.
+    other.bent = answer.get("bent", blender or answer["reader"] == "three.js")
+    text = disagreement(found, other, path, False, (".dae", ".zae", ".fbx") if blender else ())
+    return "differs" if text else "agrees", text
+
+
+def further_failures(files, owns, folder):
+    """Prints the table of further readers. @return what is not explained."""
+    names, table = {path: name for name, path in files}, {}
+    kinds = ["agrees", "both refuse", "differs", "does not read", "reads alone"]
+    explained, failures, used, asked = explanations("further.tsv"), [], set(), set()
+    for answer in further.all_answers([path for _, path in files], extension_of, folder):
+        path, reader_name = answer["file"], answer["reader"]
+        kind, text = further_verdict(answer, owns[path])
+        row = table.setdefault((reader_name, NAMES.get(extension_of(path), "X3D")), dict.fromkeys(kinds, 0))
+        row[kind] += 1
+        asked.add(reader_name)
+        if kind not in ("differs", "reads alone"):
+            continue
+        key = reader_name + ":" + names[path]
+        pattern = next((p for p in explained if fnmatch.fnmatchcase(key, p)), None)
+        used.add(pattern)
+        if pattern is None:
+            failures.append("%s %s: %s" % (kind, key, text))
+    print("| reader | format | " + " | ".join(kinds) + " |\n|---|---|" + "--:|" * len(kinds))
+    for key in sorted(table):
+        print("| %s | %s | %s |" % (*key, " | ".join(str(table[key][k]) for k in kinds)))
+    return failures + ["explained, but nothing differs: " + p for p in explained if p not in used and p.split(":")[0] in asked]
+
+
+def explanations(file):
+    lines = (HERE / file).read_text().splitlines()
     return dict(line.split("\t", 1) for line in lines if line and not line.startswith("#"))
 
 
@@ -181,8 +223,9 @@ def main():
         files = [f for f in files if extension_of(f[1]) not in SCENEGRAPH]
     three = by_three(folder, [path for _, path in files if extension_of(path) in THREE])
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = list(pool.map(lambda f: verdict(program, *f, three), files))
-    explained, failures, used = explanations(), [], set()
+        owns = dict(zip((path for _, path in files), pool.map(lambda f: by_trivet(program, f[1]), files)))
+    results = [verdict(name, path, three, owns[path]) for name, path in files]
+    explained, failures, used = explanations("explained.tsv"), [], set()
     for name, _, kind, text in results:
         pattern = next((p for p in explained if fnmatch.fnmatchcase(name, p)), None)
         if kind not in ("differs", "fault"):
@@ -192,6 +235,7 @@ def main():
             failures.append("%s %s: %s" % (kind, name, text))
     failures += ["explained, but nothing differs: " + p for p in explained if p not in used]
     print_table(results)
+    failures += further_failures(files, owns, folder)
     for failure in failures:
         print(failure)
     return bool(failures)

@@ -36,6 +36,7 @@ const bytesOf = (file) => { const b = readFileSync(file); return b.buffer.slice(
 const text = (file) => readFileSync(file, 'utf8');
 const folder = (file) => pathToFileURL(dirname(file)).href + '/';
 const solid = (geometry) => new THREE.Mesh(geometry);
+const withFaces = (geometry) => (geometry.index ? solid(geometry) : new THREE.Points(geometry));
 const gltf = (file) => new Promise((resolve, reject) => new GLTFLoader().setMeshoptDecoder(meshopt.MeshoptDecoder)
   .parse(bytesOf(file), folder(file), (found) => resolve(found.scene), reject));
 const READERS = {
@@ -52,7 +53,7 @@ const READERS = {
   '.3mf': (file) => new ThreeMFLoader().parse(bytesOf(file)),
   '.obj': (file) => new OBJLoader().parse(text(file)),
   '.stl': (file) => solid(new STLLoader().parse(bytesOf(file))),
-  '.ply': (file) => solid(new PLYLoader().parse(bytesOf(file))),
+  '.ply': (file) => withFaces(new PLYLoader().parse(bytesOf(file))),
 };
 
 function measured(scene) {

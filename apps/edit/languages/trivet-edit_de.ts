@@ -3578,6 +3578,18 @@
         <source>texts left out</source>
         <translation>weggelassene Texte</translation>
     </message>
+    <message>
+        <source>a stride of %1 bytes is less than an item of %2</source>
+        <translation>ein Abstand von %1 Bytes ist kleiner als ein Eintrag von %2</translation>
+    </message>
+    <message>
+        <source>its vertices have no property &quot;%1&quot;; accepted: x, y and z</source>
+        <translation>ihre Ecken haben keine Eigenschaft „%1“; erlaubt: x, y und z</translation>
+    </message>
+    <message>
+        <source>meshes without volume, as their transform flattens them</source>
+        <translation>Netze ohne Volumen, da ihre Transformation sie flach macht</translation>
+    </message>
 </context>
 <context>
     <name>results</name>

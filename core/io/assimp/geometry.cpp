@@ -27,7 +27,7 @@ struct Instance {
 /// Counts of file contents that the model omits.
 struct LeftOut {
   std::int64_t points = 0, lines = 0, polygons = 0;
-  int skinned = 0, mirrored = 0;
+  int skinned = 0, mirrored = 0, flat = 0;
 };
 
 // Only matrices that are affine keep planes of triangles, and parallels.
@@ -96,6 +96,7 @@ class Reader {
     const aiMesh& mesh = *instance.mesh;
     m_left_out.skinned += mesh.HasBones();
     m_left_out.mirrored += mirrors(instance.object_from_mesh);
+    m_left_out.flat += flattens(instance.object_from_mesh);
     m_assembly.place(vertices_of(instance), instance.object_from_mesh);
     const Index material =
         mesh.mMaterialIndex < m_scene.mNumMaterials ? static_cast<Index>(mesh.mMaterialIndex) : 0;
@@ -120,6 +121,7 @@ class Reader {
     note("polygons left out, as they could not be triangulated", m_left_out.polygons);
     note("meshes with bones, read in bind pose", m_left_out.skinned);
     note("mirrored meshes, winding turned round", m_left_out.mirrored);
+    note("meshes without volume, as their transform flattens them", m_left_out.flat);
   }
 
   const aiScene& m_scene;

@@ -68,7 +68,7 @@ bool is_packed(std::string_view head) {
 // Some formats that assimp reads are ZIP archives, too.
 bool is_zip_of_others(std::string_view head, const std::string& extension) {
   return begins_with_any(head, {"PK\3\4", "PK\5\6"}) && extension != ".3mf" && !holds_3mf(head) &&
-         (extension == ".zip" || may_be_own(extension));
+         (extension == ".zip" || extension == ".amf" || may_be_own(extension));
 }
 
 bool is_picture(std::string_view head) {

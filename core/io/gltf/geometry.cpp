@@ -18,7 +18,7 @@ namespace {
 /// Counts of file contents that the model omits, or has otherwise.
 struct Counts {
   std::uint64_t points = 0, lines = 0, left_over = 0, without_positions = 0, other_normals = 0,
-                skinned = 0, morphed = 0, mirrored = 0, hidden = 0;
+                skinned = 0, morphed = 0, mirrored = 0, flat = 0, hidden = 0;
 };
 
 std::span<const Eigen::Vector3f> rows(const GltfValues& values) {
@@ -89,6 +89,7 @@ class GeometryReader {
     const std::string name = name_of_mesh(instance);
     m_counts.skinned += node_of(instance).contains("skin");
     m_counts.mirrored += mirrors(instance.object_from_mesh);
+    m_counts.flat += flattens(instance.object_from_mesh);
     size_t number = 0;
     bool morphed = false;
     for (const GltfJson& primitive : member(mesh_of(instance), "primitives")) {
@@ -150,6 +151,7 @@ class GeometryReader {
     note("meshes with bones, read in bind pose", m_counts.skinned);
     note("meshes with morph targets, read without them", m_counts.morphed);
     note("mirrored meshes, winding turned round", m_counts.mirrored);
+    note("meshes without volume, as their transform flattens them", m_counts.flat);
     note("hidden nodes, read like all others", m_counts.hidden);
   }
 

@@ -64,6 +64,8 @@ void find_rows(const GltfDocument& document, const GltfJson& place, Items& items
   const size_t row = items.row_bytes();
   items.stride = index_or_zero(member(view, "byteStride"));
   if (items.stride == 0) items.stride = row;
+  if (items.stride < row)
+    bad_input("a stride of %1 bytes is less than an item of %2", items.stride, row);
   const size_t begin = index_or_zero(member(view, "byteOffset"));
   const size_t length = index_from(member(view, "byteLength"));
   const size_t offset = index_or_zero(member(place, "byteOffset"));

@@ -36,10 +36,15 @@ inline Affine affine_of(const Matrix4& m) {
   return out;
 }
 
-/// True if it turns inside and outside round.
-inline bool mirrors(const Affine& a) {
+inline double determinant(const Affine& a) {
   const Mat3& m = a.linear;
-  return m.col(0).dot(m.col(1).cross(m.col(2))) < 0;
+  return m.col(0).dot(m.col(1).cross(m.col(2)));
 }
+
+/// True if it turns inside and outside round.
+inline bool mirrors(const Affine& a) { return determinant(a) < 0; }
+
+/// True if solids have no volume behind it.
+inline bool flattens(const Affine& a) { return determinant(a) == 0; }
 
 }  // namespace trivet

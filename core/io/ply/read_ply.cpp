@@ -99,6 +99,7 @@ class PlyReader {
                strips = element.name == "tristrips";
     m_roles.clear();
     for (const PlyProperty& property : element.properties) m_roles.push_back(role_of(property));
+    if (vertices) check_place();
     if (vertices) m_vertex = has_of(element);
     if (faces) m_face = has_of(element);
     if (vertices) m_out.positions.reserve(static_cast<size_t>(element.count));
@@ -115,6 +116,13 @@ class PlyReader {
     else
       m_out.notes.push_back(
           say("elements \"%1\" left out: %2", printable(element.name, 40), element.count));
+  }
+
+  void check_place() const {
+    for (const auto& [role, name] : {std::pair(Role::X, "x"), {Role::Y, "y"}, {Role::Z, "z"}})
+      if (std::find(m_roles.begin(), m_roles.end(), role) == m_roles.end())
+        bad_file(m_out.path, "its vertices have no property \"%1\"; accepted: x, y and z",
+                 std::string(name));
   }
 
   struct Has {

@@ -172,6 +172,8 @@ class PartReader {
       if (!found) fail(say("a transform that is not 12 numbers: \"%1\"", printable(given, 80)));
       value = *found;
     }
+    if (!next_word(rest).empty())
+      fail(say("a transform that is not 12 numbers: \"%1\"", printable(given, 80)));
     Affine out;
     for (size_t r = 0; r < 3; ++r) {
       for (size_t c = 0; c < 3; ++c)

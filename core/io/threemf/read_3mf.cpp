@@ -1,11 +1,11 @@
 #include "core/io/threemf/read_3mf.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "core/base/bad_input.h"
 #include "core/base/printable.h"
+#include "core/io/mesh/node_product.h"
 #include "core/io/text/words.h"
 #include "core/io/threemf/object_reader.h"
 #include "core/io/threemf/xml_reader.h"
@@ -78,6 +78,7 @@ class SurfaceMaker {
     }
     note_count(m_out.notes, "supports for printing left out", m_num_supports);
     note_count(m_out.notes, "mirrored meshes, winding turned round", m_num_mirrored);
+    note_count(m_out.notes, "meshes without volume, as their transform flattens them", m_num_flat);
     return std::move(m_out);
   }
 
@@ -123,8 +124,9 @@ class SurfaceMaker {
       bad_file(m_out.path, "more faces than the limit of %1", m_limits.max_triangles);
     if (object.triangles.empty()) return;
     const auto first = static_cast<Index>(m_out.positions.size());
-    const bool mirrored = world_from_object.linear.determinant() < 0;
+    const bool mirrored = mirrors(world_from_object);
     m_num_mirrored += mirrored;
+    m_num_flat += flattens(world_from_object);
     make_room(m_out.positions, object.vertices.size());
     make_room(m_out.corners, 3 * object.triangles.size());
     for (const Vec3& v : object.vertices) m_out.positions.push_back(world_from_object.apply(v));
@@ -141,7 +143,7 @@ class SurfaceMaker {
   Document m_document;
   FileSurface m_out;
   Index m_plain = 0;  // material of what has none
-  std::int64_t m_num_instances = 0, m_num_supports = 0, m_num_mirrored = 0;
+  std::int64_t m_num_instances = 0, m_num_supports = 0, m_num_mirrored = 0, m_num_flat = 0;
 };
 
 }  // namespace
