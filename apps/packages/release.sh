@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Makes everything that a release consists of, and tests it. The tag is left to whoever publishes.
 #
-#   apps/packages/release.sh --output DIR [--build DIR] [--without-tests]
+#   apps/packages/release.sh --output DIR [--build DIR] [--no-build] [--without-tests]
 #   apps/packages/release.sh --notes            prints the notes alone
 #
 # DIR gets the packages of make.sh, the documents (docs), the sources, NOTES.md out of CHANGELOG.md and
 # SHA256SUMS. The version is that of include/trivet/version.h. Nothing may be uncommitted.
-# The tests are those of tests/packages: they need root and debootstrap, and are told when they are skipped.
+# --no-build takes a build of packages as it is (see make.sh). The tests are those of tests/packages, on the
+# packages that were made: they need root and debootstrap, and are named when they are skipped.
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 source_dir="$(cd "$here/../.." && pwd)"
@@ -29,7 +30,7 @@ notes() {
   printf '# Trivet %s\n\n%s\n' "$version" "$text"
 }
 
-output="" build="$source_dir/build/package" with_tests=1
+output="" build="$source_dir/build/package" with_tests=1 how=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --notes)
@@ -41,8 +42,9 @@ while [ $# -gt 0 ]; do
       [ "$1" = --output ] && output="$2" || build="$(realpath -m "$2")"
       shift
       ;;
+    --no-build) how=(--no-build) ;;
     --without-tests) with_tests=0 ;;
-    *) fail "unknown: $1; accepted: --output DIR, --build DIR, --without-tests, --notes" ;;
+    *) fail "unknown: $1; accepted: --output DIR, --build DIR, --no-build, --without-tests, --notes" ;;
   esac
   shift
 done
@@ -57,7 +59,7 @@ output="$(realpath "$output")"
 packed() { tar --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$(git log -1 --format=%ct)" -C "$1" -cf - "$2" |
   zstd -q -12 -o "$output/$3.tar.zst"; }
 
-"$here/make.sh" --output "$output" --build "$build"
+"$here/make.sh" --output "$output" --build "$build" "${how[@]}"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 docs/build.sh "$build" "$work/trivet-$version-docs"
@@ -66,7 +68,8 @@ git archive --prefix="trivet-$version/" HEAD | zstd -q -12 -o "$output/trivet-$v
 notes >"$output/NOTES.md"
 
 if [ $with_tests = 1 ]; then
-  for job in components make deb dev wheel blender tarball image squashfs; do
+  tests/packages/run.sh made "$build" "$build/release-tests" "$output" >"$work/made.log"
+  for job in components deb dev wheel blender tarball image squashfs; do
     status=0
     tests/packages/run.sh "$job" "$build" "$build/release-tests" >"$work/$job.log" 2>&1 || status=$?
     case $status in

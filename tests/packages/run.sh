@@ -2,9 +2,11 @@
 # Packages: what installations hold, and every kind of package used in a bare Debian.
 #
 #   tests/packages/run.sh components|make|deb|dev|wheel|blender|tarball|image|squashfs BUILD_DIR WORK_DIR
+#   tests/packages/run.sh made BUILD_DIR WORK_DIR PACKAGES_DIR
 #
 # components: what a build installs, by component; seconds
 # make:       apps/packages/make.sh, for the others; of BUILD_DIR if that is of the preset package, else it builds one
+# made:       takes packages that were made of BUILD_DIR instead of making some
 # deb:        lintian; installed by apt in a bare Debian, used, and removed
 # dev:        a project built in a bare Debian with libtrivet-dev
 # wheel:      in a Debian with Python and NumPy only
@@ -20,6 +22,7 @@ source_dir="$(cd "$here/../.." && pwd)"
 job="$1" build="$(realpath "$2")"
 mkdir -p "$3"
 base="$(realpath "$3")" work="$(realpath "$3")/$1" roots="$(realpath "$3")/roots" made="$(realpath "$3")/made"
+packages="${4:-}"
 
 say() { printf '%s %s\n' "$(date +%T)" "$*"; }
 skip() {
@@ -109,8 +112,21 @@ test_make() {
   fi
   rm -rf "$made" "$base/job"
   nice -n 10 "$source_dir/apps/packages/make.sh" "${options[@]}" --output "$made"
-  printf '%s\n' "${options[1]}/apps/trivet" "${options[1]}/apps/python" >"$made/program"
-  sed -n 's/^TRIVET_PYTHON_EXECUTABLE:[A-Z]*=//p' "${options[1]}/CMakeCache.txt" >>"$made/program"
+  note_program "${options[1]}"
+}
+
+# The program, Python's package and Python of the build that packages are of.
+note_program() {
+  printf '%s\n' "$1/apps/trivet" "$1/apps/python" >"$made/program"
+  sed -n 's/^TRIVET_PYTHON_EXECUTABLE:[A-Z]*=//p' "$1/CMakeCache.txt" >>"$made/program"
+}
+
+test_made() {
+  rm -rf "$made" "$base/job"
+  mkdir -p "$made"
+  cp "$packages"/*.deb "$packages"/*.whl "$packages"/*.zip "$packages"/trivet-*-linux-*.tar.zst "$packages"/*.oci.tar \
+    "$packages"/*.squashfs "$made"
+  note_program "$build"
 }
 
 test_deb() {
