@@ -52,6 +52,16 @@ class FirstHours(BatchCase):
         self.trivet("batch", "materialise", "scenes", ok[0], "-o", "one.glb")
         self.trivet("check", "one.glb")
         self.trivet("export", "one.glb", "-o", "one.csv")
+        os.mkdir(self.path("below"))
+        self.trivet("export", "one.glb", "-o", "below/one.xml", "--meshes", "shared", "--quiet")
+        self.assertEqual(sorted(os.listdir(self.path("below"))), ["one.xml", "shared"])
+        self.assertFalse(os.path.exists(self.path("shared")))
+        # What hovers is unsupported, in reports and in notes of exports alike.
+        self.write("air.json", json.dumps({"trivet": 1, "objects": [{"name": "a", "model": "apple.glb", "position": [0, 0, 1]}]}))
+        self.trivet("run", "air.json", "-o", "air.glb", "--report", "air-report.json", status=1)
+        self.assertEqual(self.read_json("air-report.json")["objects"][0]["state"], "unsupported")
+        self.trivet("export", "air.glb", "-o", "air.xml", "--report", "notes.json")
+        self.assertIn('"a" is unsupported: it will move', self.read_json("notes.json")["notes"])
 
     def test_one_who_trains_vision_models(self):
         """Models of their own, a table, distractors, and another light in every scene."""
