@@ -11,7 +11,7 @@ import unittest
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
-from program import PROGRAM, SLAB, Case, main, put
+from program import PROGRAM, SLAB, Case, main, put, needs_memory_bounds
 
 MODELS = os.environ.get("TRIVET_ASSIMP_MODELS", "/usr/share/assimp/models")
 SECONDS = 20
@@ -99,6 +99,7 @@ class Importer(Case):
         self.assertIn("/objects/0/model: cube.obj: ", err)
         self.assertNotIn("s.glb", self.files())
 
+    @needs_memory_bounds
     def test_several_models_share_an_importer(self):
         self.write("big.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 1000000)
         good = self.layout([SLAB, {"name": "a", "model": "cube.obj"}], [put("a", 0, 0, 1)])
@@ -117,6 +118,7 @@ class Importer(Case):
         self.assertIn("/objects/2/model: big.obj: ", err)
         self.assertIn("memory", err)
 
+    @needs_memory_bounds
     def test_memory(self):
         self.write("big.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 1000000)
         out, err = self.trivet("info", "big.obj", "--import-memory-mb", "150", status=2)
