@@ -7,21 +7,22 @@ declare -A cell  # by "work|detector": what the table says
 now_ms() { echo $(($(date +%s%N) / 1000000)); }
 number_in() { sed -n "s/.*\"$1\": *\([0-9]*\).*/\1/p" "$2" | head -n 1; }  # KEY FILE
 
-# Scenes like BREAKFAST, two workers: the same units by all; queries share draws.
+# Scenes like BREAKFAST, two workers, and one without hardware: the same units by all; queries share draws.
 check_batch() {
-  local way count="$1" hashes="" failed=0 from found draws
+  local way count="$1" hashes="" failed=0 from found draws asked
   "$kit/bin/trivet" demo breakfast -o "$work/b.glb" --export "$work/models" --quiet >/dev/null 2>&1 || { say "FAILED: no models for a batch"; return 1; }
   cp "$kit/breakfast.json" "$work/models/"
   for way in "${all_ways[@]}"; do
     from="$(now_ms)"
     if ! timeout "$(($(left) < 20 * minutes ? $(left) : 20 * minutes))" "$kit/bin/trivet" batch "$work/models/breakfast.json" --count "$count" --per-tar "$count" \
-      --jobs 2 --out "$work/batch-$way" --detector "$way" --json --quiet >"$work/batch.json" 2>"$work/why"; then
+      --jobs $((1 + hardware)) --out "$work/batch-$way" --detector "$way" --json --quiet >"$work/batch.json" 2>"$work/why"; then
       say "FAILED: a batch by $way: $(tail -n 1 "$work/why")"; failed=1; continue
     fi
     found=$(($(now_ms) - from)) draws="$(number_in draws "$work/batch.json")"
     cell["batch, ms a scene|$way"]=$((found / count))
     if [ "${draws:-0}" -gt 0 ]; then
-      cell["batch, queries a draw|$way"]="$((($(number_in queries "$work/batch.json") + $(number_in early_queries "$work/batch.json")) / draws))"
+      asked=$((10 * ($(number_in queries "$work/batch.json") + $(number_in early_queries "$work/batch.json")) / draws))
+      cell["batch, queries a draw|$way"]="$((asked / 10)).$((asked % 10))"
       cell["batch, read-backs a scene|$way"]="$(($(number_in read_backs "$work/batch.json") / count))"
     fi
     hashes+="$(cd "$work/batch-$way" && cat 0000/*.tar | sha256sum)"$'\n'
