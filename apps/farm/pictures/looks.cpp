@@ -69,7 +69,7 @@ PictureLamp lamp_within(const LampRanges& ranges, Decision decision) {
   out.distance = decision.within(ranges.distance);
   const double size = decision.within(ranges.size);
   out.size = out.kind == PictureLamp::Kind::Sun ? kSunRadians : size;
-  out.colour = light_within(ranges.light, std::move(decision));
+  out.colour = light_within(ranges.light, decision);
   return out;
 }
 
@@ -113,7 +113,7 @@ std::shared_ptr<const TextureImage> LookImages::texture(const std::string& name)
 }
 
 std::array<float, 3> colour_within(const ColourRange& range, Decision decision) {
-  const Vec3 srgb = srgb_within(range, std::move(decision));
+  const Vec3 srgb = srgb_within(range, decision);
   std::array<float, 3> out;
   for (int c = 0; c < 3; ++c) out[c] = linear_from_srgb(float(srgb[c]));
   return out;

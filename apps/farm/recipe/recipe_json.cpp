@@ -19,7 +19,7 @@ bool is_integer(const nlohmann::json& value, int lower, int upper) {
 }
 
 std::string read_plain_name(const JsonPlace& place) {
-  const std::string name = place.text();
+  std::string name = place.text();
   if (name == "floor") place.refuse("any name but \"floor\", which is the floor");
   return name;
 }

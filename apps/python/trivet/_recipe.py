@@ -94,6 +94,7 @@ class Recipe:
 
     @property
     def seed(self) -> int:
+        """The number that selects its scenes among those of others."""
         return self._seed
 
     def scene(self, k: int, *, seconds: float = 0.0) -> MadeScene:
@@ -126,6 +127,10 @@ class Recipe:
             So many from 0, or these.
         seconds : float
             Of each, as for `scene`.
+
+        Returns
+        -------
+        iterator of MadeScene
         """
         numbers = range(_arrays.whole("count", count, 0, 2 ** 63)) if isinstance(count, int) else count
         return (self.scene(k, seconds=seconds) for k in numbers)

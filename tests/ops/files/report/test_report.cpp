@@ -51,8 +51,8 @@ TEST(Report, HasKeysInDocumentedOrder) {
   for (const Json& object : report["objects"])
     EXPECT_EQ(keys(object), (std::vector<std::string>{
                                 "name", "model", "triangles", "world_from_file", "centre_of_mass",
-                                "mass_rule", "material", "state", "supported_by", "contacts",
-                                "stability_margin", "least_friction"}));
+                                "mass_rule", "material", "kilograms", "state", "supported_by",
+                                "contacts", "stability_margin", "least_friction"}));
   for (const Json& contact : report["objects"][1]["contacts"])
     EXPECT_EQ(keys(contact), (std::vector<std::string>{"with", "type", "points", "normal", "gap"}));
   ASSERT_EQ(report["operations"].size(), 3u);
