@@ -56,7 +56,7 @@ class FirstHours(BatchCase):
         self.trivet("export", "one.glb", "-o", "below/one.xml", "--meshes", "shared", "--quiet")
         self.assertEqual(sorted(os.listdir(self.path("below"))), ["one.xml", "shared"])
         self.assertFalse(os.path.exists(self.path("shared")))
-        # What hovers is unsupported, in reports and in notes of exports alike.
+        # A hovering object is unsupported, in reports and in notes of exports alike.
         self.write("air.json", json.dumps({"trivet": 1, "objects": [{"name": "a", "model": "apple.glb", "position": [0, 0, 1]}]}))
         self.trivet("run", "air.json", "-o", "air.glb", "--report", "air-report.json", status=1)
         self.assertEqual(self.read_json("air-report.json")["objects"][0]["state"], "unsupported")

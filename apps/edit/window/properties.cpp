@@ -265,7 +265,7 @@ void Properties::show_pose(const Object& object) {
 void Properties::show_rest(const Object& object, ObjectId id) {
   const QString none = QStringLiteral("–");
   const bool rests = object.placed && !object.fixed;
-  // What rests between slopes is not held by the polygon alone.
+  // An object between slopes is not held by the polygon alone.
   const bool tips = object.stability_margin >= 0 || object.state != ObjectState::Stable;
   set(tr("To tipping"), rests && tips ? length_text(object.stability_margin) : none,
       tr("Distance of the centre of mass inside the support polygon, seen from "

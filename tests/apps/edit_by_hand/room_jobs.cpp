@@ -9,7 +9,7 @@
 namespace trivet::edit::test {
 namespace {
 
-/// What comes along if the desk is moved.
+/// These come along if the desk is moved.
 void check_moved(AtWork& work, const std::map<std::string, Vec3>& before, const Vec3& way) {
   for (const auto& [name, centre] : before)
     QVERIFY2((work.centre(name) - centre - way).norm() < kSlack, name.c_str());
