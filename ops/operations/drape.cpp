@@ -146,13 +146,13 @@ const OperationTable& table<DrapeOperation>() {
   using R = Row<P>;
   static const OperationTable rows = make_table<P>(
       {{"drape",
-        "Let a flat sheet come down and to rest, as a new object",
+        "A flat sheet, a new object, comes down and to rest",
         {"size"},
         {},
         [](const P& o) { return o.size.has_value(); },
         [](P& o) { o.size = Vec2(1, 1); }},
        {"drape",
-        "Let a cable come down and to rest, as a new object",
+        "A cable, a new object, comes down and to rest",
         {"path"},
         {},
         [](const P& o) { return !o.path.empty(); },
@@ -160,8 +160,8 @@ const OperationTable& table<DrapeOperation>() {
           o.path = {Vec3::Zero(), Vec3::UnitX()};
         }},
        {"drape",
-        "Let an open mesh, a sheet (with its size) or a cable (with its path) come down and to "
-        "rest, as a new object",
+        "An open mesh, a sheet (with its size) or a cable (with its path) comes down and to rest "
+        "as a new object",
         {"of"},
         {},
         [](const P& o) { return o.of.has_value(); },
@@ -175,7 +175,7 @@ const OperationTable& table<DrapeOperation>() {
            .in({kMesh})
            .needed(),
        R("position", &P::start, &Pose::translation, kPoint,
-         "Start of the middle of the sheet, or of the mesh's origin")
+         "Where the middle of the sheet, or the mesh's origin, starts")
            .in({kSheet, kMesh})
            .needed(),
        R("rotation", &P::start, &Pose::rotation, kRotation,
@@ -186,16 +186,15 @@ const OperationTable& table<DrapeOperation>() {
          "length, a 128th of the cable's")
            .in({kSheet, kCable}),
        R("material", &P::material, kText,
-         "Material of a sheet: cotton (default), felt, paper, towel or wool; of a cable: lead"),
+         "Of sheets cotton, felt, paper, towel or wool, of cables lead; default: cotton, or lead"),
        R("thickness", &P::thickness, kThickness, "Thickness or diameter instead of the material's"),
        R("density", &P::density, kFlexDensity, "Mass per area, of a cable per length"),
        R("bending", &P::bending, kBending, "Resistance to bending"),
-       R("friction", &P::friction, kFlexFriction,
-         "Coulomb friction coefficient, against itself, too"),
+       R("friction", &P::friction, kFlexFriction, "Coulomb's coefficient, against itself, too"),
        R("pins", &P::pins, kPoint, "The vertices nearest to these points stay where they start"),
        R("net_force", &P::net_force, kNetForce,
-         "Largest force left at a vertex that counts as rest"),
-       R("steps", &P::steps, kSteps, "Largest number of steps of each level, coarse to fine")},
+         "At rest: the largest force left at a vertex, of its weight"),
+       R("steps", &P::steps, kSteps, "Steps at most, from coarse to fine for each level")},
       refuse_drape,
       TRIVET_SENTENCE("a shape is missing; accepted: \"size\" of a sheet, \"path\" of a cable, or "
                       "\"of\" for a mesh"));
