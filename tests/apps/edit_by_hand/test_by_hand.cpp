@@ -53,6 +53,7 @@ void TestByHand::initTestCase() {
   QVERIFY(QDir().mkpath(m_folder.filePath("recovery")));
   m_document = std::make_unique<Document>(options);
   m_window = std::make_unique<MainWindow>(*m_document);
+  m_window->set_dark(false);
   m_window->resize(1280, 800);
   m_window->show();
   m_window->move(0, 0);
