@@ -30,6 +30,10 @@ def read_processes():
     return out
 
 
+def children_of(process):
+    return [p for p, (above, _, _) in read_processes().items() if above == process]
+
+
 def look(root):
     """Seconds of all processes from `root` down, and the largest resident memory of each kind."""
     processes = read_processes()

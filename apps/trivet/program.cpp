@@ -8,7 +8,7 @@
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <sstream>
 
 #include "apps/trivet/help.h"
 #include "apps/trivet/verbs.h"
@@ -40,19 +40,24 @@ bool asks_for_json(int argc, char** argv) {
   return false;
 }
 
+// The end of a verb's --help.
+std::string footer_of(const Verb& verb) {
+  std::istringstream lines(verb.examples);
+  std::string out = "Examples:\n";
+  for (std::string line; std::getline(lines, line);) out += "  " + line + "\n";
+  return out;
+}
+
 std::vector<Verb> add_verbs(CLI::App& app, CommonOptions& common) {
   std::vector<Verb> verbs;
-  for (const auto add : {add_info, add_run, add_put}) verbs.push_back(add(app, common));
-  for (Verb& verb : add_operations(app, common)) verbs.push_back(std::move(verb));
-  for (const auto add : {add_check, add_settle, add_mend, add_joint, add_intent, add_export,
-                         add_render, add_zlist, add_arrange, add_demo, add_session, add_serve,
-                         add_replay, add_backends, add_batch, add_doctor, add_report, add_schema})
-    verbs.push_back(add(app, common));
-  const std::set<std::string> read_none = {"backends", "doctor", "schema"};
+#define TRIVET_ADD_VERB(name) \
+  for (Verb & verb : add_##name(app, common)) verbs.push_back(std::move(verb));
+  TRIVET_VERBS(TRIVET_ADD_VERB)
+#undef TRIVET_ADD_VERB
   for (const Verb& verb : verbs) {
     add_common_options(*verb.app, common);
-    if (!read_none.contains(verb.app->get_name())) add_import_options(*verb.app, common);
-    verb.app->footer(examples_of(verb.app->get_name()));
+    if (verb.reads_models) add_import_options(*verb.app, common);
+    verb.app->footer(footer_of(verb));
   }
   return verbs;
 }

@@ -27,7 +27,7 @@ int arrange_problem(const ArrangeArguments& arguments, const CommonOptions& comm
 
 }  // namespace
 
-Verb add_arrange(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_arrange(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("arrange", "Find places for objects by relations between them");
   const auto arguments = std::make_shared<ArrangeArguments>();
@@ -39,7 +39,9 @@ Verb add_arrange(CLI::App& app, const CommonOptions& common) {
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return arrange_problem(*arguments, common); }};
+  return {{verb, [arguments, &common] { return arrange_problem(*arguments, common); },
+           "trivet arrange problem.json -o scene.glb --report report.json\n"
+           "trivet arrange problem.json --seed 7 -o scene.glb\n"}};
 }
 
 }  // namespace trivet::apps

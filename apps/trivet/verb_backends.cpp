@@ -136,19 +136,23 @@ std::string as_json(Machine& machine, const Calibration& calibration, const std:
 
 }  // namespace
 
-Verb add_backends(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_backends(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "backends", "Show what finds candidates here, how fast, and what --detector auto takes");
   const auto again = std::make_shared<bool>(false);
   verb->add_flag("--recalibrate", *again, "Measure again, and keep that");
   return {
-      verb, [again, &common] {
-        const std::shared_ptr<Machine> machine =
-            make_machine(common.detection(), print_notes(common));
-        const auto calibration = *again ? machine->recalibrate(nullptr) : machine->calibration();
-        std::cout << (common.json ? as_json : as_text)(*machine, *calibration, calibration_path());
-        return 0;
-      }};
+      {verb,
+       [again, &common] {
+         const std::shared_ptr<Machine> machine =
+             make_machine(common.detection(), print_notes(common));
+         const auto calibration = *again ? machine->recalibrate(nullptr) : machine->calibration();
+         std::cout << (common.json ? as_json : as_text)(*machine, *calibration, calibration_path());
+         return 0;
+       },
+       "trivet backends\n"
+       "trivet backends --recalibrate --json\n",
+       false}};
 }
 
 }  // namespace trivet::apps

@@ -332,7 +332,7 @@ WorkerDetection worker_detection(const CommonOptions& common, std::uint64_t firs
   return out;
 }
 
-Verb add_batch(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_batch(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("batch", "Make random scenes by a recipe, one machine or many");
   const auto arguments = std::make_shared<BatchArguments>();
@@ -341,11 +341,16 @@ Verb add_batch(CLI::App& app, const CommonOptions& common) {
   std::vector<Verb> audits = add_batch_audits(*verb, common);
   audits.push_back(add_batch_pictures(*verb, common));
   audits.push_back(add_batch_export(*verb, common));
-  return {verb, [arguments, audits, &common] {
-            for (const Verb& audit : audits)
-              if (audit.app->parsed()) return audit.run();
-            return batch(*arguments, common);
-          }};
+  return {{verb,
+           [arguments, audits, &common] {
+             for (const Verb& audit : audits)
+               if (audit.app->parsed()) return audit.run();
+             return batch(*arguments, common);
+           },
+           "trivet batch recipe.json --count 100 --seed 7 --out scenes\n"
+           "trivet batch recipe.json --count 100 --seed 7 --out scenes --shard 2/8\n"
+           "trivet batch recipe.json --count 100 --seed 7 --only 17\n"
+           "trivet batch status scenes\n"}};
 }
 
 }  // namespace trivet::apps

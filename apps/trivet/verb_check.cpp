@@ -122,7 +122,7 @@ int check(CheckArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_check(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_check(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "check",
       "Judge scenes of any program from their poses: what interpenetrates and how "
@@ -148,7 +148,10 @@ Verb add_check(CLI::App& app, const CommonOptions& common) {
       ->check(number_from(0, 1e3));
   add_foreign_options(*verb, arguments->foreign);
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return check(*arguments, common); }};
+  return {{verb, [arguments, &common] { return check(*arguments, common); },
+           "trivet check scene.glb\n"
+           "trivet check scene.glb --friction 0.3 --object mug --json\n"
+           "trivet check kitchen.xml --report verdicts.jsonl\n"}};
 }
 
 }  // namespace trivet::apps

@@ -169,7 +169,7 @@ int run_any_demo(const DemoArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_demo(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_demo(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand("demo", "Lay out a built-in scene");
   const auto arguments = std::make_shared<DemoArguments>();
   verb->add_option("name", arguments->name, "Name of the demo")
@@ -185,7 +185,9 @@ Verb add_demo(CLI::App& app, const CommonOptions& common) {
       ->type_name("DIR");
   add_arranging_options(*verb, arguments->arranging);
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return run_any_demo(*arguments, common); }};
+  return {{verb, [arguments, &common] { return run_any_demo(*arguments, common); },
+           "trivet demo spoon-saucer -o scene.glb\n"
+           "trivet demo breakfast -o breakfast.glb --export breakfast\n"}};
 }
 
 }  // namespace trivet::apps

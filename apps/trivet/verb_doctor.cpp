@@ -70,7 +70,7 @@ int examine(const DoctorArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_doctor(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_doctor(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "doctor",
       "Check whether this machine has what batches need: importer and its sandbox, memory, disk, "
@@ -87,7 +87,10 @@ Verb add_doctor(CLI::App& app, const CommonOptions& common) {
       ->check(number_from(0, 1e12))
       ->capture_default_str();
   verb->add_flag("--gpu", arguments->gpu, "Require graphics hardware, too");
-  return {verb, [arguments, &common] { return examine(*arguments, common); }};
+  return {{verb, [arguments, &common] { return examine(*arguments, common); },
+           "trivet doctor\n"
+           "trivet doctor --out . --disk-mb 100 --json\n",
+           false}};
 }
 
 }  // namespace trivet::apps

@@ -91,6 +91,19 @@ int export_scene(const ExportArguments& arguments, const CommonOptions& common,
   return is_table ? export_table(arguments, common) : export_for_simulator(arguments, common);
 }
 
+// "MuJoCo: .xml or .mjcf; ...".
+std::string outputs_of_export() {
+  std::string out;
+  for (const SceneFormat& format : scene_formats()) {
+    if (format.kind == SceneFormat::Kind::Scene) continue;
+    std::string extensions;
+    for (const std::string& extension : format.extensions)
+      extensions += (extensions.empty() ? "" : " or ") + extension;
+    out += (out.empty() ? "" : "; ") + format.name + ": " + extensions;
+  }
+  return out;
+}
+
 void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
   SimulationOptions& options = arguments.options;
   verb.add_option("--report", arguments.report,
@@ -144,23 +157,22 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
 
 }  // namespace
 
-Verb add_export(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("export", "Write a scene for a physics simulator, or as tables");
   const auto arguments = std::make_shared<ExportArguments>();
   verb->add_option("scene", arguments->scene, "A scene written by trivet")
       ->required()
       ->type_name("SCENE.glb");
-  verb->add_option(
-          "-o,--output", arguments->output,
-          "MuJoCo: .xml or .mjcf; .urdf; .sdf or .world; USD: .usda; a table: .csv or .jsonl")
-      ->required();
+  verb->add_option("-o,--output", arguments->output, outputs_of_export())->required();
   verb->add_option("--table", arguments->table,
                    "poses (default): a row per object; contacts: a row per contact point")
       ->check(one_of({"poses", "contacts"}))
       ->group(kTables);
   add_simulator_options(*verb, *arguments);
-  return {verb, [arguments, verb, &common] { return export_scene(*arguments, common, *verb); }};
+  return {{verb, [arguments, verb, &common] { return export_scene(*arguments, common, *verb); },
+           "trivet export scene.glb -o scene.xml\n"
+           "trivet export scene.glb -o objects.csv\n"}};
 }
 
 }  // namespace trivet::apps

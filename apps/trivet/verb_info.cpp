@@ -7,7 +7,7 @@
 
 namespace trivet::apps {
 
-Verb add_info(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_info(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand("info", "Describe a model file");
   struct Arguments {
     std::string path;
@@ -21,16 +21,19 @@ Verb add_info(CLI::App& app, const CommonOptions& common) {
   verb->add_flag("--surfaces", arguments->supports.surfaces,
                  "Surfaces to set things down on, with the head room above");
   add_tessellation_options(*verb, arguments->tessellation);
-  return {verb, [arguments, &common] {
-            check_tessellation(arguments->tessellation, arguments->path);
-            const Model model =
-                import_model(arguments->path, common.limits(), arguments->tessellation);
-            const auto shape = make_shape(model.mesh);
-            const ModelSupports& asked = arguments->supports;
-            std::cout << (common.json ? model_info_json(model, *shape, asked)
-                                      : model_info_text(model, *shape, asked));
-            return 0;
-          }};
+  return {{verb,
+           [arguments, &common] {
+             check_tessellation(arguments->tessellation, arguments->path);
+             const Model model =
+                 import_model(arguments->path, common.limits(), arguments->tessellation);
+             const auto shape = make_shape(model.mesh);
+             const ModelSupports& asked = arguments->supports;
+             std::cout << (common.json ? model_info_json(model, *shape, asked)
+                                       : model_info_text(model, *shape, asked));
+             return 0;
+           },
+           "trivet info mug.obj\n"
+           "trivet info mug.obj --poses --surfaces --json\n"}};
 }
 
 }  // namespace trivet::apps

@@ -64,7 +64,7 @@ int tell(const IntentArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_intent(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_intent(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "intent",
       "Tell what stands on, stands in and leans in a scene of any program, as its poses mean it, "
@@ -77,7 +77,9 @@ Verb add_intent(CLI::App& app, const CommonOptions& common) {
                    "Metres by which poses may be off; 0: found from the poses")
       ->check(number_from(0, 1));
   add_foreign_options(*verb, arguments->foreign);
-  return {verb, [arguments, &common] { return tell(*arguments, common); }};
+  return {{verb, [arguments, &common] { return tell(*arguments, common); },
+           "trivet intent kitchen.xml\n"
+           "trivet intent kitchen.xml --tolerance 0.005 --json\n"}};
 }
 
 }  // namespace trivet::apps

@@ -115,7 +115,7 @@ int move(const JointArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_joint(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_joint(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "joint",
       "List the joints of a scene of another program (MJCF), or open and close one, with all that "
@@ -133,7 +133,9 @@ Verb add_joint(CLI::App& app, const CommonOptions& common) {
                    "The same scene with the joint's new value, and new poses of what came along");
   add_foreign_options(*verb, arguments->foreign);
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return move(*arguments, common); }};
+  return {{verb, [arguments, &common] { return move(*arguments, common); },
+           "trivet joint kitchen.xml\n"
+           "trivet joint kitchen.xml drawer --to upper -o open.xml\n"}};
 }
 
 }  // namespace trivet::apps

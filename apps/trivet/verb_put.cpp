@@ -96,7 +96,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_put(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_put(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("put", "Put another object into a scene written by trivet");
   const auto arguments = std::make_shared<PutArguments>();
@@ -108,7 +108,11 @@ Verb add_put(CLI::App& app, const CommonOptions& common) {
   arguments->append =
       std::make_unique<OperationOptions>(*verb, AppendOperation{}, "append", positional);
   add_scene_options(*verb, arguments->scene);
-  return {verb, [arguments, &common] { return put(*arguments, common); }};
+  return {{verb, [arguments, &common] { return put(*arguments, common); },
+           "trivet put scene.glb mug.obj --position 0.3 0 1 -o more.glb\n"
+           "trivet put scene.glb mug.obj --on slab --at 0.2 0.1 --keep 0.01 -o more.glb\n"
+           "trivet put scene.glb mug.obj --name cup --position -0.3 0 1 --rotation 0.7 0.7 0 0 "
+           "--material ceramic -o more.glb\n"}};
 }
 
 }  // namespace trivet::apps

@@ -69,7 +69,7 @@ int render(const RenderArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_render(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_render(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "render", "Render a picture or labelled images of a scene or a model, without a display");
   const auto arguments = std::make_shared<RenderArguments>();
@@ -103,7 +103,10 @@ Verb add_render(CLI::App& app, const CommonOptions& common) {
       ->check(number_from(1, 170));
   add_film_options(*verb, arguments->film);
   add_label_options(*verb, arguments->labels);
-  return {verb, [arguments, &common] { return render(*arguments, common); }};
+  return {{verb, [arguments, &common] { return render(*arguments, common); },
+           "trivet render scene.glb -o scene.png --width 320 --height 240 --renderer path\n"
+           "trivet render scene.glb --dome 4 --coco dataset --width 160 --height 120\n"
+           "trivet render layout.json --animation film.webp --fps 4 --width 160 --height 120\n"}};
 }
 
 }  // namespace trivet::apps

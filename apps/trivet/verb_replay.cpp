@@ -41,14 +41,16 @@ int replay(const ReplayArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_replay(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_replay(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "replay", "Restore the scene of a session from its journal, up to the last committed step");
   const auto arguments = std::make_shared<ReplayArguments>();
   verb->add_option("journal", arguments->journal, "The journal")->required()->type_name("JOURNAL");
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
-  return {verb, [arguments, &common] { return replay(*arguments, common); }};
+  return {{verb, [arguments, &common] { return replay(*arguments, common); },
+           "trivet replay session -o scene.glb\n"
+           "trivet replay session -o scene.glb --report report.json\n"}};
 }
 
 }  // namespace trivet::apps

@@ -152,7 +152,7 @@ int report(const ReportArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_report(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_report(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "report",
       "Run a command once more and pack a case for a bug report: its files, what it printed, how "
@@ -167,7 +167,9 @@ Verb add_report(CLI::App& app, const CommonOptions& common) {
       ->capture_default_str();
   verb->add_flag("--without-files", arguments->without_files,
                  "List the files with their SHA-256 only");
-  return {verb, [arguments, &common] { return report(*arguments, common); }};
+  return {{verb, [arguments, &common] { return report(*arguments, common); },
+           "trivet report -o case.tar -- run layout.json -o scene.glb\n"
+           "trivet report -o case.tar --without-files -- check scene.glb\n"}};
 }
 
 }  // namespace trivet::apps

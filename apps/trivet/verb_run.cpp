@@ -73,7 +73,7 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_run(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_run(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand("run", "Run a layout file and write the scene");
   const auto arguments = std::make_shared<RunArguments>();
   verb->add_option("layout", arguments->layout, "The layout, JSON; see trivet schema")
@@ -87,7 +87,9 @@ Verb add_run(CLI::App& app, const CommonOptions& common) {
   verb->add_flag("--stop-at-refusal", arguments->stop_at_refusal,
                  "Stop after the first refused operation");
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return run(*arguments, common); }};
+  return {{verb, [arguments, &common] { return run(*arguments, common); },
+           "trivet run layout.json -o scene.glb --report report.json\n"
+           "trivet run layout.json -o out/scene.xml --picture out/scene.png\n"}};
 }
 
 }  // namespace trivet::apps

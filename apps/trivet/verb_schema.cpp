@@ -24,19 +24,23 @@ std::string recipe_schema() {
 
 }  // namespace
 
-Verb add_schema(CLI::App& app, const CommonOptions&) {
+std::vector<Verb> add_schema(CLI::App& app, const CommonOptions&) {
   CLI::App* const verb = app.add_subcommand(
       "schema", "Print the JSON Schema of layout files, recipes or arrangements");
   const auto what = std::make_shared<std::string>("layout");
   verb->add_option("what", *what,
                    "layout (default); recipe, for trivet batch; arrange, for trivet arrange")
       ->check(one_of({"layout", "recipe", "arrange"}));
-  return {verb, [what] {
-            std::cout << (*what == "recipe"    ? recipe_schema()
-                          : *what == "arrange" ? kArrangeSchema
-                                               : readable_json(layout_schema(kLayoutSchema)));
-            return 0;
-          }};
+  return {{verb,
+           [what] {
+             std::cout << (*what == "recipe"    ? recipe_schema()
+                           : *what == "arrange" ? kArrangeSchema
+                                                : readable_json(layout_schema(kLayoutSchema)));
+             return 0;
+           },
+           "trivet schema\n"
+           "trivet schema recipe\n",
+           false}};
 }
 
 }  // namespace trivet::apps

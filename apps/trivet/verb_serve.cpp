@@ -83,7 +83,7 @@ void add_limits(CLI::App& verb, serve::ServeOptions& options) {
 
 }  // namespace
 
-Verb add_serve(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_serve(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "serve",
       "Serve sessions over HTTP. Scenes are loaded once; POST /sessions opens a session on one, "
@@ -121,7 +121,9 @@ Verb add_serve(CLI::App& app, const CommonOptions& common) {
       ->excludes(socket);
   add_limits(*verb, arguments->serve);
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return run_server(*arguments, common); }};
+  return {{verb, [arguments, &common] { return run_server(*arguments, common); },
+           "trivet serve scene.glb --port 8080\n"
+           "trivet serve --recipe recipe.json --seed 7 --socket trivet.socket\n"}};
 }
 
 }  // namespace trivet::apps

@@ -70,7 +70,7 @@ int session(const SessionArguments& arguments, const CommonOptions& common) {
 
 }  // namespace
 
-Verb add_session(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_session(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "session",
       "Run operations interactively: each line of JSON on standard input is answered by a line on "
@@ -92,7 +92,9 @@ Verb add_session(CLI::App& app, const CommonOptions& common) {
                  "their files have changed")
       ->needs("--journal");
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return session(*arguments, common); }};
+  return {{verb, [arguments, &common] { return session(*arguments, common); },
+           "echo '{\"query\": \"objects\"}' | trivet session scene.glb\n"
+           "trivet session layout.json --journal session < operations.jsonl\n"}};
 }
 
 }  // namespace trivet::apps

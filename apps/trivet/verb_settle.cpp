@@ -123,7 +123,7 @@ void add_repair_options(CLI::App& verb, RepairArguments& arguments) {
 
 }  // namespace
 
-Verb add_settle(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_settle(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "settle",
       "Bring the floating and sunk objects of a scene of another program to rest, and write their "
@@ -133,14 +133,17 @@ Verb add_settle(CLI::App& app, const CommonOptions& common) {
                    "Largest height, metres, to lift an object before it is let go")
       ->check(number_from(0, 1));
   add_repair_options(*verb, *arguments);
-  return {verb, [arguments, &common] {
-            return repair_file(*arguments, common, [](Scene& scene, const MendOptions& how) {
-              return settle_scene(scene, how);
-            });
-          }};
+  return {{verb,
+           [arguments, &common] {
+             return repair_file(*arguments, common, [](Scene& scene, const MendOptions& how) {
+               return settle_scene(scene, how);
+             });
+           },
+           "trivet settle kitchen.xml -o settled.xml\n"
+           "trivet settle kitchen.xml -o settled.xml --only pan --lift 0.05\n"}};
 }
 
-Verb add_mend(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_mend(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand("mend",
                                             "Find the nearest scene in which nothing "
                                             "interpenetrates, everything rests, and what stood on "
@@ -150,11 +153,14 @@ Verb add_mend(CLI::App& app, const CommonOptions& common) {
                    "Metres by which poses may be off; 0: found from the poses")
       ->check(number_from(0, 1));
   add_repair_options(*verb, *arguments);
-  return {verb, [arguments, &common] {
-            return repair_file(*arguments, common, [](Scene& scene, const MendOptions& how) {
-              return mend_scene(scene, how);
-            });
-          }};
+  return {{verb,
+           [arguments, &common] {
+             return repair_file(*arguments, common, [](Scene& scene, const MendOptions& how) {
+               return mend_scene(scene, how);
+             });
+           },
+           "trivet mend kitchen.xml -o mended.xml\n"
+           "trivet mend kitchen.xml -o mended.xml --tolerance 0.005\n"}};
 }
 
 }  // namespace trivet::apps

@@ -233,7 +233,7 @@ void add_stage_options(CLI::App& verb, ZListArguments& arguments) {
 
 }  // namespace
 
-Verb add_zlist(CLI::App& app, const CommonOptions& common) {
+std::vector<Verb> add_zlist(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "zlist",
       "Print the z-lists of a scene along a direction: all faces in every pixel, sorted by depth, "
@@ -268,7 +268,9 @@ Verb add_zlist(CLI::App& app, const CommonOptions& common) {
   add_motion_options(*verb, arguments->motion);
   add_stage_options(*verb, *arguments);
   add_settle_options(*verb, arguments->settle);
-  return {verb, [arguments, &common] { return zlist(*arguments, common); }};
+  return {{verb, [arguments, &common] { return zlist(*arguments, common); },
+           "trivet zlist scene.glb -o lists.png\n"
+           "trivet zlist scene.glb --pixel 128 128 --json\n"}};
 }
 
 }  // namespace trivet::apps

@@ -12,31 +12,44 @@ namespace trivet::apps {
 struct Verb {
   CLI::App* app;
   std::function<int()> run;
+  /// Command lines that show its use, one per line; tests/apps/test_help.py runs them.
+  std::string examples = {};
+  /// Whether it has the options of reading models.
+  bool reads_models = true;
 };
 
-Verb add_info(CLI::App& app, const CommonOptions& common);
-Verb add_arrange(CLI::App& app, const CommonOptions& common);
-Verb add_run(CLI::App& app, const CommonOptions& common);
-Verb add_put(CLI::App& app, const CommonOptions& common);
-/// push, turn, fix, ...
-std::vector<Verb> add_operations(CLI::App& app, const CommonOptions& common);
-Verb add_check(CLI::App& app, const CommonOptions& common);
-Verb add_settle(CLI::App& app, const CommonOptions& common);
-Verb add_mend(CLI::App& app, const CommonOptions& common);
-Verb add_joint(CLI::App& app, const CommonOptions& common);
-Verb add_intent(CLI::App& app, const CommonOptions& common);
-Verb add_export(CLI::App& app, const CommonOptions& common);
-Verb add_render(CLI::App& app, const CommonOptions& common);
-Verb add_demo(CLI::App& app, const CommonOptions& common);
-Verb add_session(CLI::App& app, const CommonOptions& common);
-Verb add_serve(CLI::App& app, const CommonOptions& common);
-Verb add_replay(CLI::App& app, const CommonOptions& common);
-Verb add_zlist(CLI::App& app, const CommonOptions& common);
-Verb add_backends(CLI::App& app, const CommonOptions& common);
-Verb add_doctor(CLI::App& app, const CommonOptions& common);
-Verb add_batch(CLI::App& app, const CommonOptions& common);
-Verb add_report(CLI::App& app, const CommonOptions& common);
-Verb add_schema(CLI::App& app, const CommonOptions& common);
+/// The verbs in the order of --help; `operations` are push, turn, fix and others. A new verb is a
+/// word here and its file, which defines add_<name>.
+// clang-format off
+#define TRIVET_VERBS(VERB) \
+  VERB(info) \
+  VERB(run) \
+  VERB(put) \
+  VERB(operations) \
+  VERB(check) \
+  VERB(settle) \
+  VERB(mend) \
+  VERB(joint) \
+  VERB(intent) \
+  VERB(export) \
+  VERB(render) \
+  VERB(zlist) \
+  VERB(arrange) \
+  VERB(demo) \
+  VERB(session) \
+  VERB(serve) \
+  VERB(replay) \
+  VERB(backends) \
+  VERB(batch) \
+  VERB(doctor) \
+  VERB(report) \
+  VERB(schema)
+// clang-format on
+
+#define TRIVET_DECLARE_VERB(name) \
+  std::vector<Verb> add_##name(CLI::App& app, const CommonOptions& common);
+TRIVET_VERBS(TRIVET_DECLARE_VERB)
+#undef TRIVET_DECLARE_VERB
 
 extern const char* const kLayoutSchema;   // layout.schema.in.json of ops/files/layout
 extern const char* const kRecipeSchema;   // text of apps/farm/recipe/recipe.schema.json

@@ -29,8 +29,8 @@ std::string decoded_base64(std::string_view text) {
     const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
                       : c >= 'a' && c <= 'z' ? c - 'a' + 26
                       : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+'             ? 62
-                      : c == '/'             ? 63
+                      : c == '+' || c == '-' ? 62
+                      : c == '/' || c == '_' ? 63
                                              : -1;
     if (value < 0) continue;
     bits = bits << 6 | static_cast<std::uint32_t>(value);

@@ -1,6 +1,5 @@
 #include "core/io/read_model.h"
 
-#include <fstream>
 #include <new>
 #include <optional>
 
@@ -28,14 +27,6 @@ namespace trivet {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string head_of(const std::string& path) {
-  std::string head(kHeadBytes, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<size_t>(in.gcount()));
-  return head;
-}
 
 std::string bytes_of(const std::string& path, const ImportLimits& limits) {
   auto bytes = file_bytes(path, limits.max_file_bytes);

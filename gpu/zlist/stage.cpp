@@ -70,6 +70,8 @@ class GpuZListStage : public CandidateFinder {
   ZListWanted wanted() const;
   std::optional<std::vector<ZListAnswer>> try_asking(std::span<const ZListAsk> asks,
                                                      ZListWanted wanted);
+  void put_aside(const CandidatePairs& unused);
+  CandidatePairs with_aside(CandidatePairs proposal);
   CandidatePairs answer_of(const ZListAsk& ask, Trouble& trouble);
   bool add(ZListAsk& ask, Group& group) const;
   void ask_together(Group& group, std::span<const FirstContactQuery> queries,
@@ -79,6 +81,7 @@ class GpuZListStage : public CandidateFinder {
   std::unique_ptr<ZListDevice> m_device;  // null after an error
   bool m_is_software, m_prefers_large_pixels;
   int m_num_errors = 0;  // since the last success
+  ZListWork m_aside;     // of draws whose answers are not used: they count with the next proposal
   GpuNotes m_notes;
   std::string m_description, m_last_error;
 };
@@ -93,6 +96,7 @@ std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<cons
       if (std::exchange(m_num_errors, 0) > 0) m_notes.tell_recovered(say(kGoesOn, m_last_error));
       return out;
     } catch (const Error& error) {
+      if (m_device) ++m_aside.draws;  // which were lost
       m_device.reset();
       m_last_error = error.what();
       ++m_num_errors;
@@ -123,18 +127,33 @@ ZListWanted GpuZListStage::wanted() const {
                                                    : ZListWanted::Chosen;
 }
 
+void GpuZListStage::put_aside(const CandidatePairs& unused) {
+  m_aside.draws += unused.work.draws;
+  m_aside.read_backs += unused.work.read_backs;
+  m_aside.bytes_read_back += unused.work.bytes_read_back;
+}
+
+CandidatePairs GpuZListStage::with_aside(CandidatePairs proposal) {
+  const ZListWork aside = std::exchange(m_aside, {});
+  proposal.work.draws += aside.draws;
+  proposal.work.read_backs += aside.read_backs;
+  proposal.work.bytes_read_back += aside.bytes_read_back;
+  return proposal;
+}
+
 // A proposal, or trouble that another resolution may avoid.
 CandidatePairs GpuZListStage::answer_of(const ZListAsk& ask, Trouble& trouble) {
   const ZListWanted first = wanted();
   auto answers = try_asking({&ask, 1}, first);
   const bool too_long = answers && (answers->front().trouble == Trouble::Entries ||
                                     answers->front().trouble == Trouble::Pairs);
-  if (too_long && first == ZListWanted::Chosen)
-    answers = try_asking({&ask, 1}, ZListWanted::SoftwareLists);
-  else if (answers && answers->front().in_software && !answers->front().proposal.usable)
-    answers = try_asking({&ask, 1}, ZListWanted::GpuLists);
+  const bool gave_up = answers && answers->front().in_software && !answers->front().proposal.usable;
+  if ((too_long && first == ZListWanted::Chosen) || gave_up) {
+    put_aside(answers->front().proposal);
+    answers = try_asking({&ask, 1}, gave_up ? ZListWanted::GpuLists : ZListWanted::SoftwareLists);
+  }
   trouble = answers ? answers->front().trouble : Trouble::None;
-  return answers ? std::move(answers->front().proposal) : gives_up(m_last_error);
+  return with_aside(answers ? std::move(answers->front().proposal) : gives_up(m_last_error));
 }
 
 CandidatePairs GpuZListStage::find_candidates(const FirstContactQuery& query, double horizon) {
@@ -144,9 +163,10 @@ CandidatePairs GpuZListStage::find_candidates(const FirstContactQuery& query, do
     if (ask.frame.empty()) return nothing_touches(horizon);
     CandidatePairs proposal = answer_of(ask, trouble);
     if (trouble == Trouble::None) return proposal;
+    put_aside(proposal);
     resolution = other_resolution(trouble, resolution);
   }
-  return gives_up(to_string(trouble));
+  return with_aside(gives_up(to_string(trouble)));
 }
 
 // False if the group is full.
@@ -174,13 +194,17 @@ void GpuZListStage::ask_together(Group& group, std::span<const FirstContactQuery
   for (std::size_t i = 0; i < group.asks.size(); ++i) {
     const ZListAsk& ask = group.asks[i];
     CandidatePairs& proposal = out[static_cast<std::size_t>(ask.query - queries.data())];
-    if (!answers)
-      proposal = gives_up(m_last_error);
-    else if ((*answers)[i].trouble == Trouble::None &&
-             ((*answers)[i].proposal.usable || !(*answers)[i].in_software))
-      proposal = std::move((*answers)[i].proposal);
-    else
+    if (!answers) {
+      proposal = with_aside(gives_up(m_last_error));
+      continue;
+    }
+    ZListAnswer& answer = (*answers)[i];
+    if (answer.trouble == Trouble::None && (answer.proposal.usable || !answer.in_software)) {
+      proposal = with_aside(std::move(answer.proposal));
+    } else {
+      put_aside(answer.proposal);
       proposal = find_candidates(*ask.query, ask.horizon);
+    }
   }
   group = {};
 }

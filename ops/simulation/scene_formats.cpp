@@ -4,23 +4,25 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
+#include "core/io/simulators/simulator_formats.h"
 #include "ops/files/report/tables.h"
 #include "ops/simulation/simulation.h"
 
 namespace trivet {
 
 const std::vector<SceneFormat>& scene_formats() {
-  using Kind = SceneFormat::Kind;
-  static const std::vector<SceneFormat> formats = {{Kind::Scene, "glTF", {".glb", ".gltf"}},
-                                                   {Kind::Scene, "Wavefront OBJ", {".obj"}},
-                                                   {Kind::Scene, "PLY", {".ply"}},
-                                                   {Kind::Scene, "STL", {".stl"}},
-                                                   {Kind::Simulator, "MuJoCo", {".xml", ".mjcf"}},
-                                                   {Kind::Simulator, "URDF", {".urdf"}},
-                                                   {Kind::Simulator, "SDF", {".sdf", ".world"}},
-                                                   {Kind::Simulator, "USD", {".usda"}},
-                                                   {Kind::Table, "CSV", {".csv"}},
-                                                   {Kind::Table, "JSON lines", {".jsonl"}}};
+  static const std::vector<SceneFormat> formats = [] {
+    using Kind = SceneFormat::Kind;
+    std::vector<SceneFormat> out = {{Kind::Scene, "glTF", {".glb", ".gltf"}},
+                                    {Kind::Scene, "Wavefront OBJ", {".obj"}},
+                                    {Kind::Scene, "PLY", {".ply"}},
+                                    {Kind::Scene, "STL", {".stl"}}};
+    for (const SimulatorFormat& format : simulator_formats())
+      out.push_back({Kind::Simulator, format.name, format.extensions});
+    out.push_back({Kind::Table, "CSV", {".csv"}});
+    out.push_back({Kind::Table, "JSON lines", {".jsonl"}});
+    return out;
+  }();
   return formats;
 }
 

@@ -3,8 +3,10 @@ import glob
 import hashlib
 import json
 import os
+import shutil
 import subprocess
 import time
+import unittest
 
 from program import PROGRAM, Case, grid_obj
 
@@ -18,6 +20,16 @@ HEAP = {"name": "heap", "models": [{"model": "cube.obj", "class": "cube"}, {"mod
 def sha256_of(path):
     with open(path, "rb") as file:
         return hashlib.sha256(file.read()).hexdigest()
+
+
+def build_preload(name, folder):
+    """The environment in which a program loads name.c before its libraries."""
+    if not shutil.which("cc"):
+        raise unittest.SkipTest("no C compiler")
+    source = os.path.join(os.path.dirname(os.path.abspath(__file__)), name + ".c")
+    library = os.path.join(folder, name + ".so")
+    subprocess.run(["cc", "-Wall", "-Werror", "-shared", "-fPIC", source, "-o", library, "-ldl"], check=True)
+    return {"LD_PRELOAD": library, "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0"}
 
 
 def as_root_in_mounts(script):

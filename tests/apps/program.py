@@ -10,6 +10,8 @@ import unittest
 
 PROGRAM = os.environ.get("TRIVET_PROGRAM", "trivet")
 SOURCE_DIR = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+# A decorator for tests of bounds on memory, of which sanitizers reserve terabytes.
+needs_memory_bounds = unittest.skipIf(os.environ.get("TRIVET_SANITIZE"), "sanitizers reserve terabytes")
 SKIPPED = 77  # exit status that CTest reports as "skipped"
 
 SIDES = ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))

@@ -12,7 +12,7 @@ import time
 import unittest
 
 from batches import EFFORT, HEAP, SLAB, BatchCase, as_root_in_mounts
-from program import PROGRAM, main
+from program import PROGRAM, main, needs_memory_bounds
 
 
 class Bytes(BatchCase):
@@ -193,6 +193,7 @@ class Faults(BatchCase):
                 self.assertEqual(a, b)
         self.assertEqual(self.batch("bound", "--scene-seconds", seconds, count=20, status=1)[0].count("failed"), 1)
 
+    @needs_memory_bounds
     def test_a_scene_beyond_its_memory_is_listed(self):
         self.write_large_recipe()
         self.batch("out", "--scene-memory-mb", 1, "--with", "scene", count=6, status=1)

@@ -3,7 +3,7 @@ import json
 import os
 import signal
 
-from batches import BatchCase
+from batches import BatchCase, build_preload
 from program import main
 
 NO_DRIVER = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}
@@ -73,6 +73,22 @@ class Detectors(BatchCase):
                 os.kill(int(worker), signum)
         self.assertEqual(process.wait(300), 0)
         self.assert_same("one", "shot")
+
+    def test_lost_devices_change_nothing(self):
+        """Of two workers one loses its device, for good or until there is a new context; see lost_gpu.c."""
+        if not self.has_gpu:
+            self.skipTest("no OpenGL here")
+        self.batch("bvh", "--detector", "bvh", count=COUNT)
+        library = build_preload("lost_gpu", self.folder)
+        for again, says in (({}, "BVHs and software answer"), ({"LOST_GPU_AGAIN": "1"}, "a new OpenGL context goes on")):
+            out = "again" if again else "lost"
+            env = {**library, "LOST_GPU_DRAW": "40", "LOST_GPU_ONCE": self.path(out + ".once"), **again}
+            found = self.totals(out, "--detector", "framebuffer", "--jobs", 2, env=env)
+            self.assertTrue(os.path.exists(self.path(out + ".once")))
+            self.assertEqual(len(found["notes"]), 1)
+            self.assertIn(says, found["notes"][0])
+            self.assertGreater(found["draws"], 0)
+            self.assert_same("bvh", out)
 
     def test_two_batches_at_once(self):
         self.batch("bvh", "--detector", "bvh", count=COUNT)

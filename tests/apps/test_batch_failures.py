@@ -9,8 +9,8 @@ import tempfile
 import time
 import unittest
 
-from batches import HEAP, BatchCase, as_root_in_mounts
-from program import PROGRAM, grid_obj, main
+from batches import HEAP, BatchCase, as_root_in_mounts, build_preload
+from program import PROGRAM, grid_obj, main, needs_memory_bounds
 
 NOBODY = 65534
 DAY = 86400
@@ -23,15 +23,10 @@ class FaultyCase(BatchCase):
     def setUpClass(cls):
         cls.build = tempfile.mkdtemp(prefix="trivet_test_")
         cls.addClassCleanup(shutil.rmtree, cls.build)
-        source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "faulty_calls.c")
-        cls.library = os.path.join(cls.build, "faulty_calls.so")
-        if not shutil.which("cc"):
-            raise unittest.SkipTest("no C compiler")
-        subprocess.run(["cc", "-Wall", "-Werror", "-shared", "-fPIC", source, "-o", cls.library, "-ldl"], check=True)
+        cls.preload = build_preload("faulty_calls", cls.build)
 
     def faulty(self, **variables):
-        sanitizers = os.environ.get("ASAN_OPTIONS", "") + ":verify_asan_link_order=0"
-        return {"LD_PRELOAD": self.library, "ASAN_OPTIONS": sanitizers, **{k: str(v) for k, v in variables.items()}}
+        return {**self.preload, **{k: str(v) for k, v in variables.items()}}
 
 
 class WithoutLinks(FaultyCase):
@@ -155,6 +150,7 @@ class Workers(FaultyCase):
         self.assertGreater(time.monotonic() - begin, 2 * 10 * 0.2)
         self.assert_listed("out", "^took more than 2 s$")
 
+    @needs_memory_bounds
     def test_a_scene_that_wants_too_much_memory_is_listed(self):
         self.write("sheet.obj", grid_obj(200))
         self.write_recipe(groups=[HEAP, {

@@ -9,7 +9,7 @@ import time
 
 from batches import BatchCase
 from label_files import read_png
-from program import PROGRAM, main
+from program import PROGRAM, main, needs_memory_bounds
 
 VIEWS = {"width": 48, "height": 32, "samples": 1, "dome": {"count": 2},
          "images": ["picture", "depth", "instances", "classes", "normals"]}
@@ -153,6 +153,7 @@ class Pictures(BatchCase):
             file.write(bytes([byte ^ 4]))
         self.trivet("batch", "verify", "p", "--scenes", "scenes", "--sample", 0, status=1)
 
+    @needs_memory_bounds
     def test_failed_scenes_have_none_and_are_no_failure_here(self):
         self.write_large_recipe(views=VIEWS)
         self.batch("bad", "--scene-memory-mb", 1, "--with", "scene", count=6, status=1)

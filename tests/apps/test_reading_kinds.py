@@ -5,7 +5,8 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
 from program import PROGRAM, Case, main
-from reading_forms import KINDS
+import reading_forms
+import reading_more_forms
 
 
 class Kinds(Case):
@@ -57,7 +58,7 @@ class Kinds(Case):
 
 
 def add_tests():
-    for kind in KINDS:
+    for kind in reading_forms.KINDS + reading_more_forms.KINDS:
         def test(self, kind=kind):
             forms = list(kind())
             self.assertGreaterEqual(len(forms), 4)

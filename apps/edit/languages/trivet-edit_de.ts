@@ -1071,10 +1071,6 @@
         <translation>das JSON hat kein Objekt „asset“</translation>
     </message>
     <message>
-        <source>a data URI is not base64</source>
-        <translation>eine Daten-URI ist nicht base64</translation>
-    </message>
-    <message>
         <source>buffer %1 has %2 bytes, expected %3</source>
         <translation>Puffer %1 hat %2 Bytes, erwartet sind %3</translation>
     </message>
@@ -2899,14 +2895,6 @@
         <translation>Vielecke, die sich selbst schneiden, als Fächer gelesen</translation>
     </message>
     <message>
-        <source>is a pointer of Git LFS, not the model itself; accepted: the file that it stands for (git lfs pull)</source>
-        <translation>ist ein Verweis von Git LFS, nicht das Modell selbst; erlaubt: die Datei, für die er steht (git lfs pull)</translation>
-    </message>
-    <message>
-        <source>is a web page, not a model; accepted: the file that the page offers</source>
-        <translation>ist eine Webseite, kein Modell; erlaubt: die Datei, die die Seite anbietet</translation>
-    </message>
-    <message>
         <source>is packed by gzip; accepted: the unpacked file</source>
         <translation>ist mit gzip gepackt; erlaubt: die ausgepackte Datei</translation>
     </message>
@@ -3445,6 +3433,58 @@
     <message>
         <source>has a face with two equal corners</source>
         <translation>hat ein Dreieck mit zwei gleichen Ecken</translation>
+    </message>
+    <message>
+        <source>%1: a node&apos;s matrix has not 0 0 0 1 as its last row</source>
+        <translation>%1: die Matrix eines Knotens hat als letzte Zeile nicht 0 0 0 1</translation>
+    </message>
+    <message>
+        <source>%1: a node&apos;s rotation has no length; accepted: a quaternion of length 1</source>
+        <translation>%1: die Drehung eines Knotens hat keine Länge; erlaubt: ein Quaternion der Länge 1</translation>
+    </message>
+    <message>
+        <source>a data URI has no comma before its data</source>
+        <translation>in einer Daten-URI fehlt das Komma vor den Daten</translation>
+    </message>
+    <message>
+        <source>hidden nodes, read like all others</source>
+        <translation>verborgene Knoten, gelesen wie alle anderen</translation>
+    </message>
+    <message>
+        <source>is a CAD file under another name; accepted: a name in .step, .iges or .brep</source>
+        <translation>ist eine CAD-Datei unter einem anderen Namen; erlaubt: ein Name auf .step, .iges oder .brep</translation>
+    </message>
+    <message>
+        <source>is a pointer of Git LFS, not the file itself; accepted: the file that it stands for (git lfs pull)</source>
+        <translation>ist ein Verweis von Git LFS, nicht die Datei selbst; erlaubt: die Datei, für die er steht (git lfs pull)</translation>
+    </message>
+    <message>
+        <source>is a web page; accepted: the file that the page offers</source>
+        <translation>ist eine Webseite; erlaubt: die Datei, die die Seite anbietet</translation>
+    </message>
+    <message>
+        <source>is nOFF with vertices of %1 numbers; accepted: 3</source>
+        <translation>ist nOFF mit Ecken aus %1 Zahlen; erlaubt: 3</translation>
+    </message>
+    <message>
+        <source>left out: the material file &quot;%1&quot;, which %2</source>
+        <translation>weggelassen: die Materialdatei „%1“; sie %2</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which %2</source>
+        <translation>nennt „%1“; diese Datei %2</translation>
+    </message>
+    <message>
+        <source>rotations of nodes brought to length 1: %1</source>
+        <translation>auf die Länge 1 gebrachte Drehungen von Knoten: %1</translation>
+    </message>
+    <message>
+        <source>rotations whose length is not 1</source>
+        <translation>Drehungen, deren Länge nicht 1 ist</translation>
+    </message>
+    <message>
+        <source>the keyword &quot;%1&quot;; accepted: OFF, with ST, C, N, 4 and n before it</source>
+        <translation>das Schlüsselwort „%1“; erlaubt: OFF, mit ST, C, N, 4 und n davor</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "apps/farm/store/publish.h"
 #include "core/base/arena.h"
 #include "core/base/error.h"
+#include "core/io/simulators/simulator_formats.h"
 #include "ops/check/check.h"
 #include "ops/files/json/text.h"
 #include "ops/files/report/scene_file.h"
@@ -18,11 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* ending_of(const std::string& kind) {
-  if (kind == "mjcf") return ".xml";
-  if (kind == "urdf") return ".urdf";
-  if (kind == "sdf") return ".sdf";
-  return kind == "usd" ? ".usda" : ".glb";
+std::string ending_of(const std::string& kind) {
+  for (const SimulatorFormat& format : simulator_formats())
+    if (format.kind == kind) return format.extensions.front();
+  return ".glb";
 }
 
 /// A folder as deep below OUT as those of units, so that relative paths are the same.
@@ -134,7 +134,12 @@ void write_all(const ExportWork& work, const Scene& scene, const Layout& layout,
 }  // namespace
 
 const std::vector<std::string>& export_kinds() {
-  static const std::vector<std::string> kinds = {"mjcf", "urdf", "sdf", "usd", "glb"};
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> out;
+    for (const SimulatorFormat& format : simulator_formats()) out.push_back(format.kind);
+    out.emplace_back("glb");
+    return out;
+  }();
   return kinds;
 }
 

@@ -42,10 +42,13 @@ bool tell(int control, char kind, pid_t id, int status, int descriptor = -1) {
 }
 
 /// Its limits: of memory here, of CPU time per scene by serve_scenes().
-void limit_worker(const WorkLimits& limits) {
+void limit_worker([[maybe_unused]] const WorkLimits& limits) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   const auto bytes = static_cast<rlim_t>(limits.memory_mb) << 20;
-  const rlimit data{bytes, bytes}, none{0, 0};
-  setrlimit(RLIMIT_DATA, &data);
+  const rlimit data{bytes, bytes};
+  setrlimit(RLIMIT_DATA, &data);  // sanitizers reserve terabytes
+#endif
+  const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
 }
 

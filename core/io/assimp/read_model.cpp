@@ -26,6 +26,7 @@
 #include "core/io/surface/file_surface.h"
 #include "core/io/text/file_bytes.h"
 #include "core/io/text/utf8_text.h"
+#include "core/io/text/words.h"
 #include "core/model/model.h"
 
 namespace trivet {
@@ -84,11 +85,24 @@ std::string without_blanks_behind_tags(const std::string& text) {
   return out;
 }
 
+// In X3D commas are blanks, but assimp 5.2 refuses them between numbers where no blank follows.
+std::string without_commas_of_numbers(std::string text) {
+  const auto is_of_number = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+  for (size_t i = 1; i + 1 < text.size(); ++i) {
+    const char next = text[i + 1];
+    const bool before_number = is_of_number(next) || next == '-' || next == '+';
+    if (text[i] == ',' && is_of_number(text[i - 1]) && (before_number || is_blank(next)))
+      text[i] = ' ';
+  }
+  return text;
+}
+
 // Text that stands for the file's bytes; nullopt: they are right themselves.
 std::optional<std::string> text_of(const std::string& path, const AssimpFile& file,
                                    const ImportLimits& limits) {
   if (file.extension == ".dae")
     return without_blanks_behind_tags(utf8_text(bytes_of(path, limits)));
+  if (file.extension == ".x3d") return without_commas_of_numbers(utf8_text(bytes_of(path, limits)));
   if (file.is_other_text) return utf8_text(bytes_of(path, limits));
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/io/cad/parts.h"
+#include "core/io/format/model_format.h"
 #include "core/io/process/preflight.h"
 
 namespace trivet {
@@ -30,6 +31,7 @@ Model read_cad_model(const std::string& path, const ImportLimits& limits,
                      const Tessellation& tessellation) {
   const std::lock_guard lock(cad_mutex());
   check_file(path, limits);
+  check_is_model(path, head_of(path));
   const auto fail = [&](const Sentence& reason) {
     throw Error(Error::Kind::BadInput, "%1: %2", path, reason);
   };

@@ -1,10 +1,12 @@
 #include "core/io/format/model_format.h"
 
 #include <algorithm>
+#include <fstream>
 #include <initializer_list>
 
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
+#include "core/io/cad_format.h"
 #include "core/io/format/other_formats.h"
 #include "core/io/off/read_off.h"
 #include "core/io/stl/read_stl.h"
@@ -73,7 +75,19 @@ bool is_picture(std::string_view head) {
   return begins_with_any(head, {"\x89PNG\r\n", "\xff\xd8\xff", "GIF8", "%PDF-"});
 }
 
+bool is_cad(std::string_view begin) {
+  return begins_with_any(begin, {"iso-10303-21", "dbrep_drawableshape", "cascade topology"});
+}
+
 }  // namespace
+
+std::string head_of(const std::string& path) {
+  std::string head(kHeadBytes, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<size_t>(in.gcount()));
+  return head;
+}
 
 ModelFormat model_format(std::string_view head, std::uintmax_t size, const std::string& extension) {
   const std::string begin = beginning(head, 8);
@@ -96,15 +110,22 @@ ModelFormat model_format(std::string_view head, std::uintmax_t size, const std::
   return ModelFormat::Other;
 }
 
-void check_is_model(const std::string& path, std::string_view head) {
+std::optional<Sentence> placeholder(std::string_view head) {
   const std::string begin = beginning(head, 256);
   if (begin.starts_with("version https://git-lfs"))
-    bad_file(path,
-             "is a pointer of Git LFS, not the model itself; accepted: the file that it "
-             "stands for (git lfs pull)");
+    return TRIVET_SENTENCE(
+        "is a pointer of Git LFS, not the file itself; accepted: the file that it stands for "
+        "(git lfs pull)");
   const bool is_answer = begin.starts_with("<?xml") && begin.find("<error>") != begin.npos;
   if (begin.starts_with("<!doctype html") || begin.starts_with("<html") || is_answer)
-    bad_file(path, "is a web page, not a model; accepted: the file that the page offers");
+    return TRIVET_SENTENCE("is a web page; accepted: the file that the page offers");
+  return std::nullopt;
+}
+
+void check_is_model(const std::string& path, std::string_view head) {
+  if (const auto what = placeholder(head)) bad_file(path, *what);
+  if (cad_format(path).empty() && is_cad(beginning(head, 32)))
+    bad_file(path, "is a CAD file under another name; accepted: a name in .step, .iges or .brep");
   if (head.starts_with("\x1f\x8b"))
     bad_file(path, "is packed by gzip; accepted: the unpacked file");
   if (is_packed(head) || is_zip_of_others(head, lower_extension(path)))

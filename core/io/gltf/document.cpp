@@ -12,6 +12,7 @@
 #include "core/base/extension.h"
 #include "core/base/printable.h"
 #include "core/io/base64.h"
+#include "core/io/format/model_format.h"
 #include "core/io/gltf/extensions.h"
 #include "core/io/gltf/glb_container.h"
 #include "core/io/gltf/structure.h"
@@ -64,6 +65,17 @@ std::string without_mark(const std::string& path, std::string text) {
   return text;
 }
 
+bool is_data_uri(std::string_view uri) { return lower_case(uri.substr(0, 5)) == "data:"; }
+
+// "data:application/octet-stream;base64,AAAA", or percent-encoded bytes behind the comma.
+std::string bytes_of_data_uri(const std::string& uri) {
+  const size_t comma = uri.find(',');
+  if (comma == uri.npos) bad_input("a data URI has no comma before its data");
+  std::string data = uri.substr(comma + 1);
+  if (data.find('%') != data.npos) data = decoded_uri(data);
+  return lower_case(uri.substr(0, comma)).ends_with(";base64") ? decoded_base64(data) : data;
+}
+
 class DocumentReader {
  public:
   DocumentReader(const std::string& path, const ImportLimits& limits)
@@ -81,14 +93,13 @@ class DocumentReader {
 
  private:
   std::string bytes_of_uri(const std::string& uri) const {
-    if (uri.rfind("data:", 0) == 0) {
-      const size_t comma = uri.find(";base64,");
-      if (comma == std::string::npos) bad_input("a data URI is not base64");
-      return decoded_base64(std::string_view(uri).substr(comma + 8));
-    }
+    if (is_data_uri(uri)) return bytes_of_data_uri(uri);
     const fs::path path = file_of_uri(uri);
     note_opened(m_path, {path.string()});
-    return whole_file(path, m_limits.max_file_bytes);
+    std::string bytes = whole_file(path, m_limits.max_file_bytes);
+    if (const auto what = placeholder(bytes))
+      bad_file(m_path, "names \"%1\", which %2", printable(uri, 100), *what);
+    return bytes;
   }
 
   // Names should be percent-encoded, and often are not.
@@ -187,7 +198,7 @@ class DocumentReader {
     const GltfJson& uri = member(image, "uri");
     if (image.contains("name") || !uri.is_string()) return;
     const std::string text = uri.get<std::string>();
-    if (text.rfind("data:", 0) != 0) image["name"] = fs::path(decoded_uri(text)).stem().string();
+    if (!is_data_uri(text)) image["name"] = fs::path(decoded_uri(text)).stem().string();
   }
 
   const std::string m_path;

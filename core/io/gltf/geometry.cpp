@@ -18,7 +18,7 @@ namespace {
 /// Counts of file contents that the model omits, or has otherwise.
 struct Counts {
   std::uint64_t points = 0, lines = 0, left_over = 0, without_positions = 0, other_normals = 0,
-                skinned = 0, morphed = 0, mirrored = 0;
+                skinned = 0, morphed = 0, mirrored = 0, hidden = 0;
 };
 
 std::span<const Eigen::Vector3f> rows(const GltfValues& values) {
@@ -42,6 +42,7 @@ class GeometryReader {
     m_model.num_nodes = static_cast<int>(m_tree.nodes.size());
     m_assembly.expect(num_triangles());
     for (const GltfInstance& instance : m_tree.instances) read(instance);
+    for (const int node : m_tree.nodes) m_counts.hidden += is_hidden(node);
     m_model.materials = m_materials.take();
     note_counts();
     m_assembly.finish(true);
@@ -54,6 +55,12 @@ class GeometryReader {
   }
   const GltfJson& mesh_of(const GltfInstance& instance) const {
     return element(m_document.json, "meshes", node_of(instance)["mesh"]);
+  }
+
+  bool is_hidden(int node) const {
+    const GltfJson& json = m_document.json["nodes"][static_cast<size_t>(node)];
+    const GltfJson& extension = member(member(json, "extensions"), "KHR_node_visibility");
+    return member(extension, "visible") == false;
   }
 
   static bool has_positions(const GltfJson& primitive) {
@@ -143,6 +150,7 @@ class GeometryReader {
     note("meshes with bones, read in bind pose", m_counts.skinned);
     note("meshes with morph targets, read without them", m_counts.morphed);
     note("mirrored meshes, winding turned round", m_counts.mirrored);
+    note("hidden nodes, read like all others", m_counts.hidden);
   }
 
   // Places of nodes are numbers of text, which matrices of float32 cannot all hold.

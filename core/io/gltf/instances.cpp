@@ -1,6 +1,7 @@
 #include "core/io/gltf/instances.h"
 
 #include <array>
+#include <cmath>
 
 #include "core/base/bad_input.h"
 #include "core/base/printable.h"
@@ -25,6 +26,24 @@ bool read_floats(const GltfJson& node, const char* key, std::array<float, N>& ou
   return true;
 }
 
+bool is_unit(const std::array<float, 4>& q) {
+  constexpr double kWithin = 1e-5;  // of the square: more than float32 and seven digits lose
+  double squared = 0;
+  for (const float part : q) squared += static_cast<double>(part) * static_cast<double>(part);
+  return std::abs(squared - 1) <= kWithin;
+}
+
+std::array<float, 4> as_unit(const GltfJson& node, std::array<float, 4> q) {
+  if (is_unit(q)) return q;
+  double squared = 0;
+  for (const float part : q) squared += static_cast<double>(part) * static_cast<double>(part);
+  if (!(squared > 0 && std::isfinite(squared)))
+    bad_input("%1: a node's rotation has no length; accepted: a quaternion of length 1",
+              quoted(printable(name_of(node), 100)));
+  for (float& part : q) part = static_cast<float>(static_cast<double>(part) / std::sqrt(squared));
+  return q;
+}
+
 // In this order of operations, as readers in float32 do.
 std::array<std::array<float, 3>, 3> rotation_of(const std::array<float, 4>& q) {
   const auto [x, y, z, w] = q;
@@ -39,6 +58,9 @@ Matrix4 node_matrix(const GltfJson& node) {
   Matrix4 out = identity_matrix4();
   if (std::array<float, 16> m; read_floats(node, "matrix", m)) {
     for (size_t i = 0; i < 16; ++i) out[i % 4][i / 4] = m[i];
+    if (out[3] != std::array<double, 4>{0, 0, 0, 1})
+      bad_input("%1: a node's matrix has not 0 0 0 1 as its last row",
+                quoted(printable(name_of(node), 100)));
     return out;
   }
   std::array<float, 3> translation{}, scale{1, 1, 1};
@@ -46,12 +68,19 @@ Matrix4 node_matrix(const GltfJson& node) {
   read_floats(node, "translation", translation);
   read_floats(node, "rotation", rotation);
   read_floats(node, "scale", scale);
-  const auto turned = rotation_of(rotation);
+  const auto turned = rotation_of(as_unit(node, rotation));
   for (size_t r = 0; r < 3; ++r) {
     for (size_t c = 0; c < 3; ++c) out[r][c] = turned[r][c] * scale[c];
     out[r][3] = translation[r];
   }
   return out;
+}
+
+bool make_rotation_unit(GltfJson& node) {
+  std::array<float, 4> rotation{};
+  if (!read_floats(node, "rotation", rotation) || is_unit(rotation)) return false;
+  node["rotation"] = as_unit(node, rotation);
+  return true;
 }
 
 GltfTree gltf_tree(const GltfJson& root, const std::vector<int>& roots) {

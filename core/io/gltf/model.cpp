@@ -45,8 +45,9 @@ void note_other_scenes(const GltfJson& root, Model& model) {
 
 Model model_of(const std::string& path, GltfJson json, const ImportLimits& limits) {
   check_version(json);
-  const GltfDocument document = plain_gltf(resolved_gltf(path, std::move(json), limits), limits);
   Model model;
+  const GltfDocument document =
+      plain_gltf(resolved_gltf(path, std::move(json), limits), limits, model.notes);
   model.path = path;
   model.format = "gltf2";
   model.up = UpAxis::Y;

@@ -10,6 +10,7 @@
 #include "core/io/gltf/component_types.h"
 #include "core/io/gltf/compressed.h"
 #include "core/io/gltf/extensions.h"
+#include "core/io/gltf/instances.h"
 #include "core/io/gltf/values.h"
 
 namespace trivet {
@@ -44,7 +45,7 @@ class Plainer {
   Plainer(GltfDocument& document, const ImportLimits& limits)
       : m_document(document), m_json(document.json), m_limits(limits) {}
 
-  void run() {
+  void run(std::vector<Sentence>& notes) {
     decode_views();
     // Before anything refers to what is in the object: another member would move it.
     for (const char* const list : {"bufferViews", "accessors", "nodes"})
@@ -52,9 +53,16 @@ class Plainer {
     if (m_json.contains("meshes"))
       for (size_t i = 0; i < m_json["meshes"].size(); ++i) make_plain(i);
     expand_instances();
+    make_rotations_unit(notes);
   }
 
  private:
+  void make_rotations_unit(std::vector<Sentence>& notes) {
+    size_t count = 0;
+    for (GltfJson& node : m_json["nodes"]) count += make_rotation_unit(node);
+    if (count > 0) notes.push_back(say("rotations of nodes brought to length 1: %1", count));
+  }
+
   void decode_views() {
     if (!m_json.contains("bufferViews")) return;
     for (GltfJson& view : m_json["bufferViews"]) {
@@ -246,6 +254,9 @@ class Plainer {
           if (!std::isfinite(value)) bad_input("instance %1 has a %2 that is not finite", i, name);
           out[i][key].push_back(value);
         }
+      // Integers have the length 1 roughly.
+      if (std::string(key) == "rotation" && !is_float(element(m_json, "accessors", id)))
+        for (GltfJson& instance : out) make_rotation_unit(instance);
     }
     return out;
   }
@@ -259,8 +270,9 @@ class Plainer {
 
 }  // namespace
 
-GltfDocument plain_gltf(GltfDocument document, const ImportLimits& limits) {
-  Plainer(document, limits).run();
+GltfDocument plain_gltf(GltfDocument document, const ImportLimits& limits,
+                        std::vector<Sentence>& notes) {
+  Plainer(document, limits).run(notes);
   return document;
 }
 
@@ -270,6 +282,8 @@ void check_plain(const GltfJson& root) {
   for (const GltfJson& node : member(root, "nodes"))
     if (!member(member(node, "extensions"), gltf::kInstancing).is_null())
       bad_input("instances by extension");
+  for (GltfJson node : member(root, "nodes"))
+    if (make_rotation_unit(node)) bad_input("rotations whose length is not 1");
   for (const GltfJson& mesh : member(root, "meshes"))
     for (const GltfJson& primitive : member(mesh, "primitives")) {
       if (!member(member(primitive, "extensions"), gltf::kDraco).is_null())

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/printable.h"
+#include "core/io/format/model_format.h"
 #include "core/io/opened_files.h"
 #include "core/io/text/file_bytes.h"
 #include "core/io/text/utf8_text.h"
@@ -73,6 +74,11 @@ bool ObjMaterials::read_library(const std::string& name) {
     note_opened(m_model, {file.string()});
     const auto bytes = file_bytes(file, m_limits.max_file_bytes);
     if (!bytes) continue;
+    if (const auto what = placeholder(*bytes)) {
+      note_once(m_notes,
+                say("left out: the material file \"%1\", which %2", printable(name, 100), *what));
+      return entry->second = true;
+    }
     const fs::path place = relative.is_absolute() ? file.lexically_relative(folder) : relative;
     read_mtl(utf8_text(*bytes), place.parent_path().string(), m_materials, m_notes);
     note_textures();

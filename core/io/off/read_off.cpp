@@ -16,6 +16,7 @@ namespace {
 /// The keyword says what vertices have; numbers stand in this order.
 struct OffKind {
   bool homogeneous = false, normals = false, colours = false, coordinates = false;
+  bool dimension = false;  // numbers of a vertex are stated
 };
 
 bool take(std::string_view& word, std::string_view prefix) {
@@ -24,13 +25,14 @@ bool take(std::string_view& word, std::string_view prefix) {
   return true;
 }
 
-// "STCN4OFF", any part of it left out; nullopt: it is no keyword.
+// "STCN4nOFF", any part of it left out; nullopt: it is no keyword. Capitals matter for "n" alone.
 std::optional<OffKind> kind_from(std::string_view word) {
   OffKind out;
   out.coordinates = take(word, "st");
   out.colours = take(word, "c");
-  out.normals = take(word, "n");
+  out.normals = word != "nOFF" && take(word, "n");
   out.homogeneous = take(word, "4");
+  out.dimension = word == "nOFF" && take(word, "n");
   if (!take(word, "off") || !word.empty()) return std::nullopt;
   return out;
 }
@@ -102,11 +104,24 @@ class OffReader {
     if (const auto kind = kind_from(word)) {
       m_kind = *kind;
       word = next();
+    } else if (lower_case(word).ends_with("off")) {
+      bad_file(m_out.path, "the keyword \"%1\"; accepted: OFF, with ST, C, N, 4 and n before it",
+               printable(word, 40));
     }
     if (equal_words(word, "binary")) bad_file(m_out.path, "is binary OFF; accepted: OFF as text");
+    if (m_kind.dimension) {
+      check_dimension(word);
+      word = next();
+    }
     m_num_vertices = count(word);
     m_num_faces = count(next());
     skip_num_edges();
+  }
+
+  void check_dimension(std::string_view word) const {
+    const std::int64_t dimension = count(word);
+    if (dimension != 3)
+      bad_file(m_out.path, "is nOFF with vertices of %1 numbers; accepted: 3", dimension);
   }
 
   // Many leave it out, and some have each number on a line of its own.

@@ -217,9 +217,10 @@ class MjcfWriter {
 
 }  // namespace
 
-std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                      const std::string& folder, const SimulationFileOptions& options) {
-  return MjcfWriter(scene, meshes, folder, options).text();
+SimulationText write_mjcf(const SimulationScene& scene, const std::string& folder,
+                          const SimulationFileOptions& options) {
+  const MeshFiles meshes(scene, true);
+  return {meshes.files(), MjcfWriter(scene, meshes, folder, options).text()};
 }
 
 }  // namespace trivet

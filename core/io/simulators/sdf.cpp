@@ -78,8 +78,9 @@ void add_model(Element* world, const SimulationBody& body, const ModelFiles& fil
 
 }  // namespace
 
-std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                     const std::string& folder) {
+SimulationText write_sdf(const SimulationScene& scene, const std::string& folder,
+                         const SimulationFileOptions& options) {
+  const MeshFiles meshes(scene, false);
   tinyxml2::XMLDocument document;
   document.InsertEndChild(document.NewDeclaration());
   document.InsertEndChild(document.NewComment(kMadeBy));
@@ -91,8 +92,8 @@ std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
   add_text(light, "direction", "-0.3 0.2 -0.9");
   if (scene.floor) add_ground(world, scene);
   for (const SimulationBody& body : scene.bodies)
-    add_model(world, body, meshes.of_model(body.model), folder);
-  return xml_text(document);
+    add_model(world, body, meshes.of_model(body.model), options.mesh_prefix + folder);
+  return {meshes.files(), xml_text(document)};
 }
 
 }  // namespace trivet

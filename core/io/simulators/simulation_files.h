@@ -7,16 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/simulators/simulation_scene.h"
+#include "core/io/simulators/simulator_formats.h"
 #include "core/io/writers.h"
 
 namespace trivet {
-
-/// An output file: its path, its name in the scene file, and its content.
-struct MeshFile {
-  std::string name;  // without folder
-  std::string bytes;
-};
 
 /// One visible piece of a model: all of it, or the faces of one material.
 struct VisualMesh {
@@ -71,16 +65,7 @@ inline constexpr const char* kMadeBy =
     " Trivet: metres, kilograms, seconds, radians, z up. Made to be simulated; edit the layout "
     "instead. ";
 
-// One function per format. `folder` prefixes the names of meshes and ends with a slash.
-std::string mjcf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                      const std::string& folder, const SimulationFileOptions& options);
-std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                      const std::string& folder);
-std::string sdf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                     const std::string& folder);
-/// Meshes are separate layers, see usda_meshes(); images are those of looked_files.h.
-std::string usda_text(const SimulationScene& scene, const std::vector<std::string>& layers,
-                      const std::string& folder);
+/// Layers of USD, one of each model.
 std::vector<MeshFile> usda_meshes(const SimulationScene& scene);
 
 }  // namespace trivet

@@ -81,8 +81,9 @@ void add_body(Element* robot, const SimulationBody& body, const ModelFiles& file
 
 }  // namespace
 
-std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
-                      const std::string& folder) {
+SimulationText write_urdf(const SimulationScene& scene, const std::string& folder,
+                          const SimulationFileOptions& options) {
+  const MeshFiles meshes(scene, false);
   tinyxml2::XMLDocument document;
   document.InsertEndChild(document.NewDeclaration());
   document.InsertEndChild(document.NewComment(kMadeBy));
@@ -90,8 +91,8 @@ std::string urdf_text(const SimulationScene& scene, const MeshFiles& meshes,
   add_child(robot, "link", {{"name", "world"}});
   if (scene.floor) add_floor(robot, scene.floor_friction);
   for (const SimulationBody& body : scene.bodies)
-    add_body(robot, body, meshes.of_model(body.model), folder);
-  return xml_text(document);
+    add_body(robot, body, meshes.of_model(body.model), options.mesh_prefix + folder);
+  return {meshes.files(), xml_text(document)};
 }
 
 }  // namespace trivet

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <map>
 
+#include "core/io/simulators/looked_files.h"
 #include "core/io/simulators/usda_text.h"
 
 namespace trivet {
@@ -82,10 +83,9 @@ void add_body(UsdaText& text, const SimulationBody& body, const std::string& lay
   text.close();
 }
 
-}  // namespace
-
-std::string usda_text(const SimulationScene& scene, const std::vector<std::string>& layers,
-                      const std::string& folder) {
+// @param layers  of the models.
+std::string world_layer(const SimulationScene& scene, const std::vector<MeshFile>& layers,
+                        const std::string& folder) {
   const Surfaces surfaces(scene);
   UsdaText text("World");
   text.open("Xform", "World");
@@ -102,9 +102,21 @@ std::string usda_text(const SimulationScene& scene, const std::vector<std::strin
     text.close();
   }
   for (const SimulationBody& body : scene.bodies)
-    add_body(text, body, folder + layers[body.model], surfaces);
+    add_body(text, body, folder + layers[body.model].name, surfaces);
   text.close();
   return text.take();
+}
+
+}  // namespace
+
+SimulationText write_usda(const SimulationScene& scene, const std::string& folder,
+                          const SimulationFileOptions&) {
+  SimulationText out;
+  out.meshes = usda_meshes(scene);
+  out.scene = world_layer(scene, out.meshes, folder);
+  const ImageFiles images(scene);
+  out.meshes.insert(out.meshes.end(), images.files().begin(), images.files().end());
+  return out;
 }
 
 }  // namespace trivet

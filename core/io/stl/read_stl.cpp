@@ -190,6 +190,12 @@ class TextReader {
   std::int64_t m_num_short = 0, m_num_unended = 0, m_num_unknown = 0;
 };
 
+// Old programs of DOS end text by 0x1a, and some fill a block with zeros.
+std::string_view without_end_marks(std::string_view text) {
+  while (!text.empty() && (text.back() == '\0' || text.back() == '\x1a')) text.remove_suffix(1);
+  return text;
+}
+
 }  // namespace
 
 bool is_binary_stl(std::string_view head, std::uintmax_t size) {
@@ -197,6 +203,7 @@ bool is_binary_stl(std::string_view head, std::uintmax_t size) {
 }
 
 bool is_text_stl(std::string_view text) {
+  text = without_end_marks(text);
   TextLines lines(text);
   std::string_view line;
   while (lines.next(line))
@@ -213,7 +220,7 @@ bool is_text_stl(std::string_view text) {
 
 FileSurface read_stl(const std::string& path, std::string_view bytes) {
   if (!is_binary_stl(bytes, bytes.size()) && is_text_stl(bytes))
-    return TextReader(path, bytes).read();
+    return TextReader(path, without_end_marks(bytes)).read();
   if (bytes.size() < kStart)
     bad_file(path,
              "cannot be read as a model: neither text nor a binary STL, which has 84 bytes "

@@ -27,6 +27,7 @@ class ModelMaker {
 
   Model make() {
     check_corners();
+    drop_odd_positions();
     take_own_origin();
     for (const Index part : part_order()) add_part(part);
     note_count(m_surface.notes, "polygons that cross themselves, read as fans", m_num_fans);
@@ -62,6 +63,12 @@ class ModelMaker {
       fail(say("%1 faces, more than the limit of %2", count, m_limits.max_triangles));
     for (size_t i = 0; i < m_surface.num_polygons(); ++i)
       for (const FileCorner& corner : m_surface.polygon(i)) check(corner.position, i);
+  }
+
+  // No corner is there: scanners write vertices without a place so.
+  void drop_odd_positions() {
+    for (Vec3& p : m_surface.positions)
+      if (!p.allFinite()) p.setZero();
   }
 
   void check(Index v, size_t polygon) const {

@@ -42,6 +42,27 @@ void append_utf8(std::string& out, std::uint32_t code) {
   }
 }
 
+// By its mark only.
+std::optional<ByteOrder> utf32_order(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  if (bytes.starts_with("\xff\xfe\0\0"sv)) return ByteOrder::Little;
+  if (bytes.starts_with("\0\0\xfe\xff"sv)) return ByteOrder::Big;
+  return std::nullopt;
+}
+
+std::string utf8_of_utf32(std::string_view bytes, ByteOrder order) {
+  std::string out;
+  out.reserve(bytes.size() / 4);
+  for (size_t i = 4; i + 4 <= bytes.size(); i += 4) {
+    std::uint32_t code = 0;
+    for (size_t k = 0; k < 4; ++k)
+      code = code << 8 |
+             static_cast<unsigned char>(bytes[order == ByteOrder::Big ? i + k : i + 3 - k]);
+    append_utf8(out, code < 0x110000 ? code : '?');
+  }
+  return out;
+}
+
 class Utf16 {
  public:
   Utf16(std::string_view bytes, ByteOrder order) : m_bytes(bytes), m_order(order) {}
@@ -78,6 +99,7 @@ class Utf16 {
 }  // namespace
 
 std::string utf8_text(std::string bytes) {
+  if (const auto order = utf32_order(bytes)) return utf8_of_utf32(bytes, *order);
   if (const auto order = utf16_order(bytes)) return Utf16(bytes, *order).as_utf8();
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);
   return bytes;

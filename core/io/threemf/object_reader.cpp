@@ -85,7 +85,7 @@ class PartReader {
   void read_unit(const char* unit) {
     if (!unit) return;
     for (const auto& [name, metres] : kUnits)
-      if (unit == name) {
+      if (equal_words(trimmed(unit), name)) {
         m_out.metres_per_unit = metres;
         return;
       }
@@ -93,7 +93,7 @@ class PartReader {
         say("the unit \"%1\" is unknown; millimetres are taken", printable(unit, 40)));
   }
 
-  std::string text(const XmlElement& e, const char* attribute) const {
+  const char* text(const XmlElement& e, const char* attribute) const {
     const char* const found = e.find(attribute);
     if (!found)
       fail(say("an element \"%1\" without its %2", std::string(e.name()), std::string(attribute)));
@@ -101,7 +101,7 @@ class PartReader {
   }
 
   double number(const XmlElement& e, const char* attribute) const {
-    const std::string value = text(e, attribute);
+    const std::string_view value = text(e, attribute);
     const auto found = number_from(trimmed(value));
     if (!found) fail(say("\"%1\" is not a number", printable(value, 40)));
     return *found;
@@ -109,7 +109,7 @@ class PartReader {
 
   Index index(const XmlElement& e, const char* attribute, size_t count,
               const Sentence& what) const {
-    const std::string value = text(e, attribute);
+    const std::string_view value = text(e, attribute);
     const auto found = integer_from(trimmed(value));
     if (!found || *found < 0 || static_cast<size_t>(*found) >= count)
       fail(say("a reference to %1 %2 of %3", what, printable(value, 40), count));

@@ -49,6 +49,13 @@ std::string root_part(const std::string& path, const std::map<std::string, std::
   bad_file(path, "is a ZIP archive without a model of 3MF");
 }
 
+// Doubles where it grows: objects may be many and small.
+template <class T>
+void make_room(std::vector<T>& list, size_t more) {
+  if (list.size() + more > list.capacity())
+    list.reserve(std::max(list.size() + more, 2 * list.capacity()));
+}
+
 /// Objects where components and items put them.
 class SurfaceMaker {
  public:
@@ -118,6 +125,8 @@ class SurfaceMaker {
     const auto first = static_cast<Index>(m_out.positions.size());
     const bool mirrored = world_from_object.linear.determinant() < 0;
     m_num_mirrored += mirrored;
+    make_room(m_out.positions, object.vertices.size());
+    make_room(m_out.corners, 3 * object.triangles.size());
     for (const Vec3& v : object.vertices) m_out.positions.push_back(world_from_object.apply(v));
     const auto node = static_cast<Index>(m_out.nodes.size()) - 1;
     for (const threemf::Triangle3& t : object.triangles) {
@@ -141,14 +150,16 @@ class SurfaceMaker {
 bool holds_3mf(std::string_view head) { return head.find(".model") != head.npos; }
 
 FileSurface read_3mf(const std::string& path, std::string_view bytes, const ImportLimits& limits) {
-  const auto parts = zip_entries(path, bytes, limits.max_file_bytes, [](const std::string& name) {
+  auto parts = zip_entries(path, bytes, limits.max_file_bytes, [](const std::string& name) {
     return is_model_part(name) || name == "_rels/.rels";
   });
   const std::string root = root_part(path, parts);
   Document document;
-  for (const auto& [name, xml] : parts)
+  for (auto& [name, xml] : parts) {
     if (is_model_part(name))
       threemf::read_model_part(path, name, xml, name == root, limits, document);
+    xml = std::string();  // which may be large
+  }
   return SurfaceMaker(path, limits, std::move(document)).make();
 }
 

@@ -3,6 +3,7 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 #include <memory>
 
@@ -14,6 +15,10 @@ namespace {
 std::string_view local_name(std::string_view name) {
   const size_t colon = name.find(':');
   return colon == name.npos ? name : name.substr(colon + 1);
+}
+
+bool equals(const char* text, std::string_view other) {
+  return std::strncmp(text, other.data(), other.size()) == 0 && text[other.size()] == '\0';
 }
 
 // Exceptions must not pass through C.
@@ -50,8 +55,11 @@ std::string_view XmlElement::name() const { return local_name(m_name); }
 
 const char* XmlElement::find(std::string_view attribute) const {
   const bool whole = attribute.find(':') != attribute.npos;
-  for (const char** at = m_attributes; *at; at += 2)
-    if (attribute == (whole ? std::string_view(*at) : local_name(*at))) return at[1];
+  for (const char** at = m_attributes; *at; at += 2) {
+    if (equals(*at, attribute)) return at[1];
+    const char* const colon = whole ? nullptr : std::strchr(*at, ':');
+    if (colon && equals(colon + 1, attribute)) return at[1];
+  }
   return nullptr;
 }
 
@@ -62,7 +70,7 @@ void read_xml(const std::string& file, const std::string& part, std::string_view
   Reading reading{handlers, parser.get(), nullptr};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), begin_element, end_element);
-  constexpr size_t kPiece = size_t{1} << 28;  // lengths are ints
+  constexpr size_t kPiece = size_t{1} << 22;  // Expat copies each
   XML_Status status = XML_STATUS_OK;
   do {
     const size_t length = std::min(text.size(), kPiece);

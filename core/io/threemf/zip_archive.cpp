@@ -3,6 +3,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "core/base/bad_input.h"
@@ -18,11 +19,15 @@ using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;
   bad_file(path, "is a damaged ZIP archive: %1", printable(reason ? reason : "unknown error"));
 }
 
-std::string content_of(const std::string& path, archive* a, std::uintmax_t max_bytes) {
+// @param stated  a size that is not trusted.
+std::string content_of(const std::string& path, archive* a, std::uintmax_t max_bytes,
+                       std::uintmax_t stated) {
+  constexpr std::uintmax_t kMostAtOnce = std::uintmax_t{1} << 28, kPiece = std::uintmax_t{1} << 16;
   std::string out;
+  out.reserve(std::min({stated, max_bytes, kMostAtOnce}) + kPiece);
   while (true) {
     const size_t before = out.size();
-    out.resize(before + (size_t{1} << 16));
+    out.resize(before + kPiece);
     const la_ssize_t count = archive_read_data(a, out.data() + before, out.size() - before);
     if (count < 0) fail_damaged(path, a);
     out.resize(before + static_cast<size_t>(count));
@@ -50,7 +55,9 @@ std::map<std::string, std::string> zip_entries(
     std::string name = stored ? stored : "";
     while (name.starts_with('/')) name.erase(0, 1);
     if (!wanted(name)) continue;
-    std::string content = content_of(path, a.get(), max_bytes);
+    const la_int64_t stated = archive_entry_size_is_set(entry) ? archive_entry_size(entry) : 0;
+    std::string content = content_of(path, a.get(), max_bytes,
+                                     static_cast<std::uintmax_t>(std::max<la_int64_t>(stated, 0)));
     max_bytes -= content.size();
     out.try_emplace(std::move(name), std::move(content));
   }

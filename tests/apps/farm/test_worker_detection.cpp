@@ -109,12 +109,13 @@ std::unique_ptr<CandidateFinder> gpu(const GpuNotes& notes, const GpuFaults& fau
 
 TEST_F(WorkerDetectionTest, ALostDeviceChangesNoByte) {
   const std::string truth = made("bvh", {});
-  // Lost in the worker's tenth draw, and gone then.
+  // Lost in a worker's tenth draw after those of the self-test, and gone then.
+  constexpr int kLost = 42;
   const auto lost = [](const GpuNotes& notes) {
     const auto num_draws = std::make_shared<int>(0);
     GpuFaults faults;
-    faults.resets = [num_draws] { return ++*num_draws >= 10; };
-    faults.is_gone = [num_draws] { return *num_draws >= 10; };
+    faults.resets = [num_draws] { return ++*num_draws >= kLost; };
+    faults.is_gone = [num_draws] { return *num_draws >= kLost; };
     return gpu(notes, faults);
   };
   EXPECT_EQ(made("lost", by(lost)), truth);
@@ -122,6 +123,9 @@ TEST_F(WorkerDetectionTest, ALostDeviceChangesNoByte) {
     GTEST_SKIP() << m_notes[0].text;
   ASSERT_EQ(m_notes.size(), 1u);
   EXPECT_NE(m_notes[0].text.find("BVHs and software answer instead of the GPU"), std::string::npos);
+  // Of two workers: ten draws each, the lost one included.
+  EXPECT_GE(m_totals.work.draws, 10);
+  EXPECT_LE(m_totals.work.draws, 20);
 }
 
 TEST_F(WorkerDetectionTest, FullGraphicsMemoryChangesNoByte) {

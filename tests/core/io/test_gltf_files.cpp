@@ -115,7 +115,8 @@ TEST_F(GltfFiles, NamesBuffersThatItDoesNotRead) {
   // The model is there by a path with "..", the buffer is not.
   file("gone.bin");
   expect_refused(path("m/../m/m.gltf"), {"names \"gone.bin\", which is missing"});
-  expect_refused(file("data:text/plain,abc"), {"a data URI is not base64"});
+  expect_refused(file("data:text/plain,abc"), {"buffer 0 has 3 bytes, expected 168"});
+  expect_refused(file("data:text/plain"), {"a data URI has no comma before its data"});
   write("m/short.bin", "abc");
   expect_refused(file("short.bin"), {"buffer 0 has 3 bytes, expected"});
 }

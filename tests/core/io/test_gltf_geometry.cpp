@@ -201,6 +201,30 @@ Gltf moved(double x, Gltf node) {
   return node;
 }
 
+// Quaternions of other lengths would scale and shear, as some programs do.
+TEST_F(GltfGeometry, BringsRotationsToLength1) {
+  const double root_half = std::sqrt(0.5);
+  for (const double length : {1.0, 0.5, 2.0, 1e-12, 1e12}) {
+    GltfMaker maker;
+    maker.add_cube();
+    const double part = length * root_half;
+    maker.show_nodes(
+        Gltf::array({{{"mesh", 0}, {"rotation", {0, 0, part, part}}, {"scale", {1, 2, 4}}}}));
+    const Model model = read(maker);
+    const Vec3 size = model.mesh.box().upper - model.mesh.box().lower;
+    EXPECT_NEAR((size - Vec3(2, 1, 4)).norm(), 0, 1e-6) << length;
+    EXPECT_EQ(model.notes.size(), length == 1 ? 0 : 1);
+    if (length != 1) expect_parts(lines_of(model.notes), {"brought to length 1: 1"});
+  }
+  GltfMaker maker;
+  maker.add_cube();
+  maker.show_nodes(Gltf::array({{{"mesh", 0}, {"rotation", {0, 0, 0, 0}}, {"name", "n"}}}));
+  expect_parts(refusal(maker), {"\"n\"", "rotation has no length", "accepted: a quaternion"});
+  maker.json["nodes"][0] = {{"mesh", 0},
+                            {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2}}};
+  expect_parts(refusal(maker), {"matrix has not 0 0 0 1 as its last row"});
+}
+
 // A mirror in any form turns the order of corners: the boxes stay solid.
 TEST_F(GltfGeometry, TurnsWindingBelowMirrors) {
   const std::vector<Gltf> mirrors = {{{"scale", {-1, 1, 1}}},

@@ -32,15 +32,26 @@ std::string cube_off(const std::string& head = "OFF\n8 6 12\n", const std::strin
 
 TEST_F(ReadOff, TakesAnyForm) {
   const std::string plain = cube_off();
-  for (const std::string& text :
-       {plain, cube_off("OFF 8 6 12\n"), cube_off("off\n8 6\n"),
-        cube_off("OFF\n8\n6\n\n12 # edges\n"),
-        cube_off("# made by hand\n\nOFF # text\n 8  6\t12 # counts\n"),
-        replaced(plain, "\n", "\r\n"), replaced(plain, "\n", "\r"), replaced(plain, " ", "\t"),
-        replaced(plain, "\n", "\n\n "), plain.substr(0, plain.size() - 1), "\xef\xbb\xbf" + plain,
-        utf16(plain, false, true), utf16(plain, true, true), replaced(plain, "0.5", "5D-1"),
-        cube_off("OFF\n8 6 0\n", "# v", " # f"), cube_off("4OFF\n8 6 0\n", "1"),
-        cube_off("NOFF\n8 6 0\n", "0 0 1")}) {
+  for (const std::string& text : {plain,
+                                  cube_off("OFF 8 6 12\n"),
+                                  cube_off("off\n8 6\n"),
+                                  cube_off("OFF\n8\n6\n\n12 # edges\n"),
+                                  cube_off("# made by hand\n\nOFF # text\n 8  6\t12 # counts\n"),
+                                  replaced(plain, "\n", "\r\n"),
+                                  replaced(plain, "\n", "\r"),
+                                  replaced(plain, " ", "\t"),
+                                  replaced(plain, "\n", "\n\n "),
+                                  plain.substr(0, plain.size() - 1),
+                                  "\xef\xbb\xbf" + plain,
+                                  utf16(plain, false, true),
+                                  utf16(plain, true, true),
+                                  replaced(plain, "0.5", "5D-1"),
+                                  cube_off("OFF\n8 6 0\n", "# v", " # f"),
+                                  cube_off("4OFF\n8 6 0\n", "1"),
+                                  cube_off("NOFF\n8 6 0\n", "0 0 1"),
+                                  cube_off("nOFF\n3\n8 6 0\n"),
+                                  cube_off("4nOFF 3\n8 6 0\n", "1"),
+                                  cube_off("NnOFF 3\n8 6 0\n", "0 0 1")}) {
     SCOPED_TRACE(text.substr(0, 100));
     expect_unit_cube(write("a.off", text));
     expect_unit_cube(write("a.obj", text));
@@ -77,7 +88,10 @@ TEST_F(ReadOff, SaysWhatItIsNot) {
   const std::string plain = cube_off();
   expect_refused(plain.substr(0, plain.size() / 2), {"a.off", "is truncated", "of 14"});
   expect_refused("OFF\n", {"is truncated"});
-  expect_refused("OFF BINARY\n\x01\x02", {"binary OFF"});
+  expect_refused("OFF BINARY\n\x01\x02", {"binary OFF", "accepted: OFF as text"});
+  expect_refused("STCN4OFF BINARY\n\x01\x02", {"binary OFF"});
+  expect_refused("nOFF 2\n3 1 0\n0 0\n1 0\n0 1\n3 0 1 2\n", {"nOFF", "2 numbers", "accepted: 3"});
+  expect_refused("AOFF\n8 6 12\n", {"keyword \"AOFF\"", "accepted: OFF, with ST, C, N, 4 and n"});
   expect_refused(replaced(plain, "4 0 2 3 1", "4 0 2 3 8"), {"line 11", "vertex 8", "0 to 7"});
   expect_refused(replaced(plain, "4 0 2 3 1", "4 0 2 3 -1"), {"line 11", "vertex -1"});
   expect_refused(replaced(plain, "4 0 2 3 1", "4 0 2 3 1.5"), {"vertex 1.5"});

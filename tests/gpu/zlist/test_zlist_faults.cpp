@@ -16,6 +16,7 @@ using test::Way;
 struct Course {
   std::vector<std::string> notes;
   int num_usable = 0, num_contacts = 0;
+  std::int64_t num_draws = 0;  // lost ones, too
 };
 
 /// Answers are those of the BVHs throughout.
@@ -31,6 +32,7 @@ Course ask_many(GpuZListOptions options, int num) {
     const FirstContact truth = q.fast();
     EXPECT_TRUE(test::same_answer(q.with_stage(*stage, &proposal), truth)) << q.describe();
     out.num_usable += proposal.usable;
+    out.num_draws += proposal.work.draws;
     out.num_contacts += truth.status == FirstContact::Status::Contact;
   }
   return out;
@@ -46,6 +48,7 @@ TEST_P(ZListFaults, GoOnAfterReset) {
   faults.resets = [&] { return ++num_asked == 5; };
   const Course course = ask_many(GetParam().options({.resolution = 32, .faults = faults}), 40);
   EXPECT_GT(num_asked, 10);
+  EXPECT_EQ(course.num_draws, num_asked);
   EXPECT_EQ(course.num_usable, 40);
   EXPECT_GT(course.num_contacts, 8);
   ASSERT_EQ(course.notes.size(), 1u);
@@ -61,6 +64,7 @@ TEST_P(ZListFaults, TellOnceOfManyResets) {
   faults.resets = [&] { return ++num_asked % 4 == 0; };
   const Course course = ask_many(GetParam().options({.resolution = 32, .faults = faults}), 16);
   EXPECT_EQ(course.num_usable, 16);
+  EXPECT_EQ(course.num_draws, num_asked);
   EXPECT_EQ(course.notes.size(), 1u);
 }
 
@@ -73,6 +77,7 @@ TEST_P(ZListFaults, LeaveAnswersToTreesWithoutDevice) {
   faults.is_gone = [&] { return num_asked >= 5; };
   const Course course = ask_many(GetParam().options({.resolution = 32, .faults = faults}), 40);
   EXPECT_EQ(num_asked, 5);
+  EXPECT_EQ(course.num_draws, 5);
   EXPECT_GE(course.num_usable, 4);  // and those with nothing to draw
   EXPECT_LT(course.num_usable, 36);
   EXPECT_GT(course.num_contacts, 8);
