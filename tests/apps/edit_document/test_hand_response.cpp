@@ -14,7 +14,7 @@ namespace trivet::edit::test {
 namespace {
 
 constexpr double kStallsMs = 2000;  // the goal, 8 ms, is for an idle machine
-constexpr double kSlowMs = 50;  // the goal for the slowest
+constexpr double kSlowMs = 50;      // the goal for the slowest
 constexpr double kSameMetres = 1e-4;
 
 class ManyThings : public testing::Test {
