@@ -35,8 +35,9 @@ void edit_and_return(AtWork& work) {
   work.place("block", "block.obj", Vec3(0, 0, 0.01));
   User& user = work.user();
   user.show_tab("Properties");
+  user.press_key(Qt::Key_Home);  // makes the window the active one
   user.move_to(work.view(), work.view().rect().center());
-  QVERIFY(work.view().hasFocus());
+  QTRY_VERIFY_WITH_TIMEOUT(work.view().hasFocus(), kPatienceMs);
   auto* const height = work.window().control().findChild<QAbstractSpinBox*>("height");
   QVERIFY(height);
   height->setFocus();
