@@ -26,6 +26,7 @@ struct Ghost {
   std::vector<ObjectId> objects;  // blocking or holding objects
   std::vector<Vec3> points;       // contact points, world
   double milliseconds = 0;        // from request to answer
+  double work_milliseconds = 0;   // of the processor, for the answer
 };
 
 }  // namespace trivet::edit

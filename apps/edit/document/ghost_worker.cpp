@@ -1,5 +1,6 @@
 #include "apps/edit/document/ghost_worker.h"
 
+#include <ctime>
 #include <utility>
 
 #include "apps/edit/document/results.h"
@@ -15,6 +16,12 @@ namespace {
 constexpr int kViewResolution = 64;  // of the depth images, pixels
 constexpr auto kLeastRest = std::chrono::milliseconds(50);
 constexpr int kRestPerWork = 4;
+
+double thread_milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
 
 // Describes the result of the operation.
 void describe(const Scene& scene, const OperationResult& result, Ghost& ghost) {
@@ -200,9 +207,11 @@ void GhostWorker::show_zlists(const ZListQuestion& question) {
 }
 
 Ghost GhostWorker::answer_to(const Request& request) {
+  const double begin = thread_milliseconds();
   Ghost ghost = answer_to(request, request.choices.front());
   for (size_t i = 1; i < request.choices.size() && !ghost.ok && !m_cancel; ++i)
     if (Ghost other = answer_to(request, request.choices[i]); other.ok) ghost = std::move(other);
+  ghost.work_milliseconds = thread_milliseconds() - begin;
   ghost.milliseconds =
       std::chrono::duration<double, std::milli>(Clock::now() - request.when).count();
   return ghost;

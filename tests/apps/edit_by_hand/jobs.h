@@ -23,4 +23,9 @@ void furnish_office(AtWork& work);
 /// 24 books that stand, and five that lean: a drag and an array, then a drag and a key for each.
 void fill_bookshelf(AtWork& work);
 
+/// An action that is found by a word, and done by Return.
+void find_action(AtWork& work);
+/// Keys are for the view under the mouse, but while a field is edited; Return gives them back.
+void edit_and_return(AtWork& work);
+
 }  // namespace trivet::edit::test

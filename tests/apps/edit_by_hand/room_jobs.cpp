@@ -9,6 +9,25 @@
 namespace trivet::edit::test {
 namespace {
 
+/// A piece of an office.
+struct Piece {
+  const char *name, *on;
+  Vec2 from, to;  // to: from the middle of what carries it, or from the origin of the floor
+};
+const Piece kOffice[] = {
+    {"desk", "", {-1.8, -0.9}, {0, 0.4}},
+    {"bookcase", "", {1.7, -0.9}, {1.4, 0.6}},
+    {"waste_basket", "", {0, -1.0}, {-1.1, 0.2}},
+    {"monitor", "desk", {-1.2, -1.8}, {0, 0.15}},
+    {"keyboard", "desk", {-0.6, -1.8}, {0, -0.15}},
+    {"mouse", "desk", {-0.2, -1.8}, {0.32, -0.15}},
+    {"lamp", "desk", {0.1, -1.8}, {-0.6, 0.1}},
+    {"telephone", "desk", {0.5, -1.8}, {0.55, 0.05}},
+    {"mug", "desk", {0.8, -1.8}, {-0.4, -0.15}},
+    {"report", "desk", {1.2, -1.8}, {-0.62, -0.2}},
+    {"chair", "", {0.8, -1.0}, {0, -0.5}},
+};
+
 /// These come along if the desk is moved.
 void check_moved(AtWork& work, const std::map<std::string, Vec3>& before, const Vec3& way) {
   for (const auto& [name, centre] : before)
@@ -53,11 +72,12 @@ void move_desk(AtWork& work) {
   work.write_model("thing", {{{-0.04, -0.04, 0}, {0.04, 0.04, 0.1}}});
   work.place("desk", "bureau.obj", Vec3(0, 0, 0.01));
   std::map<std::string, Vec3> things;
-  for (int i = 0; i < 9; ++i) {
-    const std::string name = "thing " + std::to_string(i + 1);
-    work.place(name, "thing.obj", Vec3(-0.4 + 0.4 * (i % 3), -0.15 + 0.15 * (i / 3), 0.73));
-    things[name] = work.centre(name);
-  }
+  for (const double y : {-0.15, 0.0, 0.15})
+    for (const double x : {-0.4, 0.0, 0.4}) {
+      const std::string name = "thing " + std::to_string(things.size() + 1);
+      work.place(name, "thing.obj", Vec3(x, y, 0.73));
+      things[name] = work.centre(name);
+    }
   work.begin("desk", {{-1.2, -1.4, 0}, {2, 0.8, 0.8}});
   const Vec3 desk = work.centre("desk");
   work.drag("desk", Vec3(0.4, 0.4, 0));
@@ -71,23 +91,6 @@ void move_desk(AtWork& work) {
 
 void furnish_office(AtWork& work) {
   work.new_scene();
-  struct Piece {
-    const char *name, *on;
-    Vec2 from, to;  // to: from the middle of what carries it, or from the origin of the floor
-  };
-  static const Piece kOffice[] = {
-      {"desk", "", {-1.8, -0.9}, {0, 0.4}},
-      {"bookcase", "", {1.7, -0.9}, {1.4, 0.6}},
-      {"waste_basket", "", {0, -1.0}, {-1.1, 0.2}},
-      {"monitor", "desk", {-1.2, -1.8}, {0, 0.15}},
-      {"keyboard", "desk", {-0.6, -1.8}, {0, -0.15}},
-      {"mouse", "desk", {-0.2, -1.8}, {0.32, -0.15}},
-      {"lamp", "desk", {0.1, -1.8}, {-0.6, 0.1}},
-      {"telephone", "desk", {0.5, -1.8}, {0.55, 0.05}},
-      {"mug", "desk", {0.8, -1.8}, {-0.4, -0.15}},
-      {"report", "desk", {1.2, -1.8}, {-0.62, -0.2}},
-      {"chair", "", {0.8, -1.0}, {0, -0.5}},
-  };
   for (const Piece& piece : kOffice)
     work.place(piece.name, QString("office1/%1.glb").arg(piece.name),
                Vec3(piece.from.x(), piece.from.y(), 0.05));

@@ -1,39 +1,10 @@
-// Set dressing by hand in a real window under a window system: what each job takes of clicks, drags
-// and keys. Screenshots are kept.
+#include "apps/edit_by_hand/test_by_hand.h"
+
 #include <QApplication>
 #include <QProcess>
 #include <QSettings>
-#include <QTemporaryDir>
-
-#include "apps/edit_by_hand/jobs.h"
 
 namespace trivet::edit::test {
-
-class TestByHand : public QObject {
-  Q_OBJECT
-
- private Q_SLOTS:
-  void initTestCase();
-  void cleanupTestCase();
-  void cleanup();
-  void lays_breakfast() { lay_breakfast(*m_work); }
-  void moves_the_saucer() { move_the_saucer(*m_work); }
-  void pours_fruit() { pour_fruit(*m_work); }
-  void lays_mug() { lay_mug(*m_work); }
-  void mends_unit() { mend_unit(*m_work); }
-  void moves_desk() { move_desk(*m_work); }
-  void furnishes_office() { furnish_office(*m_work); }
-  void fills_bookshelf() { fill_bookshelf(*m_work); }
-
- private:
-  void export_demo(const QString& name);
-
-  QTemporaryDir m_folder;
-  std::unique_ptr<Document> m_document;
-  std::unique_ptr<MainWindow> m_window;
-  std::unique_ptr<User> m_user;
-  std::unique_ptr<AtWork> m_work;
-};
 
 void TestByHand::export_demo(const QString& name) {
   QProcess demo;
@@ -53,6 +24,7 @@ void TestByHand::initTestCase() {
   QVERIFY(QDir().mkpath(m_folder.filePath("recovery")));
   m_document = std::make_unique<Document>(options);
   m_window = std::make_unique<MainWindow>(*m_document);
+  m_window->set_dark(false);
   m_window->resize(1280, 800);
   m_window->show();
   m_window->move(0, 0);
@@ -83,5 +55,3 @@ int main(int argc, char** argv) {
   trivet::edit::test::TestByHand test;
   return QTest::qExec(&test, argc, argv);
 }
-
-#include "test_by_hand.moc"

@@ -143,6 +143,8 @@ def whole(value):
         return "recipe", {**recipe, **value}
     if "look" in value:
         return "recipe", {**recipe, "groups": [{**recipe["groups"][0], **value}]}
+    if "model" in value and "name" not in value:
+        return "recipe", {**recipe, "groups": [{**recipe["groups"][0], "models": [value]}]}
     if "op" in value:
         return "layout", {**LAYOUT, "operations": [value]}
     return "layout", {**LAYOUT, **value} if "pairs" in value else {**LAYOUT, "objects": [value], "operations": []}
@@ -168,7 +170,7 @@ def test_every_block_of_the_guide(page, folder):
         if language == "json":
             judge_json(text, where)
         elif language == "python":
-            exec(compile(text, where, "exec"), names)
+            exec(compile(re.sub(r"\b1000\b", "4", text), where, "exec"), names)
         elif language == "bash":
             run_bash(text, where)
         else:
