@@ -3,7 +3,6 @@ import os
 import shutil
 import tempfile
 import threading
-import time
 import unittest
 
 import numpy as np
@@ -214,8 +213,16 @@ class BothBackends:
 
     def test_stops_when_told_and_reports_progress(self):
         bodies = [box(str(k), (0, 0, 2 * k + 1)) for k in range(30)]
-        job = work.Put(lambda bodies, out: self.backend.layout(bodies, out, Settings()), bodies, [b.name for b in bodies])
-        errors = []
+        errors, reached, stopped = [], threading.Event(), threading.Event()
+
+        def put(layout, body):
+            if job.progress.done == 3:
+                reached.set()
+                stopped.wait(20)
+            return layout.perform(work.put_operation(body))
+
+        job = work.Put(lambda bodies, out: self.backend.layout(bodies, out, Settings()), bodies, [b.name for b in bodies],
+                       put)
 
         def run():
             try:
@@ -225,9 +232,9 @@ class BothBackends:
 
         thread = threading.Thread(target=run)
         thread.start()
-        while job.progress.done < 3 and thread.is_alive():
-            time.sleep(0.0005)
+        self.assertTrue(reached.wait(20))
         job.progress.stop()
+        stopped.set()
         thread.join(20)
         self.assertFalse(thread.is_alive())
         self.assertEqual(len(errors), 1)
