@@ -59,7 +59,7 @@ TEST(Names, AreValidAndUnique) {
 Model l_shape() {
   Model model = box_model(0.1, 0.1, 0.1);
   std::vector<Triangle> triangles;
-  const auto add_quad = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  const auto add_quad = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     triangles.push_back({a, b, c}), triangles.push_back({a, c, d});
   };
   const Vec2 outline[] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
@@ -119,8 +119,8 @@ TEST(ConvexParts, ShrinkByClearance) {
 TEST(ConvexParts, ShrinkRandomHullsByClearance) {
   Random random(7);
   for (int trial = 0; trial < 50; ++trial) {
-    std::vector<Vec3> points;
-    for (int i = 0; i < 8 + trial; ++i) points.push_back(random.in_cube(1));
+    std::vector<Vec3> points(static_cast<size_t>(8 + trial));
+    for (Vec3& point : points) point = random.in_cube(1);
     ConvexPart part;
     solid_hull(points, part);
     const double by = 1e-3;
@@ -182,8 +182,8 @@ TEST(Overlap, EqualsBruteForce) {
   for (int trial = 0; trial < 300; ++trial) {
     ConvexPart parts[2];
     for (ConvexPart& part : parts) {
-      std::vector<Vec3> points;
-      for (int i = 0; i < 10; ++i) points.push_back(random.in_cube(0.5));
+      std::vector<Vec3> points(10);
+      for (Vec3& point : points) point = random.in_cube(0.5);
       solid_hull(points, part);
     }
     const PlacedPart a(parts[0], {}), b(parts[1], {Mat3::Identity(), random.in_cube(1.0)});
