@@ -122,7 +122,7 @@ bool HandGesture::hangs_far_back() const {
   return (put_at().point - here).head<2>().norm() > kFarBack * m_size;
 }
 
-// Where it is put if it does not slide: beside a wall, not behind it.
+// The place where the object is put if it does not slide: beside a wall, not behind it.
 const Picked& HandGesture::put_at() const { return m_beside ? *m_beside : m_at; }
 
 bool HandGesture::slides() const {
