@@ -156,7 +156,8 @@ def is_shown(stage: Stage, report: Report) -> bool:
     """Writes the result and judges what Blender shows, by its own float32 matrices; true if it may stay.
 
     Else Blender is as it was, and the work is to be done again: what Blender shows elsewhere stays from then on; where
-    anything interpenetrates, the clearance is larger.
+    anything interpenetrates, or what stands in the layout does not where Blender shows it, the clearance is larger.
+    The report's verdict is of what Blender shows.
     """
     if not report.motions:
         return True
@@ -166,14 +167,19 @@ def is_shown(stage: Stage, report: Report) -> bool:
     try:
         written = writer.write(report.motions)
         wrong, shown = misplaced(stage.context, stage.reading, written, 0.5 * stage.clearance)
-        pairs = [] if wrong else _crossings(stage, written, shown)
+        bodies = _shown_bodies(stage, report, shown)
+        pairs = [] if wrong else stage.choices.backend.crossings(bodies, list(written))
+        verdict = None if wrong or pairs else stage.choices.backend.judge(bodies, stage.settings)[0]
     except BaseException:
         writer.put_back()
         raise
-    if not wrong and not pairs:
+    if verdict is not None and (verdict.stands or not report.verdict.stands or not stage.widen()):
+        report.verdict = verdict
         _remember(stage, report)
         return True
     writer.put_back()
+    if verdict is not None:
+        return False
     changed = [name for name, metres in wrong.items() if metres > _CHANGED * _size(stage.reading.body(name))]
     for name in changed:
         stage.hold(name, "changes its shape as it moves, by a modifier or what it hangs on")
@@ -183,11 +189,11 @@ def is_shown(stage: Stage, report: Report) -> bool:
     return False
 
 
-def _crossings(stage: Stage, written: Mapping, shown) -> list:
-    """Pairs of names that interpenetrate where Blender shows them."""
+def _shown_bodies(stage: Stage, report: Report, shown: Reading) -> list:
+    """All bodies where Blender shows them; what was refused stands still."""
     there = {stage.reading.name_of(shown.owners[body.name]): body for body in shown.bodies}
-    bodies = [replace(there.get(body.name, body), name=body.name) for body in stage.reading.bodies]
-    return stage.choices.backend.crossings(bodies, list(written))
+    return [replace(there.get(body.name, body), name=body.name, fixed=body.fixed or body.name in report.refused)
+            for body in stage.bodies]
 
 
 def _remember(stage: Stage, report: Report) -> None:
