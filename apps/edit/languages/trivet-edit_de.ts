@@ -3247,6 +3247,10 @@
         <translation>ist ein ZIP-Archiv ohne Modell von 3MF</translation>
     </message>
     <message>
+        <source>items read that are marked as not to be printed</source>
+        <translation>gelesene Teile, die nicht gedruckt werden sollen</translation>
+    </message>
+    <message>
         <source>supports for printing left out</source>
         <translation>weggelassene Druckstützen</translation>
     </message>
