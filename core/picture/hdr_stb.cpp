@@ -1,8 +1,5 @@
-// Radiance's picture files: .hdr, RGBE, by stb_image, of which nothing else is compiled.
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_HDR
-#define STBI_NO_STDIO
+// Radiance's picture files: .hdr, RGBE, by stb_image, of which nothing else is compiled:
+// CMake defines what that takes.
 #include <stb/stb_image.h>
 
 #include <algorithm>

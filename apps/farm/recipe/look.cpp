@@ -130,7 +130,7 @@ LookRanges read_look(const JsonPlace& place) {
   }
   if (const auto files = place.find("environments")) read_environments(*files, out);
   const auto of_environments = [&](const char* name) {
-    const auto given = place.find(name);
+    auto given = place.find(name);
     if (given && out.environments.empty()) given->fail("there is no \"environments\" for it");
     return given;
   };

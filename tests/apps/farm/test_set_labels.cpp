@@ -7,6 +7,7 @@
 
 #include "apps/farm/pictures/looks.h"
 #include "apps/farm/recipe/set_labels.h"
+#include "core/base/error.h"
 #include "support/temporary_folder.h"
 
 namespace trivet::farm {
