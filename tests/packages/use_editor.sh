@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The steps of docs/tutorial/editor.md but the turn, by mouse and keys, in the window of a trivet-edit that is installed here.
+# The steps of docs/tutorial/editor.md by mouse and keys, in the window of a trivet-edit that is installed here. The turn
+# is left to tests/apps/edit_window, which does all of them inside the program.
 #   use_editor.sh FOLDER     makes FOLDER and leaves breakfast.glb in it, which trivet check accepts; prints the seconds
-# tests/apps/edit_window does all of them inside the program. Needs Xvfb, xdotool and trivet. Points are pixels of a window of 1280 x 720. PACE: seconds that a step may take.
+# Needs Xvfb, xdotool and trivet. Points are pixels of a window of 1280 x 720. PACE: seconds that a step may take.
 set -euo pipefail
 mkdir -p "$1/models"
 folder="$(realpath "$1")" pace="${PACE:-3}"
@@ -88,7 +89,7 @@ done
 sleep 1
 echo "saved: $SECONDS s"
 
-# What stands on what, judged from the file.
+# Judges from the file what stands on what.
 supports() { # OBJECT SUPPORT
   trivet check "$folder/breakfast.glb" --object "$1" --quiet | tee "$folder/check.txt" | grep -q "$2" ||
     fail "$1 does not stand on $2: $(cat "$folder/check.txt")"

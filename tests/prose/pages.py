@@ -18,7 +18,7 @@ PAGES = ("index", "tutorial/command-line", "tutorial/editor", "guide/put", "guid
          "measurements/index", "measurements/settling", "measurements/field")
 MOST_HIGH = 6000  # of a picture, pixels; the rest of a long page looks like its beginning
 
-# What is wrong on a page, as a list of sentences. MathJax has finished when its queue is through.
+# Gives what is wrong on a page, as a list of sentences. MathJax has finished when its queue is through.
 FINDINGS = """
 (async () => {
   if (window.MathJax) await new Promise((done) => MathJax.Hub.Queue(done));
