@@ -52,7 +52,7 @@ struct Schema {
   }
   template <class T>
   Json operator()(const std::optional<T>*) const {
-    const Json value = (*this)(static_cast<const T*>(nullptr));
+    Json value = (*this)(static_cast<const T*>(nullptr));
     if (!accepts.words[0]) return value;
     return {{"oneOf", {{{"const", accepts.words[0]}}, value}}};
   }
