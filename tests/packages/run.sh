@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Packages: what installations hold, and every kind of package used in a bare Debian.
 #
-#   tests/packages/run.sh components|make|deb|dev|wheel|blender|tarball|image|squashfs BUILD_DIR WORK_DIR
+#   tests/packages/run.sh components|make|deb|editor|dev|wheel|blender|tarball|image|squashfs BUILD_DIR WORK_DIR
 #   tests/packages/run.sh made BUILD_DIR WORK_DIR PACKAGES_DIR
 #
 # components: what a build installs, by component; seconds
 # make:       apps/packages/make.sh, for the others; of BUILD_DIR if that is of the preset package, else it builds one
 # made:       takes packages that were made of BUILD_DIR instead of making some
 # deb:        lintian; installed by apt in a bare Debian, used, and removed
+# editor:     the steps of its tutorial by mouse and keys, in a bare Debian with Xvfb
 # dev:        a project built in a bare Debian with libtrivet-dev
 # wheel:      in a Debian with Python and NumPy only
 # blender:    the extension in a Debian with Blender, by the program of the package trivet alone, then by python3-trivet
@@ -154,6 +155,23 @@ test_deb() {
     test -z \"\$left\" || { echo \"left after removal: \$left\"; exit 1; }" || fail "in the bare Debian"
   same_results deb
   cmp "$base/job/poses.here" "$base/job/poses.deb" || fail "python3-trivet puts otherwise"
+}
+
+test_editor() {
+  need_tools
+  bare_root bookworm bookworm
+  rm -rf "$work/job"
+  mkdir -p "$work/job"
+  cp "$(made_file 'trivet_*.deb')" "$(made_file 'trivet-edit_*.deb')" "$here/use_editor.sh" "$work/job"
+  ONLINE=1 in_root "$roots/bookworm" "$work/job" "
+    export DEBIAN_FRONTEND=noninteractive
+    apt-get update -q >/dev/null
+    apt-get install -q -y --no-install-recommends xvfb xdotool >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
+    before=\$(date +%s)
+    apt-get install -q -y --no-install-recommends /job/trivet_*.deb /job/trivet-edit_*.deb >apt.log 2>&1 ||
+      { tail -n 20 apt.log; exit 1; }
+    echo \"installed: \$((\$(date +%s) - before)) s\"
+    bash use_editor.sh /job/tutorial" || fail "the editor's tutorial"
 }
 
 test_dev() {
