@@ -37,6 +37,7 @@ struct Verb {
   VERB(arrange) \
   VERB(demo) \
   VERB(session) \
+  VERB(mcp) \
   VERB(serve) \
   VERB(replay) \
   VERB(backends) \

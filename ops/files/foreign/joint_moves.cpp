@@ -1,6 +1,7 @@
 #include "ops/files/foreign/joint_moves.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/bad_input.h"
 #include "core/base/quoted.h"
@@ -49,6 +50,13 @@ SceneJoint& joint_named(OpenedScene& opened, const std::string& name) {
   }
   bad_file(opened.path, "has no joint %1; accepted: %2", trivet::quoted(name),
            known.empty() ? std::string("none, it has no slides and hinges") : known);
+}
+
+double limit_of(const JointToMove& joint, bool upper) {
+  const double limit = upper ? joint.upper : joint.lower;
+  if (std::isfinite(limit)) return limit;
+  bad_input("%1: the joint has no %2 limit; accepted: a number", trivet::quoted(joint.name),
+            upper ? "upper" : "lower");
 }
 
 JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,
