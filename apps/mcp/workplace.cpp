@@ -61,14 +61,6 @@ bool is_ok(const Json& answer) { return answer.at("status") == "ok"; }
 
 }  // namespace
 
-struct Workplace::Place {
-  OpenedSession opened;
-  Dialogue dialogue;
-
-  Place(OpenedSession session, const DialogueOptions& options)
-      : opened(std::move(session)), dialogue(opened, options) {}
-};
-
 Workplace::Workplace(WorkplaceOptions options)
     : m_options(std::move(options)),
       m_root((fs::path(m_options.folder) / "scene.json").string()),
@@ -89,7 +81,7 @@ Json Workplace::ask(const Json& line) const {
 
 // The path of a file in the folder.
 std::string Workplace::inside(const JsonPlace& file) const {
-  const std::string path = (fs::path(m_options.folder) / file.text()).lexically_normal().string();
+  std::string path = (fs::path(m_options.folder) / file.text()).lexically_normal().string();
   if (!m_root.holds(path)) file.refuse("a file in the folder of this server, or below it");
   return path;
 }

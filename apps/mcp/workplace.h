@@ -29,6 +29,7 @@ struct WorkplaceOptions {
 };
 
 /// Of a call.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving a Json asserts, it throws nothing.
 struct Answer {
   std::string text;  // for the agent
   Json data = {};    // the same for programs; null: none
@@ -59,7 +60,13 @@ class Workplace {
   Answer save(const JsonPlace& arguments);
 
  private:
-  struct Place;
+  struct Place {
+    OpenedSession opened;
+    Dialogue dialogue;
+
+    Place(OpenedSession session, const DialogueOptions& options)
+        : opened(std::move(session)), dialogue(opened, options) {}
+  };
 
   OpenedSession opened_at(const std::string& file) const;
   OpenedSession empty_room() const;

@@ -44,7 +44,7 @@ JointMove OthersScene::move(Session& session, const std::string& name, double to
   SceneJoint& joint = joint_named(m_opened, name);
   const double before = joint.value;
   NewPoses poses;
-  const JointMove out = move_joint_of(m_opened, joint, to, run, poses);
+  JointMove out = move_joint_of(m_opened, joint, to, run, poses);
   if (out.value == before) return out;
   RecordedPoses recorded;
   for (const auto& [id, pose] : poses)

@@ -64,7 +64,7 @@ JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const
   Scene driven = with_moving_links(opened.judged);
   update_contacts(driven, run.options.clearance, run.options);
   const Pose from = driven.at(joint.links[0]).pose;
-  const JointMove out = move_joint(driven, joint, to, run);
+  JointMove out = move_joint(driven, joint, to, run);
   for (const std::vector<ObjectId>* ids : {&std::as_const(joint.links), &out.carried})
     for (const ObjectId id : *ids) {
       poses[id] = driven.at(id).pose;
