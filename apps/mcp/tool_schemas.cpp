@@ -43,7 +43,7 @@ void merge_enum(const Json& other, Json& property) {
       property["enum"].push_back(word);
 }
 
-// What one more form has. @param schema  of the forms before; required: what all need.
+// Adds one more form. @param schema  of the forms before; required: what all need.
 void add_form(const Json& form, Json& schema) {
   for (const auto& [key, property] : form["properties"].items()) {
     if (key == "op") continue;

@@ -1,4 +1,4 @@
-// What can be called: one table.
+// The tools: one table.
 #pragma once
 
 #include <functional>

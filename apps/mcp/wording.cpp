@@ -36,7 +36,7 @@ std::vector<std::string> names_in(const Json& answer, const char* key) {
   return out;
 }
 
-// Of the object as it stands, or unturned where it is not in the scene.
+// The object's box as it stands, or unturned where it is not in the scene.
 Aabb box_of(const Scene& scene, ObjectId id) {
   if (scene.at(id).placed) return scene.world_box(id);
   const Object& object = scene.at(id);

@@ -21,7 +21,7 @@ Json object_data(const Scene& scene, ObjectId id, const LoadSupport& supports);
 
 /// An operation's answer of a session. @param what  "put \"cup\"".
 std::string outcome_text(const std::string& what, const Json& answer, const Scene& scene);
-/// What can be done about a refusal of this cause; empty causes are those of bad arguments.
+/// Advice after a refusal of this cause; empty causes are those of bad arguments.
 std::string next_step(const std::string& cause);
 
 /// The answers to "mend" and "settle".

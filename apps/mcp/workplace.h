@@ -1,4 +1,4 @@
-// What an agent works on: one open scene, and the files of one folder.
+// An agent works on this: one open scene, and the files of one folder.
 #pragma once
 
 #include <atomic>
@@ -28,7 +28,7 @@ struct WorkplaceOptions {
   DrawPng draw;
 };
 
-/// Of a call.
+/// The outcome of a call.
 // NOLINTNEXTLINE(bugprone-exception-escape): moving a Json asserts, it throws nothing.
 struct Answer {
   std::string text;  // for the agent

@@ -50,7 +50,7 @@ mcp::WorkplaceOptions workplace_options(const McpArguments& arguments, const Com
   return out;
 }
 
-// Of the line that asks for it, only the request that it names.
+// The request that the line names, if it cancels one.
 CancellableLines::Cancelled cancelled_requests(const std::string& line) {
   const mcp::Json id = mcp::cancelled_id(line);
   if (id.is_null()) return {};

@@ -14,7 +14,7 @@ namespace trivet {
 
 struct OpenedSession;
 
-/// What a session on such a scene has beside its steps. One thread at a time.
+/// Everything that a session on such a scene has beside its steps. One thread at a time.
 class OthersScene {
  public:
   explicit OthersScene(OpenedScene opened);
@@ -22,7 +22,7 @@ class OthersScene {
   const OpenedScene& opened() const { return m_opened; }
   /// Joints as they are after this number of steps.
   const std::vector<SceneJoint>& joints(size_t num_done) const;
-  /// What was known of steps from here on is of steps that were undone and forgotten.
+  /// Steps from here on were undone and are forgotten.
   void forget_from(size_t num_done);
 
   /// One step of the session, where the joint moved at all. See move_joint_of().

@@ -65,7 +65,8 @@ JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const
   update_contacts(driven, run.options.clearance, run.options);
   const Pose from = driven.at(joint.links[0]).pose;
   JointMove out = move_joint(driven, joint, to, run);
-  for (const std::vector<ObjectId>* ids : {&std::as_const(joint.links), &out.carried})
+  for (const std::vector<ObjectId>* ids :
+       {&std::as_const(joint.links), &std::as_const(out.carried)})
     for (const ObjectId id : *ids) {
       poses[id] = driven.at(id).pose;
       edit_object(opened.judged.scene, id, [&](Object& o) { o.pose = poses[id]; });
