@@ -275,7 +275,7 @@ class Household(SetCase):
         script = os.path.join(SOURCE_DIR, "apps", "farm", "examples", "household.py")
         subprocess.run([sys.executable, script, self.folder], check=True)
         self.recipe = self.read_json("household.json")
-        self.recipe["views"].update(width=self.SIZE[0], height=self.SIZE[1], samples=4 if SCENES else 1)
+        self.recipe["views"].update(width=self.SIZE[0], height=self.SIZE[1], samples=1)
         self.write_recipe("household.json", **self.recipe)
         self.batch("scenes", count=self.NUM, recipe="household.json")
 
