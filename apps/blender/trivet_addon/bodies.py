@@ -142,7 +142,7 @@ def deviation(expected: Body, motion: np.ndarray, shown: Body) -> float:
 
 _AXES = {"XYZ": (0, 1, 2), "XZY": (0, 2, 1), "YXZ": (1, 0, 2), "YZX": (1, 2, 0), "ZXY": (2, 0, 1), "ZYX": (2, 1, 0)}
 _EVEN = {"XYZ", "YZX", "ZXY"}
-_NEAR_LOCK = 0.05  # cosine of the second angle
+_NEAR_LOCK = 0.2  # cosine of the second angle
 _LOCKED = 1e-12
 
 

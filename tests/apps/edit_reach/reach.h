@@ -1,4 +1,4 @@
-// Whether a hand reaches all that a window shows.
+// A judge of windows: a hand has to reach all that they show.
 #pragma once
 
 #include <QStringList>
