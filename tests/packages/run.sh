@@ -9,7 +9,7 @@
 # made:       takes packages that were made of BUILD_DIR instead of making some
 # deb:        lintian; installed by apt in a bare Debian, used, and removed
 # editor:     the steps of its tutorial by mouse and keys, in a bare Debian with Xvfb
-# dev:        a project built in a bare Debian with libtrivet-dev
+# dev:        a project built in a bare Debian with libtrivet-dev, and run with the shared library alone
 # wheel:      in a Debian with Python and NumPy only
 # blender:    the extension in a Debian with Blender, by the program of the package trivet alone, then by python3-trivet; in
 #             the next Debian's, by the program of the tarball
@@ -140,7 +140,7 @@ test_deb() {
   rm -rf "$base/job/debs"
   mkdir "$base/job/debs"
   cp "$made"/*.deb "$base/job/debs"
-  rm -f "$base/job/debs"/libtrivet-dev_*
+  rm -f "$base/job/debs"/libtrivet*
   ONLINE=1 in_root "$roots/bookworm" "$base/job" "
     export DEBIAN_FRONTEND=noninteractive
     apt-get update -q >/dev/null
@@ -180,15 +180,16 @@ test_dev() {
   bare_root bookworm bookworm
   rm -rf "$work/job"
   mkdir -p "$work/job/client"
-  cp "$(made_file 'libtrivet-dev_*.deb')" "$work/job"
+  cp "$(made_file 'libtrivet-dev_*.deb')" "$(made_file 'libtrivet[0-9]*.deb')" "$work/job"
   cp "$source_dir"/tests/install/{CMakeLists.txt,*.cpp} "$work/job/client"
   ONLINE=1 in_root "$roots/bookworm" "$work/job" "
     export DEBIAN_FRONTEND=noninteractive
     apt-get update -q >/dev/null
-    apt-get install -q -y --no-install-recommends g++ cmake ninja-build /job/libtrivet-dev_*.deb >/job/apt.log 2>&1 ||
+    apt-get install -q -y --no-install-recommends g++ cmake ninja-build /job/libtrivet*.deb >/job/apt.log 2>&1 ||
       { tail -n 20 /job/apt.log; exit 1; }
     cmake -G Ninja -S client -B /tmp/build -DCMAKE_BUILD_TYPE=Release >/dev/null
     cmake --build /tmp/build --target box_on_floor
+    apt-get purge -q -y libtrivet-dev >>/job/apt.log
     /tmp/build/box_on_floor" || fail "a project with libtrivet-dev"
 }
 

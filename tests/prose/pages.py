@@ -19,7 +19,7 @@ PAGES = ("index", "tutorial/command-line", "tutorial/editor", "guide/put", "guid
 MOST_HIGH = 6000  # of a picture, pixels; the rest of a long page looks like its beginning
 
 # Gives what is wrong on a page, as a list of sentences. MathJax has finished when its queue is through.
-FINDINGS = """
+FINDINGS = r"""
 (async () => {
   if (window.MathJax) await new Promise((done) => MathJax.Hub.Queue(done));
   for (const image of document.images) { image.loading = "eager"; await image.decode().catch(() => 0); }
