@@ -1,4 +1,5 @@
 // Textures in pictures by OpenGL: the probes that all renderers have.
+#include "core/base/error.h"
 #include "gpu/picture/picture.h"
 #include "support/look_probes.h"
 #include "support/mesa_leaks.h"
