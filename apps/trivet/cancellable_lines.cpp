@@ -12,6 +12,19 @@ namespace {
 // Back pressure: a sender that is further ahead waits.
 constexpr std::size_t kMostAhead = 4096;
 
+// The next line; of one that is too long only that. @return false at the end of the input.
+bool read_line(std::istream& input, size_t max_bytes, InputLine& line) {
+  if (max_bytes == 0) return static_cast<bool>(std::getline(input, line.text));
+  int next = input.get();
+  if (next == std::istream::traits_type::eof()) return false;
+  for (; next != std::istream::traits_type::eof() && next != '\n'; next = input.get()) {
+    line.is_too_long = line.is_too_long || line.text.size() >= max_bytes;
+    if (!line.is_too_long) line.text.push_back(static_cast<char>(next));
+  }
+  if (line.is_too_long) line.text = std::string();
+  return true;
+}
+
 }  // namespace
 
 struct CancellableLines::State {
@@ -21,16 +34,15 @@ struct CancellableLines::State {
   std::shared_ptr<InputLine> in_work;
   bool ended = false, closed = false;  // closed: no reader is left
 
-  void cancel_all() {
-    for (const auto& line : waiting) line->cancelled = true;
-    if (in_work) in_work->cancelled = true;
+  void cancel(const Cancelled& cancelled) {
+    for (const auto& line : waiting)
+      if (cancelled(line->text)) line->cancelled = true;
+    if (in_work && cancelled(in_work->text)) in_work->cancelled = true;
   }
 
-  void add(std::string text, bool cancels) {
-    auto line = std::make_shared<InputLine>();
-    line->text = std::move(text);
+  void add(std::shared_ptr<InputLine> line, const Cancelled& cancelled) {
     std::unique_lock lock(mutex);
-    if (cancels) cancel_all();
+    if (cancelled) cancel(cancelled);
     changed.wait(lock, [this] { return waiting.size() < kMostAhead || closed; });
     waiting.push_back(std::move(line));
     changed.notify_all();
@@ -43,13 +55,13 @@ struct CancellableLines::State {
   }
 };
 
-CancellableLines::CancellableLines(std::istream& input,
-                                   std::function<bool(const std::string&)> cancels)
+CancellableLines::CancellableLines(std::istream& input, Cancels cancels, size_t max_bytes)
     : m_state(std::make_shared<State>()) {
-  std::thread([state = m_state, &input, cancels = std::move(cancels)] {
-    for (std::string text; std::getline(input, text);) {
-      const bool is_cancel = cancels(text);
-      state->add(std::move(text), is_cancel);
+  std::thread([state = m_state, &input, cancels = std::move(cancels), max_bytes] {
+    for (auto line = std::make_shared<InputLine>(); read_line(input, max_bytes, *line);
+         line = std::make_shared<InputLine>()) {
+      const Cancelled cancelled = cancels(line->text);
+      state->add(std::move(line), cancelled);
     }
     state->set(&State::ended);
   }).detach();

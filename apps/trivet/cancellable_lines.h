@@ -10,16 +10,22 @@
 namespace trivet::apps {
 
 struct InputLine {
-  std::string text;
+  std::string text;  // empty of one that is too long
+  bool is_too_long = false;
   std::atomic<bool> cancelled = false;  // by a later line
 };
 
 class CancellableLines {
  public:
+  /// True of a line that is to be cancelled.
+  using Cancelled = std::function<bool(const std::string& line)>;
+  /// Which unfinished lines before it a line cancels; empty: none. Called on another thread, and
+  /// must not throw, nor may what it gives.
+  using Cancels = std::function<Cancelled(const std::string& line)>;
+
   /// Starts to read, on a thread of its own. @param input  outlives the program.
-  /// @param cancels  whether a line cancels all unfinished lines before it; called on that thread,
-  ///   and must not throw.
-  CancellableLines(std::istream& input, std::function<bool(const std::string&)> cancels);
+  /// @param max_bytes  of a line; 0: any number.
+  CancellableLines(std::istream& input, Cancels cancels, size_t max_bytes = 0);
   ~CancellableLines();
   CancellableLines(const CancellableLines&) = delete;
   CancellableLines& operator=(const CancellableLines&) = delete;

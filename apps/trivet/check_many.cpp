@@ -5,6 +5,8 @@
 #include <iostream>
 
 #include "apps/trivet/outputs.h"
+#include "apps/trivet/scene_page.h"
+#include "core/base/bad_input.h"
 #include "core/base/error.h"
 #include "core/io/atomic_file.h"
 #include "ops/base/stopwatch.h"
@@ -16,13 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 
 SceneVerdict verdict_on_ours(const std::string& path, const RunOptions& given,
-                             const CommonOptions& common) {
+                             const CommonOptions& common, LayoutRun& run) {
   SceneFile file = read_scene_file(path, common.limits());
   const Stopwatch watch;
   RunOptions options = given;
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
   options.settle = settle_options(options, file.layout.settle);
-  LayoutRun run;
   run.scene = std::move(file.scene);
   run.settle = options.settle;
   finish_run(options, run);
@@ -34,12 +35,28 @@ SceneVerdict verdict_on_ours(const std::string& path, const RunOptions& given,
   return out;
 }
 
-SceneVerdict verdict_on(const std::string& path, const CheckManyArguments& arguments,
+// The page of the scene of this number, from 1, where one is asked for.
+void write_page(const CheckManyArguments& arguments, size_t number, const LayoutRun& run,
+                const SceneVerdict& verdict, double lift) {
+  if (arguments.page.empty()) return;
+  write_file_atomically(with_name(arguments.page, std::to_string(number)),
+                        scene_page(run.scene, verdict, lift));
+}
+
+SceneVerdict verdict_on(size_t number, const CheckManyArguments& arguments,
                         const CommonOptions& common) {
+  const std::string& path = arguments.files[number - 1];
+  LayoutRun run;
   try {
-    if (!is_of_others(path)) return verdict_on_ours(path, arguments.options, common);
+    if (!is_of_others(path)) {
+      SceneVerdict out = verdict_on_ours(path, arguments.options, common, run);
+      write_page(arguments, number, run, out, 0);
+      return out;
+    }
     OpenedScene opened = open_scene(path, open_options(arguments.foreign, common));
-    return judge(opened, arguments.options);
+    SceneVerdict out = judge(opened, arguments.options, &run);
+    write_page(arguments, number, run, out, opened.judged.lift);
+    return out;
   } catch (const Error& error) {
     if (error.kind() != Error::Kind::BadInput) throw;
     SceneVerdict out;
@@ -71,14 +88,18 @@ std::vector<std::string> scene_files(const std::vector<std::string>& paths) {
 }
 
 int check_many(const CheckManyArguments& arguments, const CommonOptions& common) {
-  check_files({arguments.report}, arguments.files);
+  if (arguments.files.size() > 1 && !arguments.page.empty() &&
+      arguments.page.find(kPlaceOfName) == std::string::npos)
+    bad_input("--html %1: there are %2 scenes; accepted: a name with {} for the number",
+              arguments.page, arguments.files.size());
+  check_files({arguments.report, arguments.page}, arguments.files);
   std::vector<SceneVerdict> verdicts;
   std::string lines;
   const ProgressCallback progress = terminal_progress(common);
   for (const std::string& file : arguments.files) {
     if (progress && arguments.files.size() > 1)
       progress({"check", file, verdicts.size(), arguments.files.size()});
-    verdicts.push_back(verdict_on(file, arguments, common));
+    verdicts.push_back(verdict_on(verdicts.size() + 1, arguments, common));
     const std::string line = verdict_json(verdicts.back()) + "\n";
     if (!arguments.report.empty()) lines += line;
     if (common.json) std::cout << line << std::flush;

@@ -12,6 +12,7 @@ namespace trivet::apps {
 struct CheckManyArguments {
   std::vector<std::string> files;
   std::string report;  // lines of JSON; empty: none
+  std::string page;    // a page each, with the findings marked; empty: none
   ForeignArguments foreign;
   RunOptions options;
 };

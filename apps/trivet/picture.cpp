@@ -46,7 +46,7 @@ PictureMaker::PictureMaker(const PictureRequest& request)
     : m_request(request), m_opengl(chosen_opengl(request.renderer, request.device)) {}
 PictureMaker::~PictureMaker() = default;
 
-std::string PictureMaker::png(const Scene& scene) {
+std::string PictureMaker::png(const Scene& scene, const std::optional<Camera>& camera) {
   std::map<const Model*, PictureMesh> mesh_of;  // node-based: stable addresses
   PictureScene picture;
   picture.floor = scene.floor;
@@ -57,7 +57,7 @@ std::string PictureMaker::png(const Scene& scene) {
     if (is_new) it->second = picture_mesh(object.model);
     picture.objects.push_back({&it->second, object.world_from_object(), std::nullopt});
   }
-  return encode_png(image(picture, m_request.explicit_camera()));
+  return encode_png(image(picture, camera ? camera : m_request.explicit_camera()));
 }
 
 Image PictureMaker::image(const PictureScene& scene, const std::optional<Camera>& camera) {

@@ -52,8 +52,8 @@ class PictureMaker {
   PictureMaker& operator=(const PictureMaker&) = delete;
 
   Image image(const PictureScene& scene, const std::optional<Camera>& camera);
-  /// The bytes of a PNG file.
-  std::string png(const Scene& scene);
+  /// The bytes of a PNG file. @param camera  nullopt: the request's, else one that frames all.
+  std::string png(const Scene& scene, const std::optional<Camera>& camera = std::nullopt);
   /// Renderer in use.
   std::string device() const;
 

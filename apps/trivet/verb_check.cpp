@@ -4,6 +4,7 @@
 
 #include "apps/trivet/check_many.h"
 #include "apps/trivet/outputs.h"
+#include "apps/trivet/scene_page.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
@@ -19,6 +20,7 @@ constexpr const char* kScenes = "files .xml, .mjcf, .urdf, .sdf, .world, .glb an
 
 struct CheckArguments {
   std::vector<std::string> files;
+  std::string page;                  // for browsers
   std::string file, report, object;  // file: if it is one
   ForeignArguments foreign;
   SettleArguments settle;
@@ -79,9 +81,16 @@ int tell_of_object(const CheckArguments& arguments, const CommonOptions& common,
   return run.ok() && run.stability.status != Stability::Status::Unstable ? 0 : 1;
 }
 
+void write_page(const CheckArguments& arguments, const LayoutRun& run) {
+  SceneVerdict verdict = verdict_of(run, 0);
+  verdict.path = arguments.file;
+  write_file_atomically(arguments.page, scene_page(run.scene, verdict, 0));
+}
+
 int check_one_of_ours(const CheckArguments& arguments, const CommonOptions& common) {
   const bool layout = lower_extension(arguments.file) == ".json";
   check_outputs({"", arguments.report, ""}, {arguments.file});
+  check_files({arguments.report, arguments.page}, {arguments.file});
   const std::unique_ptr<Detector> detector = make_detector(common);
   const LayoutRun run = layout ? check_layout(arguments, common, *detector)
                                : check_scene_file(arguments, common, *detector);
@@ -93,6 +102,7 @@ int check_one_of_ours(const CheckArguments& arguments, const CommonOptions& comm
     options.model_folder = folder_from(arguments.report, folder_of(arguments.file));
   const std::string report = report_json(run, options);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
+  if (!arguments.page.empty()) write_page(arguments, run);
   if (!arguments.object.empty()) return tell_of_object(arguments, common, run);
   if (common.json)
     std::cout << report;
@@ -115,7 +125,7 @@ int check(CheckArguments& arguments, const CommonOptions& common) {
   if (!arguments.object.empty())
     throw Error(Error::Kind::BadInput, "--object: is for one scene that Trivet wrote, or a layout");
   const std::unique_ptr<Detector> detector = make_detector(common);
-  return check_many({arguments.files, arguments.report, arguments.foreign,
+  return check_many({arguments.files, arguments.report, arguments.page, arguments.foreign,
                      options_of(arguments, common, *detector)},
                     common);
 }
@@ -137,6 +147,10 @@ std::vector<Verb> add_check(CLI::App& app, const CommonOptions& common) {
   verb->add_option(
       "--report", arguments->report,
       "Write the report, JSON; for scenes of other programs, or several, a line of JSON each");
+  verb->add_option("--html", arguments->page,
+                   "Write a page for browsers, with the findings marked; for several scenes a name "
+                   "with {} for the number")
+      ->type_name("PAGE");
   verb->add_option("--object", arguments->object,
                    "Report on this object: its supports, its loads, whether it is stable, by what "
                    "margin");
@@ -151,7 +165,7 @@ std::vector<Verb> add_check(CLI::App& app, const CommonOptions& common) {
   return {{verb, [arguments, &common] { return check(*arguments, common); },
            "trivet check scene.glb\n"
            "trivet check scene.glb --friction 0.3 --object mug --json\n"
-           "trivet check kitchen.xml --report verdicts.jsonl\n"}};
+           "trivet check kitchen.xml --report verdicts.jsonl --html findings.html\n"}};
 }
 
 }  // namespace trivet::apps

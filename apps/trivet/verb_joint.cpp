@@ -54,15 +54,11 @@ int list_joints(const OpenedScene& opened, const CommonOptions& common) {
 
 double goal_of(const JointArguments& arguments, const SceneJoint& joint) {
   if (arguments.by) return joint.value + *arguments.by;
-  if (arguments.to == "lower" || arguments.to == "upper") {
-    const double limit = arguments.to == "lower" ? joint.lower : joint.upper;
-    if (std::isfinite(limit)) return limit;
-    throw Error(Error::Kind::BadInput, "--to %1: the joint has no such limit; accepted: a number",
-                arguments.to);
-  }
+  if (arguments.to == "lower" || arguments.to == "upper")
+    return limit_of(joint, arguments.to == "upper");
   char* end = nullptr;
   const double value = std::strtod(arguments.to.c_str(), &end);
-  if (arguments.to.empty() || *end != 0 || !(std::abs(value) < 1e6))
+  if (arguments.to.empty() || *end != 0 || !(std::abs(value) <= kMaxJointValue))
     throw Error(Error::Kind::BadInput, "--to \"%1\"; accepted: a number, \"lower\", \"upper\"",
                 arguments.to);
   return value;
@@ -84,7 +80,7 @@ void tell_move(const OpenedScene& opened, const SceneJoint& joint, const JointMo
                const CommonOptions& common) {
   const Scene& scene = opened.judged.scene;
   if (common.json) {
-    std::cout << joint_move_json(opened, joint, move).dump() << "\n";
+    std::cout << joint_move_json(scene, opened.judged.lift, joint, move).dump() << "\n";
   } else if (!common.quiet) {
     std::cout << trivet::quoted(joint.name) << ": " << end_text(scene, move) << ", at "
               << value_text(joint) << "\n";
@@ -127,7 +123,7 @@ std::vector<Verb> add_joint(CLI::App& app, const CommonOptions& common) {
   const auto to = verb->add_option(
       "--to", arguments->to, "Value to move to, metres or degrees, or \"lower\" or \"upper\"");
   verb->add_option("--by", arguments->by, "Metres or degrees to move by")
-      ->check(number_from(-1e6, 1e6))
+      ->check(number_from(-kMaxJointValue, kMaxJointValue))
       ->excludes(to);
   verb->add_option(
       "-o,--output", arguments->out,

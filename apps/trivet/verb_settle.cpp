@@ -72,10 +72,10 @@ OpenedScene opened_for_repair(const RepairArguments& arguments, const CommonOpti
 }
 
 nlohmann::ordered_json repaired_json(const OpenedScene& opened, const SettledScene& settled) {
-  return settled_json(opened, settled);
+  return settled_json(opened.judged.scene, opened.judged.lift, settled);
 }
 nlohmann::ordered_json repaired_json(const OpenedScene& opened, const MendedScene& mended) {
-  return mended_json(opened, mended);
+  return mended_json(opened.judged.scene, opened.judged.lift, mended);
 }
 
 // @param repair  changes the scene, and tells.

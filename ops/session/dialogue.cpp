@@ -10,6 +10,7 @@
 #include "ops/base/refusal.h"
 #include "ops/files/json/operations.h"
 #include "ops/files/report/queries.h"
+#include "ops/session/others.h"
 
 namespace trivet {
 namespace {
@@ -18,7 +19,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kAccepted =
     "an operation {\"op\": ...}, {\"do\": [operations]}, {\"undo\": true}, {\"redo\": true}, "
-    "{\"save\": FILE}, {\"query\": OBJECT or \"objects\"} or {\"cancel\": true}";
+    "{\"mend\": true}, {\"settle\": true}, {\"move_joint\": JOINT, \"to\": VALUE}, "
+    "{\"save\": FILE}, {\"query\": OBJECT, \"objects\", \"joints\" or \"check\"} or "
+    "{\"cancel\": true}";
 
 // The id of a request, taken out of it.
 OrderedJson take_id(nlohmann::json& document, const JsonPlace& place) {
@@ -82,6 +85,8 @@ Dialogue::Dialogue(OpenedSession& opened, DialogueOptions options)
   m_session.limit_history(m_options.max_states);
   m_session.on_event([this](const SessionEvent& event) {
     m_changed = event.changed;
+    if (m_opened.others && event.kind == SessionEvent::Kind::Performed)
+      m_opened.others->forget_from(m_session.num_done());
     m_state.update(m_session.scene(), event.changed);
   });
 }
@@ -120,12 +125,15 @@ OrderedJson Dialogue::done(const nlohmann::json& document, const JsonPlace& plac
     check_room(operations, place);
     return perform(operations);
   }
+  if (place.find("move_joint")) return move_joint(place);
   if (document.size() != 1) place.refuse(kAccepted);
   if (const auto operations = place.find("do")) return perform(read_all(*operations));
   if (is_asked(place, "undo")) return undo();
   if (is_asked(place, "redo"))
     return m_session.redo() ? state() : refused("there is nothing to redo");
   if (is_asked(place, "cancel")) return state();  // cancelled when it was read
+  if (const auto how = place.find("mend")) return mend(*how);
+  if (const auto how = place.find("settle")) return settle(*how);
   if (const auto file = place.find("save")) return save(*file);
   if (const auto what = place.find("query")) return query(*what);
   place.refuse(kAccepted);
@@ -133,6 +141,9 @@ OrderedJson Dialogue::done(const nlohmann::json& document, const JsonPlace& plac
 
 Operation Dialogue::read(const JsonPlace& place) const {
   Operation operation = read_operation(place);
+  if (m_opened.others && !is_for_others(operation))
+    place.at("op").refuse(
+        "operations that move objects: a scene of another program keeps its objects");
   const auto* const append = std::get_if<AppendOperation>(&operation);
   if (append && m_options.own_files) {
     const fs::path file = fs::path(m_opened.model_folder) / append->model;
@@ -207,6 +218,11 @@ OrderedJson Dialogue::undo() {
 OrderedJson Dialogue::save(const JsonPlace& file) {
   if (m_options.own_files)
     file.fail("this server writes no files; it answers with a scene's bytes");
+  if (m_opened.others) {
+    m_opened.others->write(m_session, file.text());
+    m_session.mark_saved(file.text());
+    return state();
+  }
   if (fs::path(file.text()).extension() != ".glb")
     throw Error(Error::Kind::BadInput, "%1: cannot be saved; accepted: a file name ending in .glb",
                 file.text());
@@ -216,8 +232,10 @@ OrderedJson Dialogue::save(const JsonPlace& file) {
 
 OrderedJson Dialogue::query(const JsonPlace& what) const {
   if (what.value() == "objects") return objects();
+  if (what.value() == "joints") return joint_list();
+  if (what.value() == "check") return check();
   if (!what.value().is_object()) return object(what.text());
-  what.expect_object({"object"}, {});  // also one that is called "objects"
+  what.expect_object({"object"}, {});  // also one that is called "objects" or "check"
   return object(what.at("object").text());
 }
 

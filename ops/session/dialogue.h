@@ -9,7 +9,9 @@
 #include "core/scene/fingerprint.h"
 #include "ops/base/context.h"
 #include "ops/base/options.h"
+#include "ops/files/foreign/findings.h"
 #include "ops/files/json/text.h"
+#include "ops/mend/mend.h"
 #include "ops/session/restore.h"
 #include "ops/session/told_poses.h"
 
@@ -50,6 +52,10 @@ class Dialogue {
   /// Errors of a line are its answer; it throws std::bad_alloc alone.
   /// @param cancelled  may be set by another thread; outlives the call.
   Answer answer(const std::string& line, const std::atomic<bool>& cancelled);
+  /// The scene as it is, judged from its poses alone. Its points count from the session's floor.
+  SceneVerdict verdict() const;
+  /// Joints as they are; none in scenes of Trivet's own.
+  const std::vector<SceneJoint>& joints() const;
 
  private:
   OrderedJson state() const;
@@ -61,6 +67,13 @@ class Dialogue {
   OrderedJson query(const JsonPlace& what) const;
   OrderedJson object(const std::string& name) const;
   OrderedJson objects() const;
+  OrderedJson check() const;
+  OrderedJson joint_list() const;
+  OrderedJson mend(const JsonPlace& how);
+  OrderedJson settle(const JsonPlace& how);
+  void begin(MendOptions& options) const;
+  OrderedJson repaired(const char* step, const SettledScene& repaired, const OrderedJson& told);
+  OrderedJson move_joint(const JsonPlace& request);
   void check_room(const std::vector<Operation>& operations, const JsonPlace& place) const;
   Operation read(const JsonPlace& place) const;
   std::vector<Operation> read_all(const JsonPlace& place) const;

@@ -4,7 +4,7 @@
 //   {"trivet_journal": 2, "start": {"file", "bytes", "hash"}, "settle", "state", "models", "poses",
 //    "keep_models", "sum"}
 //   {"do": {operation as in a layout}, "settle": {rules, and what is not default}, "state": hash,
-//    "models", "poses", "sum"} (or "do": [operations of one step])
+//    "models", "poses", "sum"} (or "do": [operations of one step]; none: mended, poses tell all)
 //   {"undo": true, "state", "sum"}, {"redo": true, "state", "sum"}, {"saved": file, "sum"}
 //
 // "state" is of the objects that the line changed (of the whole scene in the first line), "sum" of

@@ -185,10 +185,11 @@ JournalRecord read_record(const JsonPlace& place) {
     else
       for (const JsonPlace& item : operation->items())
         record.operations.push_back(read_operation(item));
-    if (record.operations.empty()) operation->refuse("an operation or several");
     record.settle = read_settle(place.at("settle"));
     if (const auto models = place.find("models")) record.models = read_models(*models);
     if (const auto poses = place.find("poses")) record.poses = read_poses(*poses);
+    if (record.operations.empty() && !record.poses)
+      operation->refuse("an operation or several, or \"poses\"");
   } else {
     const bool undo = place.find("undo").has_value();
     place.expect_object({undo ? "undo" : "redo", "state"}, {});

@@ -9,6 +9,7 @@
 #include "ops/files/report/scene_file.h"
 #include "ops/placement/clearance.h"
 #include "ops/session/journal.h"
+#include "ops/session/others.h"
 #include "ops/session/recorded_sources.h"
 #include "ops/session/start.h"
 
@@ -137,12 +138,19 @@ bool Restoring::step_over(const JournalRecord& record) {
 bool Restoring::repeat_as_recorded(const JournalRecord& record) {
   if (record.kind != JournalRecord::Kind::Step) return step_over(record);
   if (!record.poses) return false;
-  m_opened.session.repeat(record.operations, record.settle, *record.poses);
+  if (record.operations.empty())
+    m_opened.session.place("move", *record.poses, record.settle);
+  else
+    m_opened.session.repeat(record.operations, record.settle, *record.poses);
   return true;
 }
 
 bool Restoring::perform(const JournalRecord& record) {
   try {
+    if (record.operations.empty()) {
+      m_opened.session.place("move", *record.poses, record.settle);
+      return true;
+    }
     const OperationResult result =
         m_opened.session.perform_all(record.operations, record.settle, m_options.context);
     m_why = result.refusal ? sentence_of(*result.refusal) : Sentence();
@@ -197,7 +205,8 @@ OpenedSession copy_of(const OpenedSession& opened, const ImportLimits& limits) {
           opened.model_folder,
           opened.clearance,
           {},
-          opened.rules};
+          opened.rules,
+          opened.others ? std::make_shared<OthersScene>(*opened.others) : nullptr};
 }
 
 RestoredSession restore_session(const std::string& journal, const RunOptions& options,

@@ -1,6 +1,7 @@
 // Sessions from files: opened from a layout or a scene, restored from a journal, saved.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 
 namespace trivet {
 
+class OthersScene;
+
 struct OpenedSession {
   Session session;
   std::string start_file;       // layout or scene
@@ -17,6 +20,7 @@ struct OpenedSession {
   double clearance = 0;         // that a scene file was settled with; 0: the default
   std::vector<Sentence> notes;  // refused operations of a layout, what a scene file lost
   SettleRules rules = {};       // that hold: those asked for, else the file's, else the defaults
+  std::shared_ptr<OthersScene> others = {};  // of a scene of another program; see others.h
 };
 
 struct NewJournal {

@@ -127,6 +127,16 @@ void Session::repeat(const std::vector<Operation>& operations, const SettleOptio
   });
 }
 
+void Session::place(const std::string& name, const RecordedPoses& poses,
+                    const SettleOptions& options) {
+  run({name, {}, options, 0}, [&](Transaction& transaction) {
+    repeat_recorded(transaction, {}, poses, options);
+    OperationResult done;
+    done.end = OperationResult::End::Done;
+    return Results{done};
+  });
+}
+
 OperationResult Session::perform_all(const std::vector<Operation>& operations,
                                      const SettleOptions& options, const RunContext& context) {
   const std::vector<Operation> loaded = with_models(operations);
@@ -233,7 +243,11 @@ Layout Session::layout() const {
   for (size_t i = 0; i < m_position; ++i)
     out.operations.insert(out.operations.end(), m_steps[i].operations.begin(),
                           m_steps[i].operations.end());
-  return m_num_forgotten > 0 ? layout_as_it_is(m_scene, out) : out;
+  const bool tells_all =
+      m_num_forgotten == 0 &&
+      std::none_of(m_steps.begin(), m_steps.begin() + static_cast<long>(m_position),
+                   [](const SessionStep& step) { return step.operations.empty(); });
+  return tells_all ? out : layout_as_it_is(m_scene, out);
 }
 
 void Session::mark_saved(const std::string& file) {

@@ -26,7 +26,7 @@ class Transaction;
 /// Operations that are done and undone as one.
 struct SessionStep {
   std::string name;                           // "put \"cup\"", "delete 3 objects"
-  std::vector<Operation> operations;          // one, but for perform_all()
+  std::vector<Operation> operations;          // one, but for perform_all(); none: of place()
   SettleOptions settle;                       // it was done with
   std::uint64_t fingerprint = 0;              // of the objects it changed, as it left them
   std::vector<OperationResult> results = {};  // of the operations, without their steps to watch
@@ -70,6 +70,10 @@ class Session {
   void repeat(const std::vector<Operation>& operations, const SettleOptions& options,
               const RecordedPoses& poses);
 
+  /// A step of poses alone, which no operation tells: a mended scene, a moved joint. @throws Error
+  ///   as perform().
+  void place(const std::string& name, const RecordedPoses& poses, const SettleOptions& options);
+
   /// An interactive move; see ops/operations/live_move.h. While it lives, this session is neither
   /// moved nor are its other non-const functions called, but for finish().
   LiveMove begin_live(const Operation& operation, const SettleOptions& options = {},
@@ -95,7 +99,7 @@ class Session {
   size_t num_forgotten() const { return m_num_forgotten; }
 
   /// Layout that gives this scene: the first one and the operations done since; once steps were
-  /// forgotten, the objects in their poses.
+  /// forgotten, or there are steps of poses alone, the objects in their poses.
   Layout layout() const;
   /// Sets the looks of the layout. This is no step: neither undone nor in the journal.
   void set_looks(SceneLooks looks) { m_layout.looks = std::move(looks); }

@@ -15,6 +15,7 @@ PROBLEM = {"trivet": 1, "objects": [SLAB, {"name": "mug", "model": "mug.obj"}],
            "arrange": {"relations": [{"is": "on", "a": "mug", "b": "slab"}]}}
 OPERATIONS = '{"op": "push", "object": "mug", "direction": [1, 0], "distance": 0.1}\n{"query": "mug"}\n'
 
+REQUESTS = '{"jsonrpc": "2.0", "id": 1, "method": "tools/list"}\n'
 
 KITCHEN = """<mujoco><worldbody>
   <geom type="plane" size="1 1 1"/>
@@ -98,6 +99,8 @@ class Examples(HelpCase):
         self.write("problem.json", json.dumps(PROBLEM))
         self.write("operations.jsonl", OPERATIONS)
         self.write("kitchen.xml", KITCHEN)
+        self.write("models/mug.obj", self.read("cube.obj"))
+        self.write("requests.jsonl", REQUESTS)
         self.environment = {**os.environ, "PATH": os.path.dirname(PROGRAM) + ":" + os.environ["PATH"],
                             "XDG_CACHE_HOME": self.path("cache")}
         self.trivet("run", "layout.json", "-o", "scene.glb", "--report", "first.json")

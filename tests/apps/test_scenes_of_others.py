@@ -1,7 +1,9 @@
 """Scenes of other programs on the command line: check, settle, mend, joint, intent; hostile files."""
+import base64
 import json
 import os
 import random
+import re
 import time
 import unittest
 from pathlib import Path
@@ -46,6 +48,42 @@ class Checking(ScenesCase):
         self.assertIn('"sunk" and "table"', out)
         self.assertIn("2 mm deep", out)
         self.assertIn("failed: 1 pair interpenetrates, 1 object floats", out)
+
+    def page(self, name):
+        page = self.read(name).decode()
+        self.assertNotIn("://", page)
+        self.assertEqual(page.count("</script>"), 2)
+        return json.loads(re.search(r'id="scene">(.*?)</script>', page, re.S).group(1))
+
+    def test_a_page_marks_the_findings(self):
+        self.trivet("check", "drawer.xml", "--html", "page.html", status=1)
+        data = self.page("page.html")
+        names = [one["name"] for one in data["objects"]]
+        self.assertEqual({name for name, one in zip(names, data["objects"]) if one["highlight"]},
+                         {"sunk", "table", "in the drawer", "drawer"})
+        self.assertEqual(data["verdict"], "drawer.xml: failed")
+        sunk, floats = data["findings"]
+        self.assertIn('"sunk" and "table" interpenetrate, 2 mm deep', sunk["text"])
+        self.assertEqual([names[i] for i in sunk["objects"]], ["sunk", "table"])
+        self.assertIn('"in the drawer" floats, 10 mm above "drawer"', floats["text"])
+        (verdict,) = self.checked("drawer.xml", status=1)
+        at = verdict["findings"][0]["point"]  # the floor is at 0 in the file, and the page's origin its middle
+        self.assertAlmostEqual(sunk["point"][2] - data["floor"], at[2], places=6)
+        mesh = data["meshes"][0]
+        self.assertEqual(len(base64.b64decode(mesh["hull"])), 4 * 2 * 12)
+
+    def test_pages_of_trivets_own_and_of_many(self):
+        self.trivet("run", self.two_cubes(), "-o", "own.glb", "--quiet")
+        self.trivet("check", "own.glb", "--html", "own.html")
+        self.assertEqual(self.page("own.html")["findings"], [])
+        self.trivet("check", "layout.json", "--html", "layout.html")
+        self.assertEqual([one["name"] for one in self.page("layout.html")["objects"]], ["slab", "a", "b"])
+        self.write("good </script>.xml", GOOD.replace('"a"', '"&lt;/script>"'))
+        self.trivet("check", "table.xml", "good </script>.xml", "own.glb", "--html", "pages {}.html", status=1)
+        self.assertEqual([len(self.page("pages %d.html" % k)["findings"]) for k in (1, 2, 3)], [2, 0, 0])
+        self.refused("check", "table.xml", "own.glb", "--html", "page.html", says="a name with {} for the number")
+        self.refused("check", "table.xml", "--html", "table.xml", says="table.xml")
+        self.refused("check", "own.glb", "--html", "own.glb", says="own.glb")
 
     def test_many_files_are_a_table_and_lines_of_json(self):
         for i in range(3):

@@ -1,8 +1,9 @@
 """Live sessions over standard input, their journals, and their bytes."""
 import json
+from pathlib import Path
 
 from live_session import Live, SessionCase
-from program import SLAB, main, put
+from program import SLAB, SOURCE_DIR, main, put
 
 
 class Sessions(SessionCase):
@@ -84,6 +85,54 @@ class Sessions(SessionCase):
         again.ask(save="u.glb")
         self.assertEqual(again.end(), 0)
         self.assertEqual(self.read("u.glb"), self.read("s.glb"))
+
+    def test_mending_is_a_step_that_replays_to_the_same_bits(self):
+        live = Live(self.folder, self.start_layout(), "--journal", "j")
+        live.ask(**put("b", 0.2, 0, 1))
+        live.ask(op="translate", object="b", by=[-0.11, 0, 0], free=True)
+        wrong = live.ask(query="check")
+        self.assertEqual([(f["kind"], f["object"], f["other"]) for f in wrong["findings"]], [("passes through", "a", "b")])
+        mended = live.ask(mend={"tolerance": 0.02})
+        self.assertEqual((mended["status"], mended["done"], mended["unable"]), ("ok", 3, []))
+        self.assertEqual({p["object"] for p in mended["poses"]}, {m["object"] for m in mended["moved"]})
+        self.assertTrue(live.ask(query="check")["ok"])
+        self.assertEqual(live.ask(mend=True)["moved"], [])
+        self.assertEqual(live.ask(undo=True)["state"], wrong["state"])
+        self.assertEqual(live.ask(redo=True)["state"], mended["state"])
+        live.ask(save="s.glb")
+        self.assertEqual(live.end(), 0)
+        self.trivet("replay", "j", "-o", "t.glb")
+        self.assertEqual(self.read("t.glb"), self.read("s.glb"))
+        again = Live(self.folder, "--journal", "j")
+        self.assertEqual(again.start["state"], mended["state"])
+        self.assertEqual(again.ask(settle=True)["moved"], [])
+        for line in ({"mend": {"tolerance": -1}}, {"mend": {"only": ["nobody"]}}, {"mend": 1}, {"settle": {"tolerance": 1}},
+                     {"move_joint": "door", "to": 1}):
+            self.assertEqual(again.ask(**line)["status"], "error", line)
+        self.assertEqual(again.end(), 0)
+
+    def test_a_scene_of_another_program(self):
+        self.write("drawer.xml", (Path(SOURCE_DIR) / "tests/core/io/foreign/cases/drawer.xml").read_bytes())
+        live = Live(self.folder, "drawer.xml")
+        self.assertEqual(len(live.ask(mend=True)["moved"]), 2)
+        joint = live.ask(query="joints")["joints"][0]
+        move = live.ask(move_joint="slide", to="lower")
+        self.assertEqual((move["status"], move["end"], move["carried"]), ("ok", "reached", ["in the drawer"]))
+        self.assertLess(move["value"], joint["value"])
+        self.assertEqual(live.ask(move_joint="slide", by=-1)["end"], "limit")
+        live.ask(undo=True)
+        self.assertEqual(live.ask(query="joints")["joints"][0], joint)
+        live.ask(**put("sunk", 0, 0, 2))  # steps that were undone are forgotten, joints too
+        self.assertEqual(live.ask(query="joints")["joints"][0], joint)
+        for line in ({"move_joint": "slide"}, {"move_joint": "slide", "to": "far"}, {"move_joint": "slide", "to": 0, "by": 0},
+                     {"op": "delete", "object": "sunk"}, {"save": "x.glb"}):
+            answer = live.ask(**line)
+            self.assertEqual(answer["status"], "error", line)
+            self.assertIn("accepted", answer["reason"])
+        self.assertEqual(live.ask(save="x.xml")["modified"], False)
+        self.assertEqual(live.end(), 0)
+        self.trivet("check", "x.xml")
+        self.refused("session", "drawer.xml", "--journal", "j", says="is of another program")
 
     def test_ids_come_back(self):
         live = Live(self.folder, self.start_layout())

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks Trivet's scenes in third-party programs.
-#   run.sh validator|three|usd|blender TRIVET WORK_FOLDER
+#   run.sh validator|three|usd|blender|agent TRIVET WORK_FOLDER
 #   run.sh mujoco|mujoco2|rapier|jolt|bullet TRIVET WORK_FOLDER some|all [PROGRAMS_FOLDER]
 # Generates models with every supported feature, lays them out with TRIVET, and BREAKFAST too; then
 # opens the scenes. Status 77: the third-party program is missing.
@@ -23,8 +23,8 @@ else
 fi
 
 # Modules are resolved relative to the scripts.
-install_modules() {
-  cp "$here"/package*.json "$here"/*.mjs "$work"
+install_modules() {  # FOLDER, of the packages and the scripts
+  cp "$1"/package*.json "$1"/*.mjs "$work"
   (cd "$work" && npm ci --no-audit --no-fund --ignore-scripts > npm.log 2>&1) ||
     { cat "$work/npm.log"; skip "the packages of package.json cannot be had"; }
 }
@@ -32,9 +32,17 @@ install_modules() {
 rm -rf "$work"
 mkdir -p "$work"
 if [ "$job" = usd ]; then
-  install_modules
+  install_modules "$here"
   TRIVET_PROGRAM="$trivet" TRIVET_NODE_MODULES="$work/node_modules" \
     python3 -B "$here/../apps/test_export.py" Usd
+  exit
+fi
+# An agent with the official client of the Model Context Protocol.
+if [ "$job" = agent ]; then
+  install_modules "$here/agent"
+  "$trivet" demo breakfast -o "$work/breakfast.glb" --export "$work/models" --quiet
+  node "$work/agent.mjs" "$trivet" "$work/models"
+  "$trivet" check "$work/models/laid by an agent.glb" --quiet
   exit
 fi
 # Engines: the small demos, or all with "all" behind the job, and then the folder of programs in C++.
@@ -45,7 +53,7 @@ case "$job" in
     case "$job" in
       bullet | mujoco2)
         [ -x "$programs/${job}_rest" ] || skip "no ${job}_rest was built (Debian: libbullet-dev, libmujoco-dev)" ;;
-      *) install_modules ;;
+      *) install_modules "$here" ;;
     esac
     python3 -B "$here/simulators/matrix.py" --trivet "$trivet" --work "$work" --engines "$job" --bars \
       --seconds "$seconds" ${demos:+--demos "$demos"} --programs "$programs"
@@ -75,7 +83,7 @@ if [ "$job" = blender ]; then
   exit 0
 fi
 
-install_modules
+install_modules "$here"
 cd "$work"
 case "$job" in
   validator) node validate.mjs scene.glb scene.gltf put.glb breakfast.glb film.glb ;;

@@ -11,7 +11,8 @@
 # editor:     the steps of its tutorial by mouse and keys, in a bare Debian with Xvfb
 # dev:        a project built in a bare Debian with libtrivet-dev, and run with the shared library alone
 # wheel:      in a Debian with Python and NumPy only
-# blender:    the extension in a Debian with Blender, by the program of the package trivet alone, then by python3-trivet
+# blender:    the extension in a Debian with Blender, by the program of the package trivet alone, then by python3-trivet; in
+#             the next Debian's, by the program of the tarball
 # tarball:    in bare Debians, this one and the next
 # image, squashfs: unpacked or mounted, as the user of the image
 #
@@ -213,7 +214,7 @@ test_wheel() {
 }
 
 test_blender() {
-  need_tools
+  need_tools zstd
   bare_root blender bookworm blender
   rm -rf "$work/job"
   mkdir -p "$work/job"
@@ -222,7 +223,7 @@ test_blender() {
   ONLINE=1 in_root "$roots/blender" "$work/job" "
     export DEBIAN_FRONTEND=noninteractive
     try() { blender -b --factory-startup --python-exit-code 9 -P use_blender.py -- addon.zip \$1 >\$1.log 2>&1 ||
-      { tail -n 20 \$1.log; exit 1; }; grep -E '^(backend|put):' \$1.log; }
+      { tail -n 20 \$1.log; exit 1; }; grep -E '^(Blender|backend|put|operators):' \$1.log; }
     apt-get update -q >/dev/null
     apt-get install -q -y --no-install-recommends /job/trivet_*.deb >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
     if (try PROGRAM) >without.log || ! grep -q 'apt install python3-numpy' without.log; then
@@ -233,6 +234,14 @@ test_blender() {
     try PROGRAM
     apt-get install -q -y --no-install-recommends /job/python3-trivet_*.deb >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
     try MODULE" || fail "the extension in Blender"
+  # The next Debian's Blender takes it as an extension; its Python is another one, so that the program works.
+  bare_root blender-next trixie blender,python3-numpy
+  tar -C "$work/job" -xf "$(made_file 'trivet-*-linux-*.tar.zst')"
+  in_root "$roots/blender-next" "$work/job" "
+    ln -s /job/trivet-*/bin/trivet /usr/local/bin/trivet
+    blender -b --factory-startup --python-exit-code 9 -P use_blender.py -- addon.zip PROGRAM >next.log 2>&1 ||
+      { tail -n 20 next.log; exit 1; }
+    grep -E '^(Blender|backend|put|operators):' next.log" || fail "the extension in the next Debian's Blender"
 }
 
 test_tarball() {

@@ -43,7 +43,7 @@ class Foreign {
       const SettledScene out =
           settle_scene(m_opened.judged.scene, how(options, only, lift, seconds, 0));
       keep(out);
-      return settled_json(m_opened, out).dump();
+      return settled_json(m_opened.judged.scene, m_opened.judged.lift, out).dump();
     });
   }
   std::string mend(const std::vector<std::string>& only, double tolerance, double seconds) {
@@ -51,7 +51,7 @@ class Foreign {
       const MendOptions with = how(options, only, MendOptions().most_lift, seconds, tolerance);
       const MendedScene out = mend_scene(m_opened.judged.scene, with);
       keep(out);
-      return mended_json(m_opened, out).dump();
+      return mended_json(m_opened.judged.scene, m_opened.judged.lift, out).dump();
     });
   }
   std::string joints() {
@@ -66,7 +66,7 @@ class Foreign {
       const OperationRun operation(options.settle, options.context);
       const JointMove move = move_joint_of(m_opened, joint, to, operation, m_poses);
       m_moved[name] = joint;
-      return joint_move_json(m_opened, joint, move).dump();
+      return joint_move_json(m_opened.judged.scene, m_opened.judged.lift, joint, move).dump();
     });
   }
   py::dict poses() const {

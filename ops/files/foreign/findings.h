@@ -45,6 +45,8 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& options, LayoutRun* ru
 /// The same of a scene that was checked already. @param lift  as JudgedScene has it.
 SceneVerdict verdict_of(const LayoutRun& run, double lift);
 
+/// One finding: "\"cup\" and \"table\" interpenetrate, 2 mm deep at ...".
+std::string finding_text(const SceneFinding& finding);
 /// Some lines for one scene, the last the verdict.
 std::string verdict_text(const SceneVerdict& verdict);
 /// A table of many scenes and their sum.

@@ -137,6 +137,14 @@ std::string row_text(const SceneVerdict& v, size_t width) {
 
 }  // namespace
 
+std::string finding_text(const SceneFinding& f) {
+  const bool pair = f.kind == Kind::PassesThrough;
+  const bool verb = f.kind == Kind::Floats;
+  return subject_text(f) +
+         (pair ? " interpenetrate" : (verb ? " " : " is ") + std::string(to_string(f.kind))) +
+         ", " + detail_text(f);
+}
+
 std::string verdict_text(const SceneVerdict& v) {
   if (!v.error.empty()) return in_english(v.error) + "\n";
   std::ostringstream out;

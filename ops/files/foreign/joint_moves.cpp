@@ -1,6 +1,7 @@
 #include "ops/files/foreign/joint_moves.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/bad_input.h"
 #include "core/base/quoted.h"
@@ -51,13 +52,21 @@ SceneJoint& joint_named(OpenedScene& opened, const std::string& name) {
            known.empty() ? std::string("none, it has no slides and hinges") : known);
 }
 
+double limit_of(const JointToMove& joint, bool upper) {
+  const double limit = upper ? joint.upper : joint.lower;
+  if (std::isfinite(limit)) return limit;
+  bad_input("%1: the joint has no %2 limit; accepted: a number", trivet::quoted(joint.name),
+            upper ? "upper" : "lower");
+}
+
 JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,
                         NewPoses& poses) {
   Scene driven = with_moving_links(opened.judged);
   update_contacts(driven, run.options.clearance, run.options);
   const Pose from = driven.at(joint.links[0]).pose;
-  const JointMove out = move_joint(driven, joint, to, run);
-  for (const std::vector<ObjectId>* ids : {&std::as_const(joint.links), &out.carried})
+  JointMove out = move_joint(driven, joint, to, run);
+  for (const std::vector<ObjectId>* ids :
+       {&std::as_const(joint.links), &std::as_const(out.carried)})
     for (const ObjectId id : *ids) {
       poses[id] = driven.at(id).pose;
       edit_object(opened.judged.scene, id, [&](Object& o) { o.pose = poses[id]; });

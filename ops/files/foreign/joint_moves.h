@@ -8,6 +8,11 @@ namespace trivet {
 /// @throws Error (BadInput) naming the joints that there are.
 SceneJoint& joint_named(OpenedScene& opened, const std::string& name);
 
+inline constexpr double kMaxJointValue = 1e6;  // metres or degrees that a user may ask for
+
+/// @throws Error (BadInput): the joint has no such limit.
+double limit_of(const JointToMove& joint, bool upper);
+
 /// Moves a joint as move_joint() does. Links that joints hold meet each other and all else, but for
 /// what they hang in. The scene, its joints and `poses` follow.
 JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,

@@ -7,8 +7,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json point_json(const OpenedScene& opened, Vec3 point) {
-  point.z() -= opened.judged.lift;
+Json point_json(double lift, Vec3 point) {
+  point.z() -= lift;
   return {point.x(), point.y(), point.z()};
 }
 
@@ -28,13 +28,12 @@ const char* end_text(JointMove::End end) {
 
 }  // namespace
 
-Json settled_json(const OpenedScene& opened, const SettledScene& settled) {
-  const Scene& scene = opened.judged.scene;
+Json settled_json(const Scene& scene, double lift, const SettledScene& settled) {
   Json json = {{"moved", Json::array()}, {"unable", Json::array()}};
   for (const SettledObject& o : settled.moved)
     json["moved"].push_back({{"object", scene.at(o.id).name},
-                             {"from", point_json(opened, o.from.translation)},
-                             {"to", point_json(opened, o.to.translation)},
+                             {"from", point_json(lift, o.from.translation)},
+                             {"to", point_json(lift, o.to.translation)},
                              {"metres", o.moved},
                              {"degrees", o.turned_deg}});
   for (const UnsettledObject& o : settled.unable)
@@ -42,8 +41,8 @@ Json settled_json(const OpenedScene& opened, const SettledScene& settled) {
   return json;
 }
 
-Json mended_json(const OpenedScene& opened, const MendedScene& mended) {
-  Json json = settled_json(opened, mended);
+Json mended_json(const Scene& scene, double lift, const MendedScene& mended) {
+  Json json = settled_json(scene, lift, mended);
   json["tolerance"] = mended.tolerance;
   json["supports_meant"] = mended.num_meant;
   json["supports_kept"] = mended.num_kept;
@@ -79,13 +78,13 @@ Json joint_json(const Scene& scene, const JointToMove& joint) {
           {"links", links}};
 }
 
-Json joint_move_json(const OpenedScene& opened, const JointToMove& joint, const JointMove& move) {
-  const Scene& scene = opened.judged.scene;
+Json joint_move_json(const Scene& scene, double lift, const JointToMove& joint,
+                     const JointMove& move) {
   Json json = joint_json(scene, joint);
   json["end"] = end_text(move.end);
   if (move.end == JointMove::End::Blocked) {
     json["blocked_by"] = named(scene, move.blocker).name;
-    json["blocked_at"] = point_json(opened, move.point);
+    json["blocked_at"] = point_json(lift, move.point);
   }
   json["carried"] = Json::array();
   for (const ObjectId id : move.carried) json["carried"].push_back(scene.at(id).name);

@@ -96,6 +96,8 @@ def prepare(folder, page):
     (folder / "recipe.json").write_text(json.dumps(small_recipe()))
     if page == "guide/in-place.md":
         write_foreign_room(folder / "room.glb")
+    if page == "guide/sessions.md":
+        shutil.copy(CASES / "drawer.xml", "kitchen.xml")
     if page == "guide/scenes-of-others.md":
         for name in ("robot.urdf", "world.sdf"):
             program("export", "breakfast.glb", "-o", name)
