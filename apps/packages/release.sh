@@ -27,7 +27,7 @@ notes() {
     index($0, "## ") == 1 { inside = index($0 " ", start " ") == 1; next }
     inside' CHANGELOG.md)"
   [ -n "${text//[[:space:]]/}" ] || fail "CHANGELOG.md has no section \"## $version\""
-  printf '# Trivet %s\n\n%s\n' "$version" "$text"
+  printf '# Trivet %s\n%s\n' "$version" "$text"
 }
 
 output="" build="$source_dir/build/package" with_tests=1 how=()
