@@ -45,7 +45,7 @@ class LinearProgram {
   /// of several solutions may be found.
   Solution solve_by_dual(bool scale) const;
 
-  /// A solution as ProgramMemory keeps it.
+  /// A solution, and where it ended. @see ProgramMemory.
   struct Answer {
     Solution solution;
     Basis basis;  // the final one; empty where there is no solution
