@@ -16,7 +16,8 @@ GLIBC = r"(ld-linux.*|lib(c|m|dl|pthread|rt|resolv|util|anl|mvec|nsl))\.so\."
 DRIVER = r"lib(EGL|GL|GLX|GLdispatch|OpenGL|GLES.*|gbm|drm.*|glapi|LLVM.*)\.so"
 COMPILER = r"lib(stdc\+\+|gcc_s)\.so\."
 # A header of each library that is compiled in; not every program has all of them.
-COMPILED_IN = ("eigen3/Eigen/Core", "nlohmann/json.hpp", "CLI/CLI.hpp", "pybind11/pybind11.h", "boost/version.hpp")
+COMPILED_IN = ("eigen3/Eigen/Core", "nlohmann/json.hpp", "CLI/CLI.hpp", "pybind11/pybind11.h", "boost/version.hpp",
+               "stb/stb_image.h")
 
 
 def run(*command: object) -> str:

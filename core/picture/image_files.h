@@ -33,8 +33,9 @@ inline constexpr std::int64_t kMaxFloatImagePixels = std::int64_t{1} << 26;
 /// @throws Error: BadInput for what is no such image; Environment in a build without OpenEXR.
 FloatImage decode_exr(const std::string& bytes);
 
-/// A Radiance file (.hdr) of RGBE, rows from above, packed or not; its EXPOSURE is taken back.
-/// Untrusted: bounded in size. @throws Error (BadInput) for what is no such image.
+/// A Radiance file (.hdr) of RGBE, rows from above, packed by channel or not packed; its EXPOSURE
+/// is taken back. Untrusted: bounded in size.
+/// @throws Error: BadInput for what is no such image; Environment in a build without stb_image.
 FloatImage decode_hdr(const std::string& bytes);
 /// Either of the two, by its first bytes. @throws Error as they do.
 FloatImage decode_float_image(const std::string& bytes);

@@ -36,9 +36,10 @@ void set_batch(const GlProgram& program, const ZListBatch& batch, std::uint32_t 
   glUniform1i(program.uniform("nearest"), 1);
 }
 
-void read(std::size_t first, void* to, std::size_t bytes) {
-  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(first),
-                     static_cast<GLsizeiptr>(bytes), to);
+/// Copies on the device.
+void copy(GLenum from, std::size_t at_from, GLenum to, std::size_t at_to, std::size_t bytes) {
+  glCopyBufferSubData(from, to, static_cast<GLintptr>(at_from), static_cast<GLintptr>(at_to),
+                      static_cast<GLsizeiptr>(bytes));
 }
 
 /// As in the shaders: nothing is listed.
@@ -74,7 +75,11 @@ std::vector<ZLists> bounds_of(const ZListBatch& batch, const char* layers) {
 GlBuffer make_storage(std::size_t bytes) {
   GlBuffer buffer = GlBuffer::create();
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.id());
-  glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  const auto size = static_cast<GLsizeiptr>(bytes);
+  if (epoxy_gl_version() >= 44)
+    glBufferStorage(GL_SHADER_STORAGE_BUFFER, size, nullptr, 0);
+  else
+    glBufferData(GL_SHADER_STORAGE_BUFFER, size, nullptr, GL_STATIC_COPY);
   check_gl("making room for z-lists");
   return buffer;
 }
@@ -85,6 +90,8 @@ ZListPasses::ZListPasses(Depths depths, std::uint32_t max_entries)
       m_results(make_storage(num_bytes() - kLargeBytes)),
       m_large(make_storage(kLargeBytes)),
       m_instances(GlBuffer::create()),
+      m_sent(GlBuffer::create()),
+      m_received(GlBuffer::create()),
       m_reduction("z-list reduction", {{GL_COMPUTE_SHADER, zlist_shaders::reduction(depths)}}) {}
 
 std::size_t ZListPasses::num_bytes() const {
@@ -114,8 +121,11 @@ void ZListPasses::start(const ZListBatch& batch) {
   std::vector<char> head(kAlignment + layer_bytes);
   std::memcpy(head.data(), &kNothingCounted, sizeof kNothingCounted);
   std::memcpy(head.data() + kAlignment, batch.layers.data(), layer_bytes);
+  glBindBuffer(GL_COPY_READ_BUFFER, m_sent.id());
+  glBufferData(GL_COPY_READ_BUFFER, static_cast<GLsizeiptr>(head.size()), head.data(),
+               GL_STREAM_DRAW);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_results.id());
-  glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(head.size()), head.data());
+  copy(GL_COPY_READ_BUFFER, 0, GL_SHADER_STORAGE_BUFFER, 0, head.size());
   bind_range(3, m_results, 0, sizeof(glsl::Counters));
   bind_range(4, m_results, first_entry(batch), m_max_entries * sizeof(ZListEntry));
   bind_range(5, m_large, 0, kLargeBytes);
@@ -147,10 +157,12 @@ void ZListPasses::run_job(const GlProgram& program, const ZListJob& job) {
   glUniform1ui(program.uniform("group_per_face"), 1);
   glDispatchComputeIndirect(offsetof(glsl::Counters, large_groups));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  const std::uint32_t none = 0;
+  // The next job has no large faces yet: as at the start.
+  constexpr std::size_t kFirst = offsetof(glsl::Counters, num_large);
+  constexpr std::size_t kEnd = offsetof(glsl::Counters, large_groups) + sizeof(std::uint32_t);
+  glBindBuffer(GL_COPY_READ_BUFFER, m_sent.id());
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_results.id());
-  glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, offsetof(glsl::Counters, num_large), 8,
-                       GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
+  copy(GL_COPY_READ_BUFFER, kFirst, GL_SHADER_STORAGE_BUFFER, kFirst, kEnd - kFirst);
 }
 
 void ZListPasses::over_pixels(const GlProgram& program, const ZListBatch& batch) {
@@ -178,9 +190,18 @@ std::vector<ZLists> ZListPasses::finish(const ZListBatch& batch, ZListOutput out
   return read_back(batch);
 }
 
+// By a small buffer of its own, so that a driver need not move the results to where it can read
+// them.
+void ZListPasses::read(std::size_t first, void* to, std::size_t bytes) {
+  glBindBuffer(GL_COPY_READ_BUFFER, m_results.id());
+  glBindBuffer(GL_COPY_WRITE_BUFFER, m_received.id());
+  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
+  copy(GL_COPY_READ_BUFFER, first, GL_COPY_WRITE_BUFFER, 0, bytes);
+  glGetBufferSubData(GL_COPY_WRITE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), to);
+}
+
 std::vector<ZLists> ZListPasses::read_back(const ZListBatch& batch) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_results.id());
   const std::size_t entries_at = first_entry(batch);
   const std::uint32_t num_first = std::min(kFirstEntries, m_max_entries);
   std::vector<char> head(entries_at + num_first * sizeof(ZListEntry));

@@ -33,6 +33,7 @@ class ZListPasses {
 
  private:
   std::vector<ZLists> read_back(const ZListBatch& batch);
+  void read(std::size_t first, void* to, std::size_t bytes);
   const GlProgram& program(Motion::Kind kind, zlist_shaders::Pass pass);
   void run_job(const GlProgram& program, const ZListJob& job);
   void over_pixels(const GlProgram& program, const ZListBatch& batch);
@@ -42,12 +43,13 @@ class ZListPasses {
   std::uint32_t m_max_entries;
   GlBuffer m_results;  // counters, layers, entries
   GlBuffer m_large, m_instances;
+  GlBuffer m_sent, m_received;  // copies of parts of the results, for the processor
   GlProgram m_reduction;
   std::optional<GlProgram> m_upper_bounds;  // made when first needed
   std::map<std::pair<Motion::Kind, zlist_shaders::Pass>, GlProgram> m_programs;
 };
 
-/// A buffer for shaders to write.
+/// A buffer for shaders to write, which the processor does not reach: drivers keep it on the card.
 GlBuffer make_storage(std::size_t bytes);
 
 }  // namespace trivet

@@ -20,9 +20,10 @@ std::vector<PlacedBody> placed_bodies(const SimulationScene& scene) {
   for (const SimulationBody& body : scene.bodies) {
     PlacedBody& placed = out.emplace_back();
     placed.body = &body;
-    const Affine world_from_link = world_from_object(body.world_from_link, UpAxis::Z, 1);
-    for (const ConvexPart& part : scene.models[body.model].parts) {
-      placed.parts.emplace_back(part, world_from_link);
+    const SimulationModel& model = scene.models[body.model];
+    const Affine world_from_part = world_from_object(body.world_from_link, UpAxis::Z, model.scale);
+    for (const ConvexPart& part : model.parts) {
+      placed.parts.emplace_back(part, world_from_part);
       placed.box.extend(placed.parts.back().box);
     }
   }

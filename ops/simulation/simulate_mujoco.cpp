@@ -115,7 +115,8 @@ SimulatedObject moved_between(const SimulationModel& model, const std::string& n
   SimulatedObject out{name};
   for (const ConvexPart& part : model.parts)
     for (const Vec3& v : part.vertices)
-      out.moved = std::max(out.moved, (to.apply(v) - from.apply(v)).norm());
+      out.moved =
+          std::max(out.moved, (to.apply(model.scale * v) - from.apply(model.scale * v)).norm());
   const double cosine = ((to.linear * from.linear.transpose()).trace() - 1) / 2;
   out.turned_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / 3.14159265358979323846;
   return out;

@@ -133,21 +133,27 @@ class SceneMaker {
     return it->second;
   }
 
+  static Affine link_axes(const Object& object, double scale) {
+    Affine out = world_from_object({}, object.up, scale);
+    out.translation = -out.apply(export_centre(object.model.get(), object.shape->box));
+    return out;
+  }
+
   void add_model(const Object& object) {
     SimulationModel model;
     model.name = std::filesystem::path(object.model->path).stem().string();
     model.model = object.model;
-    model.link_from_object = world_from_object({}, object.up, object.scale);
-    const Vec3 shift =
-        model.link_from_object.apply(export_centre(object.model.get(), object.shape->box));
-    model.link_from_object.translation = -shift;
+    model.scale = m_options.files.for_many_scenes ? object.scale : 1;
+    model.link_from_object = link_axes(object, object.scale);
+    model.file_from_object = link_axes(object, object.scale / model.scale);
     model.look = simulation_look(object.model);
     if (model.look)
       m_out.notes.insert(m_out.notes.end(), model.look->left_out.begin(),
                          model.look->left_out.end());
-    m_shifts.push_back(shift);
+    m_shifts.push_back(-model.link_from_object.translation);
     m_shapes.push_back(object.shape.get());
     m_scales.push_back(object.scale);
+    m_unscaled.push_back(link_axes(object, 1));
     m_memos.push_back(m_options.cache ? m_options.cache->of(object) : nullptr);
     m_out.scene.models.push_back(std::move(model));
   }
@@ -167,10 +173,11 @@ class SceneMaker {
     };
   }
 
-  void set_parts(SimulationModel& model, std::vector<ConvexPart> parts) const {
-    for (ConvexPart& part : parts)
-      model.parts.push_back(m_options.hull_clearance > 0 ? shrunk(part, m_options.hull_clearance)
-                                                         : std::move(part));
+  /// @param unit  of the parts given, metres.
+  void set_parts(SimulationModel& model, std::vector<ConvexPart> parts, double unit) const {
+    const double clearance = m_options.hull_clearance / model.scale;
+    for (ConvexPart& part : scaled(std::move(parts), unit / model.scale))
+      model.parts.push_back(clearance > 0 ? shrunk(part, clearance) : std::move(part));
   }
 
   void add_parts() {
@@ -180,7 +187,7 @@ class SceneMaker {
                                        m_shapes[i]->adjacency, part_rule(m_options.collision));
       for (const Sentence& note : parts.notes)
         m_out.notes.push_back(say("\"%1\": %2", model.model->path, note));
-      set_parts(model, std::move(parts.parts));
+      set_parts(model, std::move(parts.parts), 1);
     }
   }
 
@@ -188,11 +195,8 @@ class SceneMaker {
     std::vector<SimulationModel>& models = m_out.scene.models;
     // In units of the files: hulls are the same then whatever the scale is.
     std::vector<Mesh> meshes;
-    for (size_t i = 0; i < models.size(); ++i) {
-      Affine unscaled = models[i].link_from_object;
-      unscaled.linear /= m_scales[i], unscaled.translation /= m_scales[i];
-      meshes.push_back(in_frame(m_shapes[i]->mesh, unscaled));
-    }
+    for (size_t i = 0; i < models.size(); ++i)
+      meshes.push_back(in_frame(m_shapes[i]->mesh, m_unscaled[i]));
     std::vector<HullTree> trees;
     trees.reserve(models.size());
     for (size_t i = 0; i < models.size(); ++i)
@@ -204,8 +208,7 @@ class SceneMaker {
                         world_from_object(body.world_from_link, UpAxis::Z, m_scales[body.model]),
                         m_scales[body.model], body.fixed});
     fit_parts(trees, bodies, m_out.scene.floor, closest_fit());
-    for (size_t i = 0; i < models.size(); ++i)
-      set_parts(models[i], scaled(trees[i].parts(), m_scales[i]));
+    for (size_t i = 0; i < models.size(); ++i) set_parts(models[i], trees[i].parts(), m_scales[i]);
   }
 
   const Scene& m_scene;
@@ -216,6 +219,7 @@ class SceneMaker {
   std::vector<const Shape*> m_shapes;              // of the models
   std::vector<std::shared_ptr<HullMemo>> m_memos;  // the same; null without a cache
   std::vector<double> m_scales;                    // of the models, metres per unit
+  std::vector<Affine> m_unscaled;                  // of the models: axes of the link, their unit
   std::vector<double> m_sizes;                     // of the bodies
 };
 

@@ -30,37 +30,38 @@ Lamps::Lamp Lamps::key_lamp(const PictureLook& look, const PictureLights& lights
   out.radius = static_cast<float>(std::tan(kKeyRadiusDeg * std::numbers::pi / 180));
   out.distance = kFarLamp;
   out.irradiance = lights.key_irradiance().cwiseProduct(look.key_colour).cast<float>();
-  out.share = 1;
+  return out;
+}
+
+Lamps::Lamp Lamps::look_lamp(const PictureLamp& lamp, double key, const PictureFrame& frame) {
+  Lamp out{};
+  out.kind = lamp.kind;
+  out.facing = lamp.towards.normalized().cast<float>();
+  out.side = tangents(out.facing);
+  const bool is_far = lamp.kind == PictureLamp::Kind::Sun;
+  out.distance = is_far ? kFarLamp : static_cast<float>(lamp.distance * frame.scale);
+  out.at = is_far ? out.facing : Vec3f(out.facing * out.distance);
+  out.radius = static_cast<float>(is_far ? std::tan(std::min(lamp.size, 1.5) / 2)
+                                         : lamp.size * frame.scale / 2);
+  out.irradiance = (key * lamp.colour).cast<float>();
   return out;
 }
 
 Lamps::Lamps(const PictureLook& look, const PictureLights& lights, const PictureFrame& frame) {
-  if (look.lamps.empty()) {
-    m_lamps.push_back(key_lamp(look, lights));
-    return;
-  }
   const double key = lights.key_irradiance().mean();
-  float total = 0;
-  for (const PictureLamp& lamp : look.lamps) {
-    Lamp one{};
-    one.kind = lamp.kind;
-    one.facing = lamp.towards.normalized().cast<float>();
-    one.side = tangents(one.facing);
-    const bool is_far = lamp.kind == PictureLamp::Kind::Sun;
-    one.distance = is_far ? kFarLamp : static_cast<float>(lamp.distance * frame.scale);
-    one.at = is_far ? one.facing : Vec3f(one.facing * one.distance);
-    one.radius = static_cast<float>(is_far ? std::tan(std::min(lamp.size, 1.5) / 2)
-                                           : lamp.size * frame.scale / 2);
-    one.irradiance = (key * lamp.colour).cast<float>();
-    one.share = luminance(one.irradiance);
-    total += one.share;
-    m_lamps.push_back(one);
-  }
-  // Weak lamps may be near what is seen: each has a part of the rays.
+  for (const PictureLamp& lamp : look.lamps) m_lamps.push_back(look_lamp(lamp, key, frame));
+  if (look.key_beside || (m_lamps.empty() && !look.environment))
+    m_lamps.push_back(key_lamp(look, lights));
+  for (const Lamp& lamp : m_lamps) m_irradiance += luminance(lamp.irradiance);
+  if (m_lamps.size() > 1) share_out();
+}
+
+// Weak lamps may be near what is seen: each has a part of the rays.
+void Lamps::share_out() {
   const float even = 1 / static_cast<float>(m_lamps.size());
   float before = 0;
   for (Lamp& lamp : m_lamps) {
-    const float share = total > 0 ? lamp.share / total : even;
+    const float share = m_irradiance > 0 ? luminance(lamp.irradiance) / m_irradiance : even;
     lamp.share = kLeastLampShare * even + (1 - kLeastLampShare) * share;
     lamp.before = before, before += lamp.share;
   }

@@ -20,10 +20,12 @@ struct LampLight {
 
 class Lamps {
  public:
-  /// The look's lamps, or the studio's key light where it has none.
+  /// The look's lamps, and the studio's key light where there is no other light or it is beside.
   Lamps(const PictureLook& look, const PictureLights& lights, const PictureFrame& frame);
 
-  /// @param point  picture frame. @param u  of one ray.
+  /// On a surface that faces each, in the middle of the scene; 0: an environment lights alone.
+  float irradiance() const { return m_irradiance; }
+  /// @param point  picture frame. @param u  of one ray. Not without lamps.
   LampLight towards(const Vec3f& point, Sampler::Pair u) const;
 
  private:
@@ -32,14 +34,17 @@ class Lamps {
     Vec3f at;      // its middle; of a sun the direction towards it
     Vec3f facing;  // from the middle of the scene towards it, unit
     Tangents side;
-    float radius, distance;  // of a sun the radius is a tangent
-    Vec3f irradiance;        // in the middle of the scene
-    float share, before;     // of the chance
+    float radius, distance;       // of a sun the radius is a tangent
+    Vec3f irradiance;             // in the middle of the scene
+    float share = 1, before = 0;  // of the chance
   };
   static Lamp key_lamp(const PictureLook& look, const PictureLights& lights);
+  static Lamp look_lamp(const PictureLamp& lamp, double key, const PictureFrame& frame);
+  void share_out();
   static LampLight light_of(const Lamp& lamp, const Vec3f& point, Sampler::Pair u);
 
   std::vector<Lamp> m_lamps;
+  float m_irradiance = 0;  // luminance of the sum
 };
 
 }  // namespace trivet

@@ -39,12 +39,14 @@ struct PictureLamp {
 
 /// Light, floor and camera of a picture, relative to those of the studio.
 struct PictureLook {
-  std::vector<PictureLamp> lamps;  // instead of the key light; none: that one
+  std::vector<PictureLamp> lamps;  // instead of the key light; none, and no environment: that one
+  bool key_beside = false;         // the key light shines beside lamps or an environment, too
   std::optional<Vec3> key;  // towards the key light, world; none: behind the viewer, to the left
   Vec3 key_colour = Vec3::Ones(), sky_colour = Vec3::Ones();   // times the studio's, linear RGB
   Vec3 floor_colour = Vec3::Constant(0.62);                    // linear RGB
   std::array<float, 4> background{0.92f, 0.93f, 0.95f, 1.0f};  // sRGB and alpha
-  // Light and background instead of key light and sky; radiance is times environment_strength.
+  // Light and background instead of key light and sky, beside the lamps; radiance is times
+  // environment_strength.
   std::shared_ptr<const EnvironmentMap> environment;
   double environment_strength = 1;
   Vec2 environment_turn = {1, 0};  // cosine and sine of its turn about z

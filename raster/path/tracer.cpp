@@ -15,6 +15,7 @@ constexpr float kFromNeighbours = 0.45f;            // share of the sky's light 
 constexpr float kBelowTolerance = 2e-4f;            // objects up to this below the floor hide it
 constexpr double kFadeBegin = 1.0, kFadeEnd = 3.2;  // of the floor, in radii of the scene
 constexpr int kSkyViews = 256;                      // that the lights' brightness is fitted to
+constexpr float kLeastLightShare = 0.1f;            // of rays to lights: environment, lamps
 constexpr float kKeep = 1.5f;                       // paths of this inverse weight go on
 constexpr int kMaxThrough = 24;                     // see-through surfaces of a path
 constexpr int kMaxAbsent = 256;                     // cut-out ones
@@ -50,7 +51,8 @@ PathTracer::PathTracer(const PictureScene& scene, const PinholeCamera& camera,
       m_scene(scene, m_frame),
       m_frame_from_camera(camera.camera_from_world.transpose().cast<float>()),
       m_lamps(path.look, PictureLights(kSkyViews, frame_camera(camera)), m_frame),
-      m_eye(m_frame.apply(camera.eye).cast<float>()) {
+      m_eye(m_frame.apply(camera.eye).cast<float>()),
+      m_environment_share(environment_share()) {
   const PictureLights lights(kSkyViews, frame_camera(camera));
   const PictureLook& look = path.look;
   set_lens(camera, look);
@@ -161,9 +163,19 @@ void PathTracer::note(Path& path, const SurfacePoint& at, bool on_floor) const {
   if (at.material.finish != Finish::Glass) path.albedo = diffuse_albedo(at.material);
 }
 
+// In proportion to the light on a surface in the middle; each gets a part, as one may be hidden.
+float PathTracer::environment_share() const {
+  if (!m_environment) return 0;
+  if (m_lamps.irradiance() <= 0) return 1;
+  const float around = std::numbers::pi_v<float> * luminance(m_environment->mean()) *
+                       float(m_path.look.environment_strength);
+  return std::clamp(around / (around + m_lamps.irradiance()), kLeastLightShare,
+                    1 - kLeastLightShare);
+}
+
 // Matt reflections of the environment; bright ones are found by the rays that go on.
-void PathTracer::ask_environment(Path& path, const SurfacePoint& at) const {
-  const EnvironmentMap::Drawn drawn = m_environment->draw(path.sampler.next());
+void PathTracer::ask_environment(Path& path, const SurfacePoint& at, Sampler::Pair u) const {
+  const EnvironmentMap::Drawn drawn = m_environment->draw(u);
   const auto c = static_cast<float>(m_path.look.environment_turn.x());
   const auto s = static_cast<float>(m_path.look.environment_turn.y());
   const Vec3f& d = drawn.direction;
@@ -179,9 +191,8 @@ void PathTracer::ask_environment(Path& path, const SurfacePoint& at) const {
   path.key_from = lifted(at, path.key_direction), path.key_end = kRayEnd;
 }
 
-void PathTracer::ask_key_light(Path& path, const SurfacePoint& at) const {
-  if (m_environment) return ask_environment(path, at);
-  const LampLight lamp = m_lamps.towards(at.position, path.sampler.next());
+void PathTracer::ask_lamps(Path& path, const SurfacePoint& at, Sampler::Pair u) const {
+  const LampLight lamp = m_lamps.towards(at.position, u);
   path.key_direction = lamp.direction;
   const Reflected light = reflected(at, path.key_direction, -path.direction);
   path.asks_key = light.matt > 0 || light.bright.maxCoeff() > 0;
@@ -193,6 +204,21 @@ void PathTracer::ask_key_light(Path& path, const SurfacePoint& at) const {
   path.key_matt = weight * light.matt;
   if (!path.asks_first) path.key_matt = path.key_matt.cwiseProduct(diffuse_albedo(at.material));
   path.key_from = lifted(at, path.key_direction);
+}
+
+// By one ray, to the environment or to the lamps: its light is that over the chance.
+void PathTracer::ask_for_light(Path& path, const SurfacePoint& at) const {
+  Sampler::Pair u = path.sampler.next();
+  if (m_environment_share <= 0) return ask_lamps(path, at, u);
+  if (m_environment_share >= 1) return ask_environment(path, at, u);
+  const bool around = u.x < m_environment_share;
+  const float chance = around ? m_environment_share : 1 - m_environment_share;
+  u.x = std::clamp((around ? u.x : u.x - m_environment_share) / chance, 0.0f, 0x1.fffffep-1f);
+  if (around)
+    ask_environment(path, at, u);
+  else
+    ask_lamps(path, at, u);
+  if (path.asks_key) path.key_matt /= chance, path.key_bright /= chance;
 }
 
 // Along the next ray, or to the end.
@@ -258,7 +284,7 @@ void PathTracer::advance(Path& path, const RayPacket& rays, const HitPacket& hit
   }
   if (at.material.emitted.maxCoeff() > 0)
     path.add((opacity_of(at) * path.weight).cwiseProduct(at.material.emitted));
-  ask_key_light(path, at);
+  ask_for_light(path, at);
   go_on(path, at);
 }
 

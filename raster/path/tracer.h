@@ -33,14 +33,16 @@ class PathTracer {
   SurfacePoint floor_point(const Path& path, float distance) const;
   void leave(Path& path) const;
   void note(Path& path, const SurfacePoint& at, bool on_floor) const;
-  void ask_key_light(Path& path, const SurfacePoint& at) const;
+  void ask_for_light(Path& path, const SurfacePoint& at) const;
+  void ask_lamps(Path& path, const SurfacePoint& at, Sampler::Pair u) const;
   void go_on(Path& path, const SurfacePoint& at) const;
   static void finish(const Path& path, PixelSums& sums);
   float floor_coverage(const Vec3f& at) const;
   void set_lens(const PinholeCamera& camera, const PictureLook& look);
   Vec3f sky(const Vec3f& direction, bool mirrored) const;
   Vec3f surroundings(const Vec3f& direction) const;  // of the environment
-  void ask_environment(Path& path, const SurfacePoint& at) const;
+  void ask_environment(Path& path, const SurfacePoint& at, Sampler::Pair u) const;
+  float environment_share() const;
 
   const PictureOptions& m_options;
   const PathOptions& m_path;
@@ -53,6 +55,7 @@ class PathTracer {
   Lamps m_lamps;
   Vec3f m_eye, m_sky_horizon, m_sky_slope, m_floor_colour;
   float m_floor_z, m_fade_begin, m_fade_end;
+  float m_environment_share;                // of the rays to lights
   float m_lens_radius = 0, m_in_focus = 1;  // distance along the view; picture frame
 };
 

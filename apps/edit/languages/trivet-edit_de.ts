@@ -267,28 +267,24 @@
         <translation>%1: „%2“ hat kein Dreieck; erlaubt: ein Netz</translation>
     </message>
     <message>
-        <source>no Radiance image: its header has no end</source>
-        <translation>kein Radiance-Bild: Sein Kopf hat kein Ende</translation>
-    </message>
-    <message>
         <source>no Radiance image: it ends early</source>
         <translation>kein Radiance-Bild: Es endet zu früh</translation>
     </message>
     <message>
-        <source>an image of size &quot;%1&quot;; accepted: -Y HEIGHT +X WIDTH, rows from above</source>
-        <translation>ein Bild der Größe „%1“; erlaubt: -Y HÖHE +X BREITE, Zeilen von oben</translation>
+        <source>no Radiance image; accepted: #?RADIANCE or #?RGBE, FORMAT=32-bit_rle_rgbe, an empty line, -Y HEIGHT +X WIDTH</source>
+        <translation>kein Radiance-Bild; erlaubt: #?RADIANCE oder #?RGBE, FORMAT=32-bit_rle_rgbe, eine leere Zeile, -Y HÖHE +X BREITE</translation>
     </message>
     <message>
-        <source>no Radiance image: it does not begin with #?</source>
-        <translation>kein Radiance-Bild: Es beginnt nicht mit #?</translation>
+        <source>no Radiance image: %1</source>
+        <translation>kein Radiance-Bild: %1</translation>
     </message>
     <message>
-        <source>a Radiance image of %1; accepted: FORMAT=32-bit_rle_rgbe</source>
-        <translation>ein Radiance-Bild mit %1; erlaubt: FORMAT=32-bit_rle_rgbe</translation>
+        <source>this build of trivet reads no Radiance images (libstb-dev was not installed)</source>
+        <translation>dieses Trivet liest keine Radiance-Bilder (libstb-dev war nicht installiert)</translation>
     </message>
     <message>
-        <source>no Radiance image: a run beyond its row</source>
-        <translation>kein Radiance-Bild: eine Wiederholung über ihre Zeile hinaus</translation>
+        <source>a Radiance image that repeats pixels; accepted: packed by channel, or not packed</source>
+        <translation>ein Radiance-Bild, das Pixel wiederholt; erlaubt: nach Kanälen gepackt oder nicht gepackt</translation>
     </message>
     <message>
         <source>a Radiance image with an exposure of %1</source>
@@ -3245,6 +3241,10 @@
     <message>
         <source>is a ZIP archive without a model of 3MF</source>
         <translation>ist ein ZIP-Archiv ohne Modell von 3MF</translation>
+    </message>
+    <message>
+        <source>items read that are marked as not to be printed</source>
+        <translation>gelesene Teile, die nicht gedruckt werden sollen</translation>
     </message>
     <message>
         <source>supports for printing left out</source>

@@ -59,6 +59,7 @@ class SceneExporter {
   SceneExporter(const ExportWork& work, const Scene& scene, std::uint64_t k)
       : m_scene(scene), m_k(k), m_workshop(work.out) {
     m_options.files.mesh_folder = "../../meshes";
+    m_options.files.for_many_scenes = true;
     m_options.cache = work.parts;
   }
 

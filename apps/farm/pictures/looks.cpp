@@ -11,6 +11,7 @@ namespace trivet::farm {
 namespace {
 
 constexpr std::uintmax_t kMaxImageBytes = std::uintmax_t{1} << 30;
+constexpr double kLookDegree = std::numbers::pi / 180;
 constexpr double kSunRadians = 0.0093;  // that the sun is wide
 
 Vec3 linear_sum(double x, double y) {  // of CIE's x and y, of luminance 1
@@ -43,9 +44,8 @@ Vec3 light_within(const LightRange& range, Decision decision) {
 
 Vec3 direction_within(const Interval& elevation_deg, const Interval& azimuth_deg,
                       Decision& decision) {
-  constexpr double kDegree = std::numbers::pi / 180;
-  const double elevation = kDegree * decision.within(elevation_deg);
-  const double azimuth = kDegree * decision.within(azimuth_deg);
+  const double elevation = kLookDegree * decision.within(elevation_deg);
+  const double azimuth = kLookDegree * decision.within(azimuth_deg);
   return Vec3(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
               std::sin(elevation));
 }
@@ -78,8 +78,13 @@ void draw_environment(const LookRanges& ranges, LookImages& images, Decision dec
   const size_t index = decision.index(ranges.environments.size());
   look.environment = images.environment(ranges.environments[index]);
   look.environment_strength = decision.within(ranges.environment_strength);
-  const Rotation yaw = decision.yaw();  // half the angle: w and z are on a circle
-  look.environment_turn = {yaw.w, yaw.z};
+  if (!ranges.environment_turn_deg) {
+    const Rotation yaw = decision.yaw();  // half the angle: w and z are on a circle
+    look.environment_turn = {yaw.w, yaw.z};
+    return;
+  }
+  const double turn = kLookDegree * decision.within(*ranges.environment_turn_deg);
+  look.environment_turn = {std::cos(turn), std::sin(turn)};
 }
 
 }  // namespace
@@ -132,6 +137,7 @@ PictureLook look_of(const LookRanges& ranges, LookImages& images, const PhiloxKe
   PictureLook out;
   out.key = key_within(ranges, of_scene("key/direction"));
   out.key_colour = light_within(ranges.key, of_scene("key"));
+  out.key_beside = ranges.key_beside && (ranges.lamps || !ranges.environments.empty());
   if (ranges.lamps) {
     const int count = of_scene("lamps/count").count(ranges.lamps->count);
     for (int i = 0; i < count; ++i)

@@ -111,18 +111,15 @@ SurfaceRanges read_surface(const JsonPlace& place) {
 }
 
 LookRanges read_look(const JsonPlace& place) {
-  place.expect_object({}, {"key", "lamps", "sky", "environments", "environment_strength", "floor",
-                           "background", "room", "exposure", "noise", "lens"});
+  place.expect_object({},
+                      {"key", "lamps", "sky", "environments", "environment_strength", "floor",
+                       "environment_turn_deg", "background", "room", "exposure", "noise", "lens"});
   LookRanges out;
-  if (const auto lamps = place.find("lamps")) {
-    for (const char* const other : {"key", "environments"})
-      if (place.find(other))
-        lamps->fail(say("there is \"%1\" beside it; accepted: one of them", other));
-    out.lamps = read_lamps(*lamps);
-  }
+  if (const auto lamps = place.find("lamps")) out.lamps = read_lamps(*lamps);
   if (const auto lens = place.find("lens")) out.lens = read_lens(*lens);
   if (const auto key = place.find("key")) {
     key->expect_object({}, {"strength", "temperature", "elevation_deg", "azimuth_deg"});
+    out.key_beside = true;
     out.key = read_light(*key);
     if (const auto deg = key->find("elevation_deg")) out.elevation_deg = read_interval(*deg, 1, 90);
     if (const auto deg = key->find("azimuth_deg")) out.azimuth_deg = read_interval(*deg, -360, 360);
@@ -132,10 +129,15 @@ LookRanges read_look(const JsonPlace& place) {
     out.sky = read_light(*sky);
   }
   if (const auto files = place.find("environments")) read_environments(*files, out);
-  if (const auto strength = place.find("environment_strength")) {
-    if (out.environments.empty()) strength->fail("there is no \"environments\" for it");
+  const auto of_environments = [&](const char* name) {
+    auto given = place.find(name);
+    if (given && out.environments.empty()) given->fail("there is no \"environments\" for it");
+    return given;
+  };
+  if (const auto strength = of_environments("environment_strength"))
     out.environment_strength = read_interval(*strength, 0, 1000);
-  }
+  if (const auto deg = of_environments("environment_turn_deg"))
+    out.environment_turn_deg = read_interval(*deg, -360, 360);
   if (const auto floor = place.find("floor")) out.floor = read_colours(*floor);
   if (const auto background = place.find("background")) out.background = read_colours(*background);
   if (const auto room = place.find("room")) out.room = read_room(*room);

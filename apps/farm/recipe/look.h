@@ -20,7 +20,7 @@ struct ColourRange {
   Vec3 low, high;  // sRGB, 0 to 1
 };
 
-/// Lamps of each scene, instead of the key light.
+/// Lamps of each scene, instead of the key light, or beside it where "key" is given.
 struct LampRanges {
   enum class Kind { Sun, Bulb, Panel };
   std::vector<Kind> kinds{Kind::Panel};  // one is drawn for each lamp
@@ -57,6 +57,8 @@ struct LookRanges {
   std::optional<LampRanges> lamps;
   std::vector<std::string> environments;  // OpenEXR or Radiance; one is drawn for each scene
   Interval environment_strength{1, 1};
+  std::optional<Interval> environment_turn_deg;  // counter-clockwise from above; none: any
+  bool key_beside = false;  // "key" is given: it shines beside lamps and environments
   std::optional<ColourRange> floor, background;
   std::optional<RoomRanges> room;
   Interval exposure{1, 1}, noise{0, 0};  // of each view

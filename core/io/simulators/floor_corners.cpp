@@ -11,7 +11,7 @@ constexpr double kNear = 1e-3;  // of the body's size
 constexpr double kDirections[4][2] = {{1, 0}, {2, 1}, {1, 1}, {1, 2}};
 
 std::vector<Vec3> world_vertices(const SimulationModel& model, const Pose& world_from_link) {
-  const Affine world = world_from_object(world_from_link, UpAxis::Z, 1);
+  const Affine world = world_from_object(world_from_link, UpAxis::Z, model.scale);
   std::vector<Vec3> out;
   for (const ConvexPart& part : model.parts)
     for (const Vec3& v : part.vertices) out.push_back(world.apply(v));

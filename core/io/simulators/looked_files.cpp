@@ -28,7 +28,7 @@ class LookedObj {
   LookedObj(const SimulationModel& model, const std::vector<std::string>& images)
       : m_model(model),
         m_images(images),
-        m_positions(exported_positions({model.name, model.model, model.link_from_object, ""})) {}
+        m_positions(exported_positions({model.name, model.model, model.file_from_object, ""})) {}
 
   void add(const MaterialFaces& group) {
     const std::string name = "material" + std::to_string(group.material);

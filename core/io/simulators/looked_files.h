@@ -22,7 +22,7 @@ class ImageFiles {
 /// Materials of the look that some face has, ascending, with those faces.
 std::vector<MaterialFaces> faces_of_look(const SimulationLook& look);
 
-/// OBJ of some groups' faces in the link frame, with texture coordinates, and the MTL with the
+/// OBJ of some groups' faces in the frame of files, with texture coordinates, and the MTL with the
 /// images' names.
 /// @param groups  of faces_of_look(). @param mtl_name  of the MTL, which the OBJ names.
 ObjText looked_obj(const SimulationModel& model, const std::vector<MaterialFaces>& groups,

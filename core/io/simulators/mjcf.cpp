@@ -17,8 +17,13 @@ constexpr const char *kSolref = "0.004 1", *kSolimp = "0.95 0.99 0.0001";
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
 
-/// Stem of a mesh's file name, which also names the mesh in MuJoCo.
+/// Stem of a file name, which also names the material and the image in MuJoCo.
 std::string stem(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+/// A mesh for MuJoCo is one of a size.
+std::string mesh_name(const std::string& file, double scale) {
+  return scale == 1 ? stem(file) : stem(file) + "_x" + number_text(scale);
+}
 
 class MjcfWriter {
  public:
@@ -107,21 +112,22 @@ class MjcfWriter {
 
   void add_assets(Element* root) {
     Element* const assets = add_child(root, "asset");
-    std::set<std::string> known;  // models may share pieces
-    const auto add_mesh = [&](const std::string& file) {
-      if (!known.insert(file).second) return;
-      Element* const mesh = add_child(assets, "mesh", {{"name", stem(file)}, {"file", file}});
+    std::set<std::string> known, materials;  // models may share pieces
+    const auto add_mesh = [&](const std::string& file, double scale) {
+      const std::string name = mesh_name(file, scale);
+      if (!known.insert(name).second) return;
+      Element* const mesh = add_child(assets, "mesh", {{"name", name}, {"file", file}});
+      if (scale != 1) mesh->SetAttribute("scale", numbers_text({scale, scale, scale}).c_str());
       // MuJoCo 3 refuses solids without volume, as open meshes are; inertias are stated by bodies.
       if (m_version >= 3) mesh->SetAttribute("inertia", "shell");
     };
     for (size_t i = 0; i < m_scene.models.size(); ++i) {
       const ModelFiles& files = m_meshes.of_model(i);
       for (const VisualMesh& visual : files.visuals) {
-        if (known.count(visual.file)) continue;
-        add_mesh(visual.file);
-        add_material(assets, visual);
+        add_mesh(visual.file, files.scale);
+        if (materials.insert(visual.file).second) add_material(assets, visual);
       }
-      for (const std::string& part : files.parts) add_mesh(part);
+      for (const std::string& part : files.parts) add_mesh(part, files.scale);
     }
   }
 
@@ -177,13 +183,14 @@ class MjcfWriter {
          {"fullinertia", numbers_text({i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)})}});
     const ModelFiles& files = m_meshes.of_model(body.model);
     for (const VisualMesh& visual : files.visuals)
-      add_child(
-          element, "geom",
-          {{"class", "visual"}, {"mesh", stem(visual.file)}, {"material", stem(visual.file)}});
+      add_child(element, "geom",
+                {{"class", "visual"},
+                 {"mesh", mesh_name(visual.file, files.scale)},
+                 {"material", stem(visual.file)}});
     for (const std::string& part : files.parts)
       add_child(element, "geom",
                 {{"class", "collision"},
-                 {"mesh", stem(part)},
+                 {"mesh", mesh_name(part, files.scale)},
                  {"priority", priority_text(body.friction)},
                  {"friction", friction_text(body.friction)}});
     return element;

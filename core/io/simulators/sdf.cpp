@@ -24,8 +24,10 @@ void add_surface(Element* collision, double friction, double restitution) {
   add_text(bullet, "friction2", number_text(friction));
 }
 
-void add_mesh_shape(Element* parent, const std::string& uri) {
-  add_text(add_child(add_child(parent, "geometry"), "mesh"), "uri", uri);
+void add_mesh_shape(Element* parent, const std::string& uri, double scale) {
+  Element* const mesh = add_child(add_child(parent, "geometry"), "mesh");
+  add_text(mesh, "uri", uri);
+  if (scale != 1) add_text(mesh, "scale", numbers_text({scale, scale, scale}));
 }
 
 void add_inertia(Element* link, const SimulationBody& body) {
@@ -70,10 +72,11 @@ void add_model(Element* world, const SimulationBody& body, const ModelFiles& fil
   for (const std::string& part : files.parts) {
     Element* const collision =
         add_child(link, "collision", {{"name", "collision_" + std::to_string(count++)}});
-    add_mesh_shape(collision, folder + part);
+    add_mesh_shape(collision, folder + part, files.scale);
     add_surface(collision, body.friction, body.restitution);
   }
-  add_mesh_shape(add_child(link, "visual", {{"name", "visual"}}), folder + files.whole);
+  Element* const visual = add_child(link, "visual", {{"name", "visual"}});
+  add_mesh_shape(visual, folder + files.whole, files.scale);
 }
 
 }  // namespace

@@ -43,11 +43,13 @@ MeshFiles::MeshFiles(const SimulationScene& scene, bool by_material) {
     ModelFiles files = model.look ? looked_model(model, images.of_model(i), by_material)
                                   : plain_model(model, by_material);
     add_parts(model, files);
+    files.scale = model.scale;
     m_models.push_back(std::move(files));
   }
 }
 
 std::string MeshFiles::add_text(const std::string& stem, ObjText text, bool with_materials) {
+  replace_first(text.obj, "metres, z up", "z up; metres, times the scale in a scene file");
   std::string name = stem;
   name += "_" + Hash().add(text.obj).add(with_materials ? text.mtl : "").text();
   if (with_materials) {
@@ -61,9 +63,9 @@ std::string MeshFiles::add_text(const std::string& stem, ObjText text, bool with
 }
 
 std::string MeshFiles::add_obj(const std::string& stem, const std::shared_ptr<const Model>& model,
-                               const Affine& link_from_object, bool with_materials) {
+                               const Affine& file_from_object, bool with_materials) {
   ExportScene scene;
-  scene.objects.push_back({stem, model, link_from_object, ""});
+  scene.objects.push_back({stem, model, file_from_object, ""});
   return add_text(stem, obj_text(scene, kMtl), with_materials);
 }
 
@@ -72,14 +74,14 @@ ModelFiles MeshFiles::plain_model(const SimulationModel& model, bool by_material
   const std::vector<MaterialFaces> groups = faces_by_material(*model.model);
   const bool needs_whole = !by_material || model.parts.empty() || groups.size() == 1;
   if (needs_whole)
-    out.whole = add_obj(model.name, model.model, model.link_from_object, !by_material);
+    out.whole = add_obj(model.name, model.model, model.file_from_object, !by_material);
   if (!by_material) return out;
   for (const MaterialFaces& group : groups) {
     const std::string file =
         groups.size() == 1
             ? out.whole
             : add_obj(model.name + "_m" + std::to_string(group.material),
-                      with_faces(*model.model, group), model.link_from_object, false);
+                      with_faces(*model.model, group), model.file_from_object, false);
     out.visuals.push_back({file, material_or_default(*model.model, group.material), ""});
   }
   return out;
@@ -103,8 +105,7 @@ ModelFiles MeshFiles::looked_model(const SimulationModel& model,
 
 void MeshFiles::add_parts(const SimulationModel& model, ModelFiles& out) {
   for (const ConvexPart& part : model.parts)
-    out.parts.push_back(
-        add_obj(model.name + "_c" + std::to_string(out.parts.size()), model_of(part), {}, false));
+    out.parts.push_back(add_obj(model.name + "_c", model_of(part), {}, false));
   if (out.parts.empty()) out.parts.push_back(out.whole);
 }
 

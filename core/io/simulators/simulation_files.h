@@ -23,9 +23,10 @@ struct ModelFiles {
   std::string whole;                // all faces, with materials
   std::vector<VisualMesh> visuals;  // by material; formats with one material per mesh
   std::vector<std::string> parts;   // collision meshes; the whole mesh if the model has no parts
+  double scale = 1;                 // of all of them, where they are used
 };
 
-/// OBJ files and images of all models, metres, link frame.
+/// OBJ files and images of all models, in their axes and unit of files.
 class MeshFiles {
  public:
   /// @param by_material  fill `visuals`; else they are empty.
@@ -36,7 +37,7 @@ class MeshFiles {
 
  private:
   std::string add_obj(const std::string& stem, const std::shared_ptr<const Model>& model,
-                      const Affine& link_from_object, bool with_materials);
+                      const Affine& file_from_object, bool with_materials);
   std::string add_text(const std::string& stem, ObjText text, bool with_materials);
   ModelFiles plain_model(const SimulationModel& model, bool by_material);
   ModelFiles looked_model(const SimulationModel& model, const std::vector<std::string>& images,
@@ -65,7 +66,15 @@ inline constexpr const char* kMadeBy =
     " Trivet: metres, kilograms, seconds, radians, z up. Made to be simulated; edit the layout "
     "instead. ";
 
-/// Layers of USD, one of each model.
-std::vector<MeshFile> usda_meshes(const SimulationScene& scene);
+/// Layers of USD.
+struct UsdaLayers {
+  struct OfModel {
+    std::string file;                // triangles and looks; its parts, too, unless they are apart
+    std::vector<std::string> parts;  // files, if they are apart
+  };
+  std::vector<MeshFile> files;
+  std::vector<OfModel> of_model;
+};
+UsdaLayers usda_layers(const SimulationScene& scene, bool parts_apart);
 
 }  // namespace trivet

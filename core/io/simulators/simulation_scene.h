@@ -21,6 +21,8 @@ struct SimulationModel {
   std::string name;
   std::shared_ptr<const Model> model;
   Affine link_from_object;
+  Affine file_from_object;  // of mesh files: the axes of the link, in a unit of their own
+  double scale = 1;         // metres per unit of the mesh files and parts, which scene files state
   std::vector<ConvexPart> parts;               // collision parts; empty: the triangles themselves
   std::shared_ptr<const SimulationLook> look;  // null: the model's materials say all
 };
@@ -58,6 +60,9 @@ struct SimulationFileOptions {
   int mujoco = 3;
   /// In MJCF for MuJoCo 3.9 or later free bodies sleep until something touches them.
   bool asleep = false;
+  /// The scene is one of many in a folder, whose files are the same for all of them: in the unit of
+  /// the model, whatever its size in the scene, and in USD with a layer for each convex part.
+  bool for_many_scenes = false;
 };
 inline constexpr int kOldestMujoco = 2, kNewestMujoco = 3;
 

@@ -25,8 +25,9 @@ void add_origin(Element* parent, const Vec3& xyz, const Vec3& rpy) {
   add_child(parent, "origin", {{"xyz", vector_text(xyz)}, {"rpy", vector_text(rpy)}});
 }
 
-void add_mesh(Element* parent, const std::string& uri) {
-  add_child(add_child(parent, "geometry"), "mesh", {{"filename", uri}});
+void add_mesh(Element* parent, const std::string& uri, double scale) {
+  Element* const mesh = add_child(add_child(parent, "geometry"), "mesh", {{"filename", uri}});
+  if (scale != 1) mesh->SetAttribute("scale", numbers_text({scale, scale, scale}).c_str());
 }
 
 void add_inertial(Element* link, const SimulationBody& body) {
@@ -73,8 +74,9 @@ void add_body(Element* robot, const SimulationBody& body, const ModelFiles& file
               const std::string& folder) {
   Element* const link = add_child(robot, "link", {{"name", body.file_name}});
   add_inertial(link, body);
-  add_mesh(add_child(link, "visual"), folder + files.whole);
-  for (const std::string& part : files.parts) add_mesh(add_child(link, "collision"), folder + part);
+  add_mesh(add_child(link, "visual"), folder + files.whole, files.scale);
+  for (const std::string& part : files.parts)
+    add_mesh(add_child(link, "collision"), folder + part, files.scale);
   add_friction(robot, link, body.file_name, body.friction);
   add_joint(robot, body.file_name, body.fixed, body.world_from_link);
 }

@@ -1,5 +1,5 @@
 // USD as text, with the schemas UsdGeom and UsdPhysics: a stage of bodies that reference separate
-// layers, one per model.
+// layers, one per model, and one per convex part where many scenes share them.
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <map>
@@ -60,15 +60,34 @@ class Surfaces {
   std::map<std::pair<double, double>, std::string> m_names;
 };
 
-void add_body(UsdaText& text, const SimulationBody& body, const std::string& layer,
+std::string reference_to(const std::string& layer) {
+  return "prepend references = @./" + layer + "@";
+}
+
+/// Layers of many scenes: below the body, whose mass and inertia no scale shall touch.
+void add_shape(UsdaText& text, const UsdaLayers::OfModel& layers, double scale,
+               const std::string& folder) {
+  text.open("Xform", "Shape", {reference_to(folder + layers.file)});
+  text.line("double3 xformOp:scale = " + usda_tuple({scale, scale, scale}));
+  text.line("uniform token[] xformOpOrder = [\"xformOp:scale\"]");
+  for (size_t i = 0; i < layers.parts.size(); ++i) {
+    text.open("", "part" + std::to_string(i), {reference_to(folder + layers.parts[i])});
+    text.close();
+  }
+  text.close();
+}
+
+// A collider without a rigid body is static.
+std::vector<std::string> body_metadata(const SimulationBody& body) {
+  return {body.fixed ? usda_apis({"MaterialBindingAPI"})
+                     : usda_apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),
+          "displayName = " + usda_quoted(body.name)};
+}
+
+/// Opens it.
+void add_body(UsdaText& text, const SimulationBody& body, const std::vector<std::string>& metadata,
               const Surfaces& surfaces) {
-  const std::string reference = "prepend references = @./" + layer + "@";
-  // A collider without a rigid body is static.
-  text.open(
-      "Xform", body.file_name,
-      {body.fixed ? usda_apis({"MaterialBindingAPI"})
-                  : usda_apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),
-       reference, "displayName = " + usda_quoted(body.name)});
+  text.open("Xform", body.file_name, metadata);
   text.line("custom string trivet:name = " + usda_quoted(body.name));
   text.line(surfaces.binding(body.friction, body.restitution));
   if (!body.fixed) {
@@ -80,11 +99,9 @@ void add_body(UsdaText& text, const SimulationBody& body, const std::string& lay
     text.line("bool physics:startsAsleep = 1");
   }
   add_transform(text, body.world_from_link);
-  text.close();
 }
 
-// @param layers  of the models.
-std::string world_layer(const SimulationScene& scene, const std::vector<MeshFile>& layers,
+std::string world_layer(const SimulationScene& scene, const UsdaLayers& layers, bool parts_apart,
                         const std::string& folder) {
   const Surfaces surfaces(scene);
   UsdaText text("World");
@@ -101,8 +118,14 @@ std::string world_layer(const SimulationScene& scene, const std::vector<MeshFile
     text.line(surfaces.binding(scene.floor_friction, scene.floor_restitution));
     text.close();
   }
-  for (const SimulationBody& body : scene.bodies)
-    add_body(text, body, folder + layers[body.model].name, surfaces);
+  for (const SimulationBody& body : scene.bodies) {
+    const UsdaLayers::OfModel& of_model = layers.of_model[body.model];
+    std::vector<std::string> metadata = body_metadata(body);
+    if (!parts_apart) metadata.insert(metadata.begin() + 1, reference_to(folder + of_model.file));
+    add_body(text, body, metadata, surfaces);
+    if (parts_apart) add_shape(text, of_model, scene.models[body.model].scale, folder);
+    text.close();
+  }
   text.close();
   return text.take();
 }
@@ -110,10 +133,11 @@ std::string world_layer(const SimulationScene& scene, const std::vector<MeshFile
 }  // namespace
 
 SimulationText write_usda(const SimulationScene& scene, const std::string& folder,
-                          const SimulationFileOptions&) {
+                          const SimulationFileOptions& options) {
+  UsdaLayers layers = usda_layers(scene, options.for_many_scenes);
   SimulationText out;
-  out.meshes = usda_meshes(scene);
-  out.scene = world_layer(scene, out.meshes, folder);
+  out.scene = world_layer(scene, layers, options.for_many_scenes, folder);
+  out.meshes = std::move(layers.files);
   const ImageFiles images(scene);
   out.meshes.insert(out.meshes.end(), images.files().begin(), images.files().end());
   return out;

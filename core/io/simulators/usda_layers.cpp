@@ -1,4 +1,4 @@
-// Layers of USD, one per model: triangles, looks with images, convex parts.
+// Layers of USD, one per model: triangles, looks with images, convex parts; or parts apart.
 #include <charconv>
 
 #include "core/base/hash.h"
@@ -57,9 +57,10 @@ std::string look_name(size_t index) { return "Material" + std::to_string(index);
 /// A model with the materials of its look, or its own.
 class LayerWriter {
  public:
-  LayerWriter(const SimulationModel& model, const std::vector<std::string>& images)
+  LayerWriter(const SimulationModel& model, const std::vector<std::string>& images, bool with_parts)
       : m_model(model),
         m_images(images),
+        m_with_parts(with_parts && !model.parts.empty()),
         m_groups(model.look ? faces_of_look(*model.look) : faces_by_material(*model.model)),
         m_text(model.name) {}
 
@@ -69,7 +70,7 @@ class LayerWriter {
     m_text.open("Scope", "Looks");
     for (size_t i = 0; i < m_groups.size(); ++i) add_look(i);
     m_text.close();
-    if (!m_model.parts.empty()) add_parts();
+    if (m_with_parts) add_parts();
     m_text.close();
     return m_text.take();
   }
@@ -93,6 +94,7 @@ class LayerWriter {
 
   const SimulationModel& m_model;
   const std::vector<std::string>& m_images;
+  const bool m_with_parts;
   std::vector<MaterialFaces> m_groups;
   UsdaText m_text;
 };
@@ -146,7 +148,7 @@ std::string coordinates_text(const SimulationLook& look) {
 void LayerWriter::add_visual() {
   std::vector<Vec3> points;
   for (const Vec3& p : m_model.model->mesh.vertices)
-    points.push_back(m_model.link_from_object.apply(p));
+    points.push_back(m_model.file_from_object.apply(p));
   const std::string metadata =
       m_model.parts.empty()
           ? usda_apis({"MaterialBindingAPI", "PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"})
@@ -170,28 +172,44 @@ void LayerWriter::add_visual() {
   m_text.close();
 }
 
+void add_part(UsdaText& text, const std::string& name, const ConvexPart& part) {
+  open_mesh(text, name, {usda_apis({"PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"})},
+            part.vertices, part.triangles);
+  text.line("uniform token physics:approximation = \"convexHull\"");
+  text.line("uniform token purpose = \"guide\"");
+  text.close();
+}
+
 void LayerWriter::add_parts() {
   m_text.open("Scope", "Collision");
-  for (size_t i = 0; i < m_model.parts.size(); ++i) {
-    open_mesh(m_text, "part" + std::to_string(i),
-              {usda_apis({"PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"})},
-              m_model.parts[i].vertices, m_model.parts[i].triangles);
-    m_text.line("uniform token physics:approximation = \"convexHull\"");
-    m_text.line("uniform token purpose = \"guide\"");
-    m_text.close();
-  }
+  for (size_t i = 0; i < m_model.parts.size(); ++i)
+    add_part(m_text, "part" + std::to_string(i), m_model.parts[i]);
   m_text.close();
+}
+
+MeshFile hashed_layer(const std::string& stem, std::string bytes) {
+  return {stem + "_" + Hash().add(bytes).text() + ".usda", std::move(bytes)};
 }
 
 }  // namespace
 
-std::vector<MeshFile> usda_meshes(const SimulationScene& scene) {
+UsdaLayers usda_layers(const SimulationScene& scene, bool parts_apart) {
   const ImageFiles images(scene);
-  std::vector<MeshFile> out;
+  UsdaLayers out;
+  const auto add = [&](const std::string& stem, std::string bytes) {
+    out.files.push_back(hashed_layer(stem, std::move(bytes)));
+    return out.files.back().name;
+  };
   for (size_t i = 0; i < scene.models.size(); ++i) {
-    std::string bytes = LayerWriter(scene.models[i], images.of_model(i)).text();
-    out.push_back(
-        {scene.models[i].name + "_" + Hash().add(bytes).text() + ".usda", std::move(bytes)});
+    const SimulationModel& model = scene.models[i];
+    UsdaLayers::OfModel layers;
+    layers.file = add(model.name, LayerWriter(model, images.of_model(i), !parts_apart).text());
+    for (size_t k = 0; parts_apart && k < model.parts.size(); ++k) {
+      UsdaText text("part");
+      add_part(text, "part", model.parts[k]);
+      layers.parts.push_back(add(model.name + "_c", text.take()));
+    }
+    out.of_model.push_back(std::move(layers));
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -25,15 +26,27 @@ const SimulatorFormat& format_of(const std::string& path) {
               accepted);
 }
 
+/// All sizes of a model share its name, as they may share its files.
+void set_model_names(SimulationScene& scene) {
+  std::vector<const Model*> models;
+  std::vector<std::string> names;
+  for (const SimulationModel& model : scene.models) {
+    if (std::find(models.begin(), models.end(), model.model.get()) != models.end()) continue;
+    models.push_back(model.model.get());
+    names.push_back(model.name);
+  }
+  names = valid_names(names, false, {});
+  for (SimulationModel& model : scene.models)
+    model.name = names[static_cast<size_t>(
+        std::find(models.begin(), models.end(), model.model.get()) - models.begin())];
+}
+
 void set_names(SimulationScene& scene, const SimulatorFormat& format) {
   std::vector<std::string> names;
   for (const SimulationBody& body : scene.bodies) names.push_back(body.name);
   names = valid_names(names, format.dashes, format.reserved_names);
   for (size_t i = 0; i < names.size(); ++i) scene.bodies[i].file_name = names[i];
-  names.clear();
-  for (const SimulationModel& model : scene.models) names.push_back(model.name);
-  names = valid_names(names, false, {});
-  for (size_t i = 0; i < names.size(); ++i) scene.models[i].name = names[i];
+  set_model_names(scene);
   scene.name = valid_names({scene.name}, format.dashes, {}).front();
 }
 
@@ -76,7 +89,9 @@ std::vector<std::string> write_simulation(SimulationScene& scene, const std::str
   std::vector<std::string> written{path};
   StagedFiles staged;
   if (!text.meshes.empty()) staged.add_folder(folder.string());
+  std::set<std::string> known;
   for (const MeshFile& mesh : text.meshes) {
+    if (!known.insert(mesh.name).second) continue;
     const std::string target = (folder / mesh.name).string();
     if (!is_written(target, mesh.bytes)) staged.add(target, mesh.bytes);
     written.push_back(target);

@@ -41,6 +41,7 @@ class PartReader {
     note_count(m_out.notes,
                "properties of triangles left out that are neither materials nor colours",
                m_num_unknown_properties);
+    note_count(m_out.notes, "items read that are marked as not to be printed", m_num_unprinted);
     for (const std::string& name : m_left_out)
       m_out.notes.push_back(say("left out: %1", Sentence(name.c_str())));
   }
@@ -160,6 +161,9 @@ class PartReader {
     out.object = {part, text(e, "objectid")};
     if (const char* const transform = e.find("transform"))
       out.parent_from_object = transform_from(transform);
+    const char* const printed = item ? e.find("printable") : nullptr;
+    m_num_unprinted +=
+        printed && (equal_words(trimmed(printed), "0") || equal_words(trimmed(printed), "false"));
     (item ? m_out.items : m_object->components).push_back(out);
   }
 
@@ -229,7 +233,7 @@ class PartReader {
   std::string m_group, m_object_pid;
   std::map<std::string, std::vector<Index>> m_groups;  // of this part: ids of materials
   std::set<std::string> m_left_out;
-  std::int64_t m_num_mixed = 0, m_num_unknown_properties = 0;
+  std::int64_t m_num_mixed = 0, m_num_unknown_properties = 0, m_num_unprinted = 0;
 };
 
 }  // namespace

@@ -1,8 +1,14 @@
 // Ids of data sets come from the recipe alone.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+#include <set>
+
 #include "apps/farm/pictures/looks.h"
 #include "apps/farm/recipe/set_labels.h"
+#include "core/base/error.h"
+#include "support/temporary_folder.h"
 
 namespace trivet::farm {
 namespace {
@@ -77,6 +83,67 @@ TEST(Looks, AreDrawnForTheSceneAndTheView) {
   EXPECT_NE(look(3, 0).floor_colour, look(4, 0).floor_colour);
   EXPECT_NEAR(look(3, 0).key->norm(), 1, 1e-12);
   EXPECT_FALSE(look_of({}, none, {1, 2}, 3, 0).key);
+}
+
+std::string hdr_of(char grey) {
+  return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n" + std::string(32, grey);
+}
+
+TEST(Looks, SurroundingsLampsAndTheKeyLightAreDrawnTogether) {
+  const test::TemporaryFolder folder;
+  std::map<std::string, std::string> files;
+  for (const std::string name : {"a.hdr", "b.hdr"}) {
+    files[name] = folder.file(name);
+    std::ofstream(files[name], std::ios::binary) << hdr_of(name == "a.hdr" ? '\x80' : '\x81');
+  }
+  LookImages images(files);
+  LookRanges ranges;
+  ranges.environments = {"a.hdr", "b.hdr"};
+  ranges.environment_strength = {0.5, 1.5};
+  ranges.environment_turn_deg = Interval{10, 40};
+  ranges.azimuth_deg = Interval{0, 360};
+  ranges.key_beside = true;
+  ranges.lamps = LampRanges();
+  ranges.lamps->count = {1, 3};
+  std::set<const void*> maps;
+  std::set<std::size_t> counts;
+  Interval strengths{9, 0}, turns{9, 0};
+  const auto widen = [](Interval& range, double value) {
+    range.low = std::min(range.low, value), range.high = std::max(range.high, value);
+  };
+  try {
+    for (std::uint64_t k = 0; k < 60; ++k) {
+      const PictureLook look = look_of(ranges, images, {1, 2}, k, 0);
+      maps.insert(look.environment.get());
+      counts.insert(look.lamps.size());
+      widen(strengths, look.environment_strength);
+      widen(turns, std::atan2(look.environment_turn.y(), look.environment_turn.x()));
+      EXPECT_TRUE(look.key && look.key_beside);
+      EXPECT_NEAR(look.environment_turn.norm(), 1, 1e-12);
+    }
+  } catch (const Error& error) {
+    if (error.kind() != Error::Kind::Environment) throw;
+    GTEST_SKIP() << error.what();
+  }
+  EXPECT_EQ(maps.size(), 2u);
+  EXPECT_EQ(counts, (std::set<std::size_t>{1, 2, 3}));
+  EXPECT_TRUE(0.5 <= strengths.low && strengths.low < 0.6 && 1.4 < strengths.high &&
+              strengths.high <= 1.5);
+  constexpr double kDegree = 3.14159265358979 / 180;
+  EXPECT_NEAR(turns.low / kDegree, 11, 1);
+  EXPECT_NEAR(turns.high / kDegree, 39, 1);
+  ranges.key_beside = false;
+  EXPECT_FALSE(look_of(ranges, images, {1, 2}, 3, 0).key_beside);
+}
+
+TEST(Looks, TheKeyLightIsBesideOthersWhereItIsGiven) {
+  const auto look = [](const std::string& text) {
+    const nlohmann::json document = nlohmann::json::parse(text);
+    return read_look(JsonPlace(document, "look.json"));
+  };
+  EXPECT_TRUE(look(R"({"key": {}, "lamps": {}})").key_beside);
+  EXPECT_FALSE(look(R"({"lamps": {}, "environments": ["a.hdr"]})").key_beside);
+  EXPECT_FALSE(look(R"({"environments": ["a.hdr"]})").environment_turn_deg);
 }
 
 }  // namespace

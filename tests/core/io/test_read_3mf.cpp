@@ -76,6 +76,17 @@ TEST_F(Read3mf, PlacesItemsAndComponents) {
   EXPECT_LT((testing::mass_of(joined).centre - Vec3(10, 0, 2.5)).norm(), 1e-12);
 }
 
+TEST_F(Read3mf, NamesItemsThatAreNotToBePrinted) {
+  for (const char* const value : {"0", "false"}) {
+    const std::string items =
+        "<item objectid=\"1\" printable=\"1\"/><item objectid=\"1\" printable=\"" +
+        std::string(value) + "\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/>";
+    const Model model = read_model(packed(cube_model_3mf("", items)));
+    EXPECT_NEAR(testing::mass_of(model).volume, 2, 1e-12);
+    expect_parts(joined_notes(model), {"items read that are marked as not to be printed: 1"});
+  }
+}
+
 TEST_F(Read3mf, ReadsColoursOfMaterials) {
   std::string text =
       cube_model_3mf("", "",

@@ -23,6 +23,9 @@ struct LaidOut {
 /// its model, stacked and leaning: 14 free objects, put down by Trivet.
 LaidOut convex_objects();
 
+/// A box without lid, of walls with both sides.
+Model open_box(double half, double height, double wall);
+
 /// The convex hull of a model as a model.
 Model hull_model(const Model& model);
 

@@ -246,24 +246,6 @@ TEST(Simulation, TakesFrictionAndDensityOfMaterials) {
   EXPECT_TRUE(other.notes.empty());
 }
 
-// A box without lid, of walls with both sides.
-Model open_box(double half, double height, double wall) {
-  std::vector<Triangle> triangles;
-  const auto add_box = [&](const Vec3& size, const Vec3& at) {
-    for (const Triangle& t : moved(box_triangles(size), at)) triangles.push_back(t);
-  };
-  const double out = half + wall;
-  add_box(Vec3(out, out, wall / 2), Vec3(0, 0, -wall / 2));
-  for (const double side : {-1.0, 1.0}) {
-    add_box(Vec3(wall / 2, out, height / 2), Vec3(side * (half + wall / 2), 0, height / 2));
-    add_box(Vec3(out, wall / 2, height / 2), Vec3(0, side * (half + wall / 2), height / 2));
-  }
-  Model model = box_model(1, 1, 1);
-  model.mesh = weld(triangles);
-  model.face_material.assign(triangles.size(), 0);
-  return model;
-}
-
 bool is_inside(const ConvexPart& part, const Vec3& p, double slack) {
   for (const Index3& t : part.triangles) {
     const Vec3& a = part.vertices[t[0]];

@@ -133,6 +133,59 @@ TEST(Lamps, LightPictures) {
   EXPECT_NEAR(grey_of(plate.picture(lit_by(lamp)), 30, 20), grey_of(panel, 30, 20), 0);
 }
 
+double linear_of_srgb(double byte) {
+  const double c = byte / 255;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+/// Light of the plate's right half, where the film is linear still.
+double light_of(const Plate& plate, const PictureLook& look) {
+  const Image image = plate.picture(look, 256);
+  double sum = 0;
+  for (int y = 14; y < 26; ++y)
+    for (int x = 24; x < 36; ++x) sum += linear_of_srgb(grey_of(image, x, y));
+  return sum / 144;
+}
+
+std::shared_ptr<const EnvironmentMap> even_surroundings(float radiance) {
+  return std::make_shared<EnvironmentMap>(FloatImage{16, 8, std::vector<float>(3 * 128, radiance)});
+}
+
+// Whatever of them is the stronger one.
+TEST(Lamps, AddUpWithAnEnvironmentAndTheKeyLight) {
+  const Plate plate;
+  PictureLamp lamp;
+  lamp.kind = PictureLamp::Kind::Panel, lamp.distance = 0.5, lamp.towards = Vec3(0.3, 0, 0.4);
+  PictureLook around;
+  around.environment = even_surroundings(0.2f);
+  const double environment = light_of(plate, around);
+  EXPECT_NEAR(environment, 0.16, 0.02) << "albedo 0.8";
+  for (const double strength : {0.02, 0.1, 0.3}) {
+    lamp.colour = Vec3::Constant(strength);
+    PictureLook by_lamp = lit_by(lamp), by_key = lit_by(lamp), all = around;
+    by_key.lamps.clear(), by_key.key_colour = Vec3::Constant(0.1);
+    all.lamps = {lamp};
+    const double of_lamp = light_of(plate, by_lamp), of_key = light_of(plate, by_key);
+    EXPECT_NEAR(light_of(plate, all) / (environment + of_lamp), 1, 0.03) << strength;
+    all.key_beside = true, all.key_colour = by_key.key_colour;
+    EXPECT_NEAR(light_of(plate, all) / (environment + of_lamp + of_key), 1, 0.03) << strength;
+    by_lamp.key_beside = true, by_lamp.key_colour = by_key.key_colour;
+    EXPECT_NEAR(light_of(plate, by_lamp) / (of_lamp + of_key), 1, 0.03) << strength;
+  }
+}
+
+TEST(Lamps, AreInTheDarkBesideABrightEnvironment) {
+  PictureLook look;
+  look.environment = even_surroundings(1);
+  const PictureLights lights(
+      16, FrameCamera{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitZ()});
+  EXPECT_EQ(Lamps(look, lights, {}).irradiance(), 0) << "no key light by itself";
+  look.key_beside = true;
+  EXPECT_NEAR(Lamps(look, lights, {}).irradiance() / key_light(), 1, 0.05);
+  look.lamps.resize(2);
+  EXPECT_NEAR(Lamps(look, lights, {}).irradiance() / key_light(), 3, 0.1);
+}
+
 double step_at_edge(const Image& image) {  // of the two pixels across the middle
   return (grey_of(image, 20, 20) - grey_of(image, 19, 20)) /
          (grey_of(image, 30, 20) - grey_of(image, 8, 20));
