@@ -48,7 +48,7 @@ class ProgramHelp(Directive):
             done = subprocess.run([PROGRAM, *verb.split("/"), "--help"], capture_output=True, text=True, check=True)
             section = nodes.section(ids=[nodes.make_id(f"trivet-{verb}")])
             section += nodes.title("", f"trivet {verb.replace('/', ' ')}")
-            section += nodes.literal_block(done.stdout, done.stdout, language="text")
+            section += nodes.container("", nodes.literal_block(done.stdout, done.stdout, language="text"), classes=["program-help"])
             result.append(section)
         return result
 

@@ -103,7 +103,16 @@ if(TARGET trivet_gpu)
   list(APPEND needs libepoxy-dev)
 endif()
 list(JOIN needs ", " needs)
-debian_package(dev libtrivet-dev libdevel "${needs}"
+# Its name has what programs are linked with: see SOVERSION in apps/library.
+set(library libtrivet${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+debian_package(lib ${library} libs ""
+  "lays out 3D objects at rest: shared library
+For programs that were built with libtrivet-dev. Reading models needs the
+importer of trivet.")
+set(CPACK_DEBIAN_LIB_PACKAGE_RECOMMENDS "trivet ${same}")
+set(CPACK_DEBIAN_LIB_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/debian/triggers)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+debian_package(dev libtrivet-dev libdevel "${library} ${same}, ${needs}"
   "lays out 3D objects at rest: C++ library and headers
 For find_package(Trivet), shared and static: exact first contact, PUT and the
 other operations of the program trivet, scenes, pictures, export.")

@@ -3,7 +3,7 @@
 #
 #   apps/packages/make.sh [deb|wheel|tarball|image|squashfs|blender]... --output DIR [--build DIR]
 #
-#   deb        trivet, trivet-edit, trivet-cad, libtrivet-dev, python3-trivet
+#   deb        trivet, trivet-edit, trivet-cad, libtrivet-dev and its shared library, python3-trivet
 #   wheel      Python's package with all its libraries
 #   tarball    trivet-VERSION-linux-x86_64.tar.zst, which runs wherever it is unpacked
 #   image      an OCI image, without a registry: trivet-VERSION-image.oci.tar

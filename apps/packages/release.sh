@@ -69,7 +69,7 @@ notes >"$output/NOTES.md"
 
 if [ $with_tests = 1 ]; then
   tests/packages/run.sh made "$build" "$build/release-tests" "$output" >"$work/made.log"
-  for job in components deb dev wheel blender tarball image squashfs; do
+  for job in components deb editor dev wheel blender tarball image squashfs; do
     status=0
     tests/packages/run.sh "$job" "$build" "$build/release-tests" >"$work/$job.log" 2>&1 || status=$?
     case $status in

@@ -9,8 +9,8 @@ void add_foreign_options(CLI::App& app, ForeignArguments& arguments) {
   const std::string group = "Scenes of other programs";
   app.add_option(
          "--key", arguments.key,
-         "Keyframe of MJCF that the poses are of; \"none\": where the bodies stand; default: "
-         "the first, if it has positions")
+         "Keyframe of MJCF with the poses; \"none\": where the bodies stand; default: the first, "
+         "if it has positions")
       ->group(group);
   app.add_option(
          "--collide", arguments.collide,

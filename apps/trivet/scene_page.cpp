@@ -210,7 +210,7 @@ std::string scene_page(const Scene& scene, const SceneVerdict& verdict, double l
   std::string text = PageWriter(scene, verdict, lift)
                          .json()
                          .dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
-  // Nothing of it may end the element of the page.
+  // The text must not end the element of the page.
   for (size_t at = text.find('<'); at != text.npos; at = text.find('<', at))
     text.replace(at, 1, "\\u003c");
   std::string page = kViewerPage;

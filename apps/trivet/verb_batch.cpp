@@ -335,7 +335,7 @@ WorkerDetection worker_detection(const CommonOptions& common, std::uint64_t firs
 
 std::vector<Verb> add_batch(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
-      app.add_subcommand("batch", "Make random scenes by a recipe, one machine or many");
+      app.add_subcommand("batch", "Make random scenes from a recipe, on one machine or many");
   const auto arguments = std::make_shared<BatchArguments>();
   arguments->verb = verb;
   add_batch_options(*verb, *arguments);

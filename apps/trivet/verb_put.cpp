@@ -111,8 +111,8 @@ std::vector<Verb> add_put(CLI::App& app, const CommonOptions& common) {
   return {{verb, [arguments, &common] { return put(*arguments, common); },
            "trivet put scene.glb mug.obj --position 0.3 0 1 -o more.glb\n"
            "trivet put scene.glb mug.obj --on slab --at 0.2 0.1 --keep 0.01 -o more.glb\n"
-           "trivet put scene.glb mug.obj --name cup --position -0.3 0 1 --rotation 0.7 0.7 0 0 "
-           "--material ceramic -o more.glb\n"}};
+           "trivet put scene.glb mug.obj --position -0.3 0 1 --rotation 1 1 0 0 --name cup "
+           "-o more.glb\n"}};
 }
 
 }  // namespace trivet::apps

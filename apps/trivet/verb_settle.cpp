@@ -148,7 +148,7 @@ std::vector<Verb> add_mend(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand("mend",
                                             "Find the nearest scene in which nothing "
                                             "interpenetrates, everything rests, and what stood on "
-                                            "what still does; written as by settle");
+                                            "what still does, and write it as settle does");
   const auto arguments = std::make_shared<RepairArguments>();
   verb->add_option("--tolerance", arguments->how.tolerance,
                    "Largest error of the poses (metres); 0: found from the poses")

@@ -9,16 +9,14 @@
 namespace trivet {
 namespace {
 
-enum FormOfDrape : unsigned { kSheet, kCable, kMesh };
-
 constexpr double kLargestStretch = 1.3;
 constexpr Accepts kSize{Sort::Coordinates, 1e-3, 1e3, "metres"};
 constexpr Accepts kCell{Sort::Number, 1e-4, 1e3, "metres", {}, 0};
 constexpr Accepts kThickness{Sort::Number, 1e-5, 1, "metres"};
-constexpr Accepts kFlexDensity{Sort::Number, 1e-4, 1e3, "kg/m2, of a cable kg/m"};
-constexpr Accepts kBending{Sort::Number, 0, 1e6, "N m, of a cable N m2"};
+constexpr Accepts kFlexDensity{Sort::Number, 1e-4, 1e3, "kg/m2, or kg/m for a cable"};
+constexpr Accepts kBending{Sort::Number, 0, 1e6, "N m, or N m2 for a cable"};
 constexpr Accepts kFlexFriction{Sort::Number, 0, kMaxFriction};
-constexpr Accepts kNetForce{Sort::Number, 1e-7, flex::kRestingForce, "weights of a vertex"};
+constexpr Accepts kNetForce{Sort::Number, 1e-7, flex::kRestingForce, "parts of its weight"};
 constexpr Accepts kSteps{Sort::Whole, 1, 1e6};
 
 std::string names_of(bool cables) {
@@ -144,15 +142,16 @@ template <>
 const OperationTable& table<DrapeOperation>() {
   using P = DrapeOperation;
   using R = Row<P>;
+  constexpr unsigned kSheet = 0, kCable = 1, kMesh = 2;
   static const OperationTable rows = make_table<P>(
       {{"drape",
-        "A flat sheet, a new object, comes down and to rest",
+        "Drape a flat sheet, a new object, over what lies below",
         {"size"},
         {},
         [](const P& o) { return o.size.has_value(); },
         [](P& o) { o.size = Vec2(1, 1); }},
        {"drape",
-        "A cable, a new object, comes down and to rest",
+        "Drape a cable, a new object, over what lies below",
         {"path"},
         {},
         [](const P& o) { return !o.path.empty(); },
@@ -160,8 +159,8 @@ const OperationTable& table<DrapeOperation>() {
           o.path = {Vec3::Zero(), Vec3::UnitX()};
         }},
        {"drape",
-        "An open mesh, a sheet (with its size) or a cable (with its path) comes down and to rest "
-        "as a new object",
+        "Drape a sheet (by its size), a cable (by its path) or an open mesh, a new object, over "
+        "what lies below",
         {"of"},
         {},
         [](const P& o) { return o.of.has_value(); },
@@ -175,26 +174,30 @@ const OperationTable& table<DrapeOperation>() {
            .in({kMesh})
            .needed(),
        R("position", &P::start, &Pose::translation, kPoint,
-         "Where the middle of the sheet, or the mesh's origin, starts")
+         "Position of the sheet's middle, or the mesh's origin, at the start")
            .in({kSheet, kMesh})
            .needed(),
        R("rotation", &P::start, &Pose::rotation, kRotation,
-         "Rotation there, quaternion; without it a sheet is level")
+         "Rotation at the start, quaternion, of a level sheet")
            .in({kSheet, kMesh}),
        R("cell", &P::cell, kCell,
-         "Largest side of the cells, or of the cable's segments; default: a 40th of the sheet's "
-         "length, a 128th of the cable's")
+         "Largest side of a cell of the sheet, or segment of the cable; default: a 40th of the "
+         "sheet's length, a 128th of the cable's")
            .in({kSheet, kCable}),
        R("material", &P::material, kText,
-         "Of sheets cotton, felt, paper, towel or wool, of cables lead; default: cotton, or lead"),
-       R("thickness", &P::thickness, kThickness, "Thickness or diameter instead of the material's"),
-       R("density", &P::density, kFlexDensity, "Mass per area, of a cable per length"),
-       R("bending", &P::bending, kBending, "Resistance to bending"),
-       R("friction", &P::friction, kFlexFriction, "Coulomb's coefficient, against itself, too"),
-       R("pins", &P::pins, kPoint, "The vertices nearest to these points stay where they start"),
+         "Material: cotton (default), felt, paper, towel or wool of a sheet; lead of a cable"),
+       R("thickness", &P::thickness, kThickness,
+         "Thickness of the sheet, or diameter of the cable; default: the material's"),
+       R("density", &P::density, kFlexDensity,
+         "Mass per area, or per length of a cable; default: the material's"),
+       R("bending", &P::bending, kBending, "Bending stiffness; default: the material's"),
+       R("friction", &P::friction, kFlexFriction,
+         "Coulomb friction coefficient, also against itself; default: the material's"),
+       R("pins", &P::pins, kPoint, "Points whose nearest vertices stay where they start"),
        R("net_force", &P::net_force, kNetForce,
-         "At rest: the largest force left at a vertex, of its weight"),
-       R("steps", &P::steps, kSteps, "Steps at most, from coarse to fine for each level")},
+         "Largest net force that may be left at a vertex at rest"),
+       R("steps", &P::steps, kSteps,
+         "Largest number of steps of the solver, on each level from coarse to fine")},
       refuse_drape,
       TRIVET_SENTENCE("a shape is missing; accepted: \"size\" of a sheet, \"path\" of a cable, or "
                       "\"of\" for a mesh"));

@@ -94,7 +94,7 @@ const OperationTable& table<PutOperation>() {
          "fall again, in the same container")
            .in({kFrom}),
        R("within", &P::within, kSizes,
-         "Largest distance of these starts from the position, in parts of the object's size")
+         "Largest distance of these starts from the position, as a share of the object's size")
            .in({kFrom})},
       refuse_tries_of_place,
       TRIVET_SENTENCE("a place is missing; accepted: \"position\", from where it falls, or \"on\", "

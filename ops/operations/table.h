@@ -81,7 +81,7 @@ inline constexpr Accepts kFlag{Sort::Flag}, kText{Sort::Text}, kObjectName{Sort:
     kSeed{Sort::Whole, 0, static_cast<double>(kMaxSeed)};
 
 /// One argument.
-struct Field {
+struct Field {  // NOLINT(clang-analyzer-core.uninitialized.Assign): a base that is an aggregate
   const char* key;
   Accepts accepts;
   const char* help;

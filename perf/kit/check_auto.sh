@@ -133,7 +133,7 @@ check_layouts() {
   check_layout "SPOON-SAUCER" 1K demo spoon-saucer || failed=1
   check_layout "BREAKFAST" 1K demo breakfast || failed=1
   for n in "60 15K" "193 150K"; do
-    slab_layout "$work/slabs" "${n% *}" 24
+    slab_layout "$work/slabs" "${n% *}" 8
     if [ "${n#* }" = 150K ]; then  # minutes without hardware
       ways=("bvh" "auto")
       if [ "$hardware" = 1 ]; then ways+=("${gpu_ways[@]}"); fi

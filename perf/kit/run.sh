@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Measures Trivet on this machine's GPU, without installing anything, within 10 minutes:
 #   mkdir kit && tar -xf trivet-kit.tar.gz -C kit && kit/trivet-kit/run.sh OUT [--allow-software] [--minutes 10]
-#     [--parts table1,together,draws,confirm,zlists]
+#     [--parts confirm,table1,together,draws,zlists]
 # Leaves in the folder OUT: summary.txt, backends.txt and backends.json (devices, self-tests, what `auto` takes), auto.txt (layouts by `auto`
 # and by each detector), tests.txt, table1.md, together.md, draws.md, confirm.md, zlists.md, zlists.csv, table.md (layouts, batches and Python
 # by each detector), and which.md (which detector for which work, by that). Status 0: done; 1: a test or a measurement failed, or `auto` does not take what is fastest; 3: no hardware renderer
 # answers, unless --allow-software is given, for trying the kit where there is none.
 set -uo pipefail
 kit="$(dirname "$(readlink -f "$0")")"
-out="" parts="table1 together draws confirm zlists" allow=0 minutes=10
+out="" parts="confirm table1 together draws zlists" allow=0 minutes=10
 while [ $# -gt 0 ]; do
   case "$1" in
     --allow-software) allow=1 ;;
@@ -81,7 +81,7 @@ check_table || status=1
 # shellcheck source=perf/kit/ways.sh
 . "$kit/ways.sh"
 check_layouts || status=1
-check_batch "$([ $hardware = 1 ] && echo 20 || echo 2)" || status=1
+check_batch "$([ $hardware = 1 ] && echo 4 || echo 2)" || status=1
 check_python || status=1
 
 : >"$out/tests.txt"

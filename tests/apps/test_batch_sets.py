@@ -1,22 +1,22 @@
 """Data sets of batches: trivet batch pictures --bop and --coco, in shards that are killed; and sets that grow.
 
-TRIVET_SET_SCENES: so many scenes of 160 x 120 pixels instead, with figures."""
+TRIVET_SET_SCENES: so many scenes of household objects, of 160 x 120 pixels, with figures."""
 import glob
 import json
 import math
 import os
 import signal
 import subprocess
+import sys
 import time
 
 from batches import BatchCase
-from program import PROGRAM, box_obj, main
+from program import PROGRAM, SOURCE_DIR, box_obj, main
 from set_readers import BopSet, CocoSet, calc_2d_bbox, group_of, pixels_of, projected, silhouette
 from textured_boxes import png, textured_box_obj
 
 SCENES = int(os.environ.get("TRIVET_SET_SCENES", "0"))
-NUM, SHARDS = SCENES or 7, 3
-SIZE = (160, 120) if SCENES else (64, 48)
+SHARDS = 3
 
 
 def lathe_obj(profile, sides):
@@ -36,27 +36,9 @@ def lathe_obj(profile, sides):
     return "".join("v %.7f %.7f %.7f\n" % p for p in points) + "".join("f %d %d %d\n" % f for f in faces)
 
 
-class Sets(BatchCase):
-    def setUp(self):
-        super().setUp()
-        self.write("can.obj", lathe_obj([(0.033, -0.05), (0.033, 0.05)], 24))
-        self.write("mug.obj", lathe_obj([(0.03, -0.045), (0.04, 0.045)], 16))
-        self.write("carton.obj", textured_box_obj(0.03, 0.02, 0.06))
-        self.write("carton.mtl", "newmtl paper\nmap_Kd carton.png\n")
-        self.write("carton.png", png(8, 8, lambda x, y: (255, 30 * x, 30 * y)))
-        self.write("brick.obj", box_obj(0.05, 0.025, 0.0375))
-        self.write("ball.obj", lathe_obj([(0.001, -0.03), (0.02, -0.022), (0.03, 0), (0.02, 0.022), (0.001, 0.03)], 12))
-        quarter = [0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0.01, 0, 0, 0, 1]
-        self.recipe = {"groups": [
-            {"name": "ycb", "count": [3, 4], "on": "slab", "region": [[-0.3, -0.3], [0.3, 0.3]], "models": [
-                {"model": "can.obj", "class": "can"}, {"model": "carton.obj", "class": "carton", "id": 9},
-                {"model": "brick.obj", "class": "brick", "symmetries": {"discrete": [quarter]}}]},
-            {"name": "junk", "count": 2, "on": "slab", "target": False, "scale_range": [0.5, 1.5],
-             "models": [{"model": "ball.obj", "class": "ball"}]},
-            {"name": "mug", "count": [0, 1], "on": "slab", "models": [{"model": "mug.obj", "class": "a mug"}]}],
-            "accept": {"min_objects": 5},
-            "views": {"width": SIZE[0], "height": SIZE[1], "samples": 4 if SCENES else 1, "dome": {"count": 2}}}
-        self.write_recipe(**self.recipe)
+class SetCase(BatchCase):
+    """Sets of the folder "scenes", and what every one must hold."""
+    NUM, SIZE = 7, (64, 48)
 
     def make(self, *arguments):
         self.trivet("batch", "pictures", "scenes", *arguments)
@@ -79,27 +61,116 @@ class Sets(BatchCase):
     def scenes(self):
         return {row["k"]: row for row in self.merged("scenes")}
 
-    def test_bop_in_killed_shards(self):
-        self.batch("scenes", count=NUM)
+    def check_bop(self):
+        """Makes a set in killed shards and checks it. Returns it, scenes that are ok, targets, pixels unlike own rays, and seconds."""
         start = time.monotonic()
         self.killed_shards("--bop", "bop")
         seconds = time.monotonic() - start
         self.make("--bop", "one", "--jobs", 1)
         self.assertEqual(self.hashes("bop"), self.hashes("one"))
-        self.assertIn("0 findings", self.trivet("batch", "verify", "bop", "--scenes", "scenes", "--sample", 1 / NUM)[0])
+        self.assertIn("0 findings", self.trivet("batch", "verify", "bop", "--scenes", "scenes", "--sample", 1 / self.NUM)[0])
         found = BopSet(self.path("bop"))
-        self.check_models(found)
         ok = {k for k, row in self.scenes().items() if row["status"] == "ok"}
-        self.assertGreater(len(ok), NUM // 2)
-        self.assertEqual(found.scene_ids(), list(range(NUM)))
+        self.assertGreater(len(ok), self.NUM // 2)
+        self.assertEqual(found.scene_ids(), list(range(self.NUM)))
         counts = [self.check_scene(found, k, k in ok) for k in found.scene_ids()]
-        self.assertGreaterEqual(sum(c[0] for c in counts), 5 * len(ok))
-        if SCENES:
-            files = self.hashes("bop")
-            size = sum(os.path.getsize(self.path("bop/" + f)) for f in files)
-            print("bop: %d scenes, %d views, %d targets, %d pixels of masks differ from own rays, %d files, %.1f MB, %.0f s"
-                  % (len(ok), 2 * len(ok), sum(c[0] for c in counts), sum(c[1] for c in counts), len(files), size / 1e6,
-                     seconds))
+        return found, ok, sum(c[0] for c in counts), sum(c[1] for c in counts), seconds
+
+    def check_scene(self, found, k, ok):
+        """Returns the targets, and pixels of masks that are not those of own rays."""
+        cameras, poses, infos = found.scene(k)
+        self.assertEqual(list(poses), list(cameras))
+        self.assertEqual(list(poses), list(infos))
+        self.assertEqual(list(poses), [0, 1] if ok else [])
+        scene = self.read_json("bop/train_pbr/%06d/%09d.json" % (k, k))
+        ids = {m["name"]: i for i, m in found.models_info.items()}
+        wanted = [ids[o["class"]] for o in scene["objects"] if o["position"] and group_of(o["name"]) in self.TARGETS]
+        num, wrong = 0, 0
+        for im_id in poses:
+            self.assertEqual([p["obj_id"] for p in poses[im_id]], wanted)
+            self.assertEqual(found.image(k, "rgb", im_id)[:3], (*self.SIZE, 3))
+            depth = found.image(k, "depth", im_id)
+            seen = set()
+            for gt_id, (pose, info) in enumerate(zip(poses[im_id], infos[im_id])):
+                visible = pixels_of(found.image(k, "mask_visib", im_id, gt_id))
+                alone = pixels_of(found.image(k, "mask", im_id, gt_id))
+                self.assertFalse(seen & set(visible))
+                seen |= set(visible)
+                self.assertTrue(set(visible) <= set(alone))
+                self.assertTrue(all(depth[3][y * self.SIZE[0] + x] for x, y in visible))
+                self.assertEqual(info["px_count_visib"], len(visible))
+                self.assertEqual(info["px_count_valid"], len(alone))
+                self.assertEqual(info["bbox_visib"], calc_2d_bbox(visible))
+                if visible and info["px_count_all"] == len(alone):  # wholly in the picture
+                    self.assertEqual(info["bbox_obj"], calc_2d_bbox(alone))
+                self.assertAlmostEqual(info["visib_fract"], len(visible) / info["px_count_all"] if alone else 0)
+                model = found.model(pose["obj_id"])
+                corners = projected(cameras[im_id]["cam_K"], pose["cam_R_m2c"], pose["cam_t_m2c"], model["pts"])
+                difference = silhouette(corners, model["faces"], *self.SIZE) ^ set(alone)
+                self.assertLessEqual(len(difference), 1 + len(alone) // 1000)  # float32 of the PLY
+                num, wrong = num + 1, wrong + len(difference)
+        return num, wrong
+
+    def check_coco(self):
+        self.killed_shards("--coco", "coco")
+        self.make("--coco", "one-coco", "--jobs", 2)
+        self.assertEqual(self.hashes("coco"), self.hashes("one-coco"))
+        found = CocoSet(self.path("coco"))
+        ok = [k for k, row in self.scenes().items() if row["status"] == "ok"]
+        targets = {i for i, c in found.cats.items() if c["name"] in self.target_classes()}
+        self.assertEqual(sorted(found.imgs), list(range(2 * len(ok))))
+        self.assertEqual([i["file_name"] for _, i in sorted(found.imgs.items())],
+                         ["%06d/%06d.png" % (k, v) for k in ok for v in (0, 1)])
+        self.assertEqual(sorted(found.anns), list(range(1, len(found.anns) + 1)))
+        self.assertGreater(len(found.anns), 2 * len(ok))
+        for image in found.imgs.values():
+            self.assertEqual(found.picture(image)[:2], (image["width"], image["height"]))
+            seen = set()
+            for annotation in found.of_image[image["id"]]:
+                mask = {(i % self.SIZE[0], i // self.SIZE[0]) for i, v in enumerate(found.mask(annotation)) if v}
+                self.assertEqual(annotation["area"], len(mask))
+                x, y, w, h = calc_2d_bbox(mask)
+                self.assertEqual(annotation["bbox"], [x, y, w + 1, h + 1])
+                self.assertFalse(seen & mask)
+                seen |= mask
+                self.assertIn(annotation["category_id"], targets)
+                self.assertEqual(annotation["camera_from_object"][3], [0, 0, 0, 1])
+
+        return found
+
+    def target_classes(self):
+        return {m["class"] for g in self.recipe["groups"] if g["name"] in self.TARGETS for m in g["models"]}
+
+
+class Sets(SetCase):
+    TARGETS = ("ycb", "mug")
+
+    def setUp(self):
+        super().setUp()
+        self.write("can.obj", lathe_obj([(0.033, -0.05), (0.033, 0.05)], 24))
+        self.write("mug.obj", lathe_obj([(0.03, -0.045), (0.04, 0.045)], 16))
+        self.write("carton.obj", textured_box_obj(0.03, 0.02, 0.06))
+        self.write("carton.mtl", "newmtl paper\nmap_Kd carton.png\n")
+        self.write("carton.png", png(8, 8, lambda x, y: (255, 30 * x, 30 * y)))
+        self.write("brick.obj", box_obj(0.05, 0.025, 0.0375))
+        self.write("ball.obj", lathe_obj([(0.001, -0.03), (0.02, -0.022), (0.03, 0), (0.02, 0.022), (0.001, 0.03)], 12))
+        quarter = [0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0.01, 0, 0, 0, 1]
+        self.recipe = {"groups": [
+            {"name": "ycb", "count": [3, 4], "on": "slab", "region": [[-0.3, -0.3], [0.3, 0.3]], "models": [
+                {"model": "can.obj", "class": "can"}, {"model": "carton.obj", "class": "carton", "id": 9},
+                {"model": "brick.obj", "class": "brick", "symmetries": {"discrete": [quarter]}}]},
+            {"name": "junk", "count": 2, "on": "slab", "target": False, "scale_range": [0.5, 1.5],
+             "models": [{"model": "ball.obj", "class": "ball"}]},
+            {"name": "mug", "count": [0, 1], "on": "slab", "models": [{"model": "mug.obj", "class": "a mug"}]}],
+            "accept": {"min_objects": 5},
+            "views": {"width": self.SIZE[0], "height": self.SIZE[1], "samples": 1, "dome": {"count": 2}}}
+        self.write_recipe(**self.recipe)
+
+    def test_bop_in_killed_shards(self):
+        self.batch("scenes", count=self.NUM)
+        found, ok, num, _, _ = self.check_bop()
+        self.check_models(found)
+        self.assertGreaterEqual(num, 5 * len(ok))
 
     def check_models(self, found):
         self.assertEqual(sorted(found.models_info), [1, 2, 3, 9])  # in the recipe's order; 9 is given
@@ -126,67 +197,12 @@ class Sets(BatchCase):
         for n in zip(model["nx"], model["ny"], model["nz"]):
             self.assertAlmostEqual(sum(v * v for v in n), 1, 4)
 
-    def check_scene(self, found, k, ok):
-        """Returns the targets, and pixels of masks that are not those of own rays."""
-        cameras, poses, infos = found.scene(k)
-        self.assertEqual(list(poses), list(cameras))
-        self.assertEqual(list(poses), list(infos))
-        self.assertEqual(list(poses), [0, 1] if ok else [])
-        scene = self.read_json("bop/train_pbr/%06d/%09d.json" % (k, k))
-        wanted = [{"can.obj": 1, "brick.obj": 2, "mug.obj": 3, "carton.obj": 9}[os.path.basename(o["model"])]
-                  for o in scene["objects"] if o["position"] and group_of(o["name"]) in ("ycb", "mug")]
-        num, wrong = 0, 0
-        for im_id in poses:
-            self.assertEqual([p["obj_id"] for p in poses[im_id]], wanted)
-            self.assertEqual(found.image(k, "rgb", im_id)[:3], (*SIZE, 3))
-            depth = found.image(k, "depth", im_id)
-            seen = set()
-            for gt_id, (pose, info) in enumerate(zip(poses[im_id], infos[im_id])):
-                visible = pixels_of(found.image(k, "mask_visib", im_id, gt_id))
-                alone = pixels_of(found.image(k, "mask", im_id, gt_id))
-                self.assertFalse(seen & set(visible))
-                seen |= set(visible)
-                self.assertTrue(set(visible) <= set(alone))
-                self.assertTrue(all(depth[3][y * SIZE[0] + x] for x, y in visible))
-                self.assertEqual(info["px_count_visib"], len(visible))
-                self.assertEqual(info["px_count_valid"], len(alone))
-                self.assertEqual(info["bbox_visib"], calc_2d_bbox(visible))
-                if visible and info["px_count_all"] == len(alone):  # wholly in the picture
-                    self.assertEqual(info["bbox_obj"], calc_2d_bbox(alone))
-                self.assertAlmostEqual(info["visib_fract"], len(visible) / info["px_count_all"] if alone else 0)
-                model = found.model(pose["obj_id"])
-                corners = projected(cameras[im_id]["cam_K"], pose["cam_R_m2c"], pose["cam_t_m2c"], model["pts"])
-                difference = silhouette(corners, model["faces"], *SIZE) ^ set(alone)
-                self.assertLessEqual(len(difference), 1 + len(alone) // 1000)  # float32 of the PLY
-                num, wrong = num + 1, wrong + len(difference)
-        return num, wrong
-
     def test_coco_in_killed_shards(self):
-        self.batch("scenes", count=NUM)
-        self.killed_shards("--coco", "coco")
-        self.make("--coco", "one", "--jobs", 2)
-        self.assertEqual(self.hashes("coco"), self.hashes("one"))
-        found = CocoSet(self.path("coco"))
+        self.batch("scenes", count=self.NUM)
+        found = self.check_coco()
         self.assertEqual([(i, c["name"]) for i, c in sorted(found.cats.items())],
                          [(1, "a mug"), (2, "brick"), (3, "can"), (4, "carton"), (5, "ball"), (6, "slab")])
-        ok = [k for k, row in self.scenes().items() if row["status"] == "ok"]
-        self.assertEqual(sorted(found.imgs), list(range(2 * len(ok))))
-        self.assertEqual([i["file_name"] for _, i in sorted(found.imgs.items())],
-                         ["%06d/%06d.png" % (k, v) for k in ok for v in (0, 1)])
-        self.assertEqual(sorted(found.anns), list(range(1, len(found.anns) + 1)))
-        self.assertGreater(len(found.anns), 4 * len(ok))
-        for image in found.imgs.values():
-            self.assertEqual(found.picture(image)[:2], (image["width"], image["height"]))
-            seen = set()
-            for annotation in found.of_image[image["id"]]:
-                mask = {(i % SIZE[0], i // SIZE[0]) for i, v in enumerate(found.mask(annotation)) if v}
-                self.assertEqual(annotation["area"], len(mask))
-                x, y, w, h = calc_2d_bbox(mask)
-                self.assertEqual(annotation["bbox"], [x, y, w + 1, h + 1])
-                self.assertFalse(seen & mask)
-                seen |= mask
-                self.assertIn(annotation["category_id"], (1, 2, 3, 4))
-                self.assertEqual(annotation["camera_from_object"][3], [0, 0, 0, 1])
+        self.assertGreater(len(found.anns), 4 * len(found.imgs) // 2)
 
     def test_labels_have_the_same_ids(self):
         self.batch("scenes", count=3)
@@ -247,6 +263,51 @@ class Sets(BatchCase):
         self.batch("sizes", count=3, recipe="sizes.json")
         self.refused("batch", "pictures", "sizes", "--bop", "b", says='the group "junk" has a scale_range')
         self.trivet("batch", "pictures", "sizes", "--coco", "c")
+
+
+class Household(SetCase):
+    """The recipe of household objects that is an example: apps/farm/examples/household.py."""
+    NUM, SIZE = SCENES or 4, (160, 120) if SCENES else (64, 48)
+    TARGETS = ("carton", "can", "bottle", "bowl", "dish", "fruit", "block")
+
+    def setUp(self):
+        super().setUp()
+        script = os.path.join(SOURCE_DIR, "apps", "farm", "examples", "household.py")
+        subprocess.run([sys.executable, script, self.folder], check=True)
+        self.recipe = self.read_json("household.json")
+        self.recipe["views"].update(width=self.SIZE[0], height=self.SIZE[1], samples=1)
+        self.write_recipe("household.json", **self.recipe)
+        self.batch("scenes", count=self.NUM, recipe="household.json")
+
+    def test_sets_of_household_objects(self):
+        found, ok, num, wrong, seconds = self.check_bop()
+        self.assertEqual([m["name"] for _, m in sorted(found.models_info.items())],
+                         [m["class"] for g in self.recipe["groups"] if g["name"] in self.TARGETS for m in g["models"]])
+        self.assertGreater(num, 5 * len(ok))
+        coco = self.check_coco()
+        self.assertEqual(len(coco.imgs), 2 * len(ok))
+        self.assertEqual(sorted(c["name"] for c in coco.cats.values()), sorted(self.target_classes() | {"peg", "table"}))
+        self.check_masses(ok)
+        if SCENES:
+            files = self.hashes("bop")
+            size = sum(os.path.getsize(self.path("bop/" + f)) for f in files)
+            print("bop: %d scenes, %d views, %d targets, %d pixels of masks differ from own rays, %d files, %.1f MB, %.0f s"
+                  % (len(ok), 2 * len(ok), num, wrong, len(files), size / 1e6, seconds))
+
+    def check_masses(self, ok):
+        """Kilograms and friction are in the ranges of their class."""
+        ranges = {m["class"]: m for g in self.recipe["groups"] for m in g["models"] if "mass" in m}
+        judged = 0
+        for k in ok:
+            for o in self.read_json("bop/train_pbr/%06d/%09d.json" % (k, k))["objects"]:
+                model = ranges.get(o["class"])
+                if model and o["position"]:
+                    low, high = model["mass"]
+                    self.assertTrue(low <= o["kilograms"] <= high, o)
+                    low, high = model["material"]["friction"]
+                    self.assertTrue(low <= o["material"]["friction"] <= high, o)
+                    judged += 1
+        self.assertGreater(judged, 5 * len(ok))
 
 
 class GrowingSets(BatchCase):

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import unittest
 
-from program import PROGRAM, SLAB, Case, main, put
+from program import PROGRAM, SLAB, SOURCE_DIR, Case, main, put
 
 COMMON = "Options of all verbs:"
 RECIPE = {"trivet_recipe": 1, "objects": [SLAB],
@@ -71,6 +71,20 @@ class Layout(HelpCase):
         self.assertIn("--detector, --backend auto|bvh|software|gpu|framebuffer|compute", text)
         for verb in self.verbs():
             self.assertNotRegex(self.help(verb), r"default: .*\(default:|TEXT=|\{false\}|\[\]")
+
+
+class Words(HelpCase):
+    def test_the_page_of_words_has_the_texts_of_the_program(self):
+        with open(os.path.join(SOURCE_DIR, "docs/design/words.md"), encoding="utf-8") as page:
+            rows = re.findall(r"^\| `(.+?)` \| (.+?) \| (.+?) \|$", page.read(), re.M)
+        self.assertEqual(len(rows), 20)
+        for option, before, now in rows:
+            verb, _, name = option.partition(" ")
+            text = " ".join(self.help(verb).split())
+            with self.subTest(option=option):
+                self.assertIn(name, text)
+                self.assertIn(now, text)
+                self.assertNotIn(before, text)
 
 
 class Examples(HelpCase):

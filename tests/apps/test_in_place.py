@@ -188,6 +188,19 @@ class InPlace(Case):
         self.assertEqual(self.changed_nodes(self.read_json("in/room.gltf"),
                                             self.read_json("out/room.gltf")), [3])
 
+    def test_content_tells_binary_scenes_from_text_whatever_their_names(self):
+        put_down = [put("cup", 0.1, 0.1, 1.5)]
+        room().write(Path(self.path("text.glb")), "room.bin")
+        self.run_scene("text.glb", ["cup"], put_down, output="out.glb")
+        self.assertEqual(self.changed_nodes(self.read_json("text.glb"), self.read_json("out.glb")), [3])
+        self.run_scene("out.glb", ["cup"], [], output="again.glb")
+        self.assertEqual(self.changed_nodes(self.read_json("out.glb"), self.read_json("again.glb")), [])
+        self.write("binary.gltf", glb(room()))
+        self.run_scene("binary.gltf", ["cup"], put_down, output="out.gltf")
+        before, after = chunks(self.read("binary.gltf")), chunks(self.read("out.gltf"))
+        self.assertEqual(before[1:], after[1:])
+        self.assertEqual(self.changed_nodes(json.loads(before[0][1]), json.loads(after[0][1])), [3])
+
     def test_companion_files_with_points_in_their_names(self):
         for folder in ("in", "out"):
             (Path(self.folder) / folder).mkdir()

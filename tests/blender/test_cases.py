@@ -14,7 +14,7 @@ import support
 ZIP, MODULE, PROGRAM = support.arguments()[:3]
 CHOSEN = support.enable(ZIP, MODULE, PROGRAM)
 import trivet
-from trivet_addon import memory, overlay, stage, ui
+from trivet_addon import layouts, memory, overlay, stage, ui
 
 ADD = bpy.ops.mesh
 RUN = ("EXEC_DEFAULT", True)
@@ -59,8 +59,8 @@ class Told(unittest.TestCase):
         self.assertEqual(len(put(one, two).notes), 1)
 
     def test_many_names_are_cut(self):
-        self.assertEqual(stage._few(list("abcde")), "a, b, c, d, e")
-        self.assertEqual(stage._few(list("abcdefg")), "a, b, c, d, e and 2 more")
+        self.assertEqual(layouts.few(list("abcde")), "a, b, c, d, e")
+        self.assertEqual(layouts.few(list("abcdefg")), "a, b, c, d, e and 2 more")
 
     def test_coordinates_beyond_all_bounds_are_told_without_a_traceback(self):
         one, huge = cube("one", (0, 0, 3)), cube("huge", (0, 0, 3), (1e36, 1e36, 1e36))
@@ -220,13 +220,13 @@ class Buttons(unittest.TestCase):
         support.clear()
         one = cube("one", (0, 0, 3))
         support.select([])
-        for name in ("put", "separate", "push", "turn", "move", "scatter", "put_here"):
+        for name in ("put", "separate", "push", "turn", "move", "scatter", "paint", "put_here"):
             with self.assertRaisesRegex(RuntimeError, "Select (objects|the active object) first"):
                 getattr(bpy.ops.trivet, name)(*RUN)
         support.select([one])
         bpy.ops.object.mode_set(mode="EDIT")
         try:
-            for name in ("put", "check", "put_here", "scatter"):
+            for name in ("put", "check", "put_here", "scatter", "paint"):
                 with self.assertRaisesRegex(RuntimeError, "Object Mode"):
                     getattr(bpy.ops.trivet, name)(*RUN)
         finally:

@@ -1,4 +1,5 @@
 """Logic of the add-on that needs no Blender, with the module and with the program."""
+import math
 import os
 import shutil
 import tempfile
@@ -7,7 +8,7 @@ import unittest
 
 import numpy as np
 
-from trivet_addon import backends, layouts, program, work
+from trivet_addon import backends, bodies, layouts, program, work
 from trivet_addon.bodies import (Body, Part, deviation, fault_of, is_sheared, motion_of, moved, part_of, translation,
                                  usual_clearance)
 from trivet_addon.layouts import Settings, near, safe_names
@@ -77,6 +78,32 @@ class Bodies(unittest.TestCase):
         self.assertEqual(usual_clearance([]), 0)
         self.assertAlmostEqual(usual_clearance([box("a", (0, 0, 0))]), 2.0 ** -20 * 3 ** 0.5)
         self.assertAlmostEqual(usual_clearance([box("a", (100, 0, 0))]), 2.0 ** -20 * 100.5)
+
+
+class Angles(unittest.TestCase):
+    def test_near_lock_give_the_rotation_back(self):
+        def about(axis, angle):
+            c, s = math.cos(angle), math.sin(angle)
+            out = np.eye(3)
+            j, k = (axis + 1) % 3, (axis + 2) % 3
+            out[j, j] = out[k, k] = c
+            out[k, j], out[j, k] = s, -s
+            return out
+
+        for order in ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"):
+            for off in (0.0, 1e-9, 1e-6, -3e-5, 1e-3):
+                for sign in (1, -1):
+                    given = dict(zip(order, (0.7, sign * math.pi / 2 + off, -2.1)))
+                    rotation = np.eye(3)
+                    for name in order:
+                        rotation = about("XYZ".index(name), given[name]) @ rotation
+                    found = bodies.angles_near_lock(rotation, order)
+                    again = np.eye(3)
+                    for name in order:
+                        again = about("XYZ".index(name), found["XYZ".index(name)]) @ again
+                    self.assertLess(np.abs(again - rotation).max(), 1e-9, (order, off, sign))
+        self.assertIsNone(bodies.angles_near_lock(np.eye(3), "XYZ"))
+        self.assertIsNone(bodies.angles_near_lock(about(1, math.pi / 2), "QUATERNION"))
 
 
 class Names(unittest.TestCase):

@@ -79,6 +79,95 @@ class Here(unittest.TestCase):
         bpy.context.scene.trivet.floor = True
 
 
+class AsOne(unittest.TestCase):
+    """A lamp whose shade hangs above its foot, and touches nothing."""
+
+    def lamp(self):
+        support.clear()
+        self.table = cube("table", (0, 0, .5), (2, 2, 1))
+        self.foot, self.shade = cube("foot", (0, 0, 2), (.3, .3, .2)), cube("shade", (.05, 0, 2.4), (.4, .4, .2))
+        self.pin = cube("pin", (0, 0, 2.05), (.02, .02, .2))  # passes through the foot
+        support.select([self.foot, self.shade, self.pin])
+        bpy.ops.ed.undo_push(message="built")
+        return support.matrices()
+
+    def apart(self):
+        there = self.foot.matrix_world.inverted()
+        return [(there @ one.matrix_world).translation for one in (self.shade, self.pin)]
+
+    def is_as_one(self, before):
+        for now, was in zip(self.apart(), before):
+            self.assertLess((now - was).length, 1e-5)
+        self.assertEqual([one.trivet.role for one in (self.foot, self.shade, self.pin)], ["AUTO"] * 3)
+        bodies = support.shown_bodies(lambda one: self.foot if one in (self.shade, self.pin) else one)
+        self.assertEqual(support.pairs_that_cross(trivet, bodies)[1], [])
+
+    def test_they_fall_and_keep_their_places_to_each_other(self):
+        before = self.lamp()
+        apart = self.apart()
+        self.assertEqual(support.put(as_one=True), {"FINISHED"})
+        self.is_as_one(apart)
+        self.assertAlmostEqual(self.foot.matrix_world.translation.z, 1.1, 3)
+        self.assertEqual(memory.last.done, ["foot"])
+        bpy.ops.ed.undo()
+        self.assertEqual(support.matrices(), before)
+
+    def test_they_are_laid_where_the_mouse_points(self):
+        self.lamp()
+        apart = self.apart()
+        self.assertEqual(bpy.ops.trivet.put_here(*RUN, point=(.4, .3, 1.0), way=5, turn=.5, as_one=True), {"FINISHED"})
+        self.is_as_one(apart)
+        self.assertLess(self.shade.matrix_world.translation.z, self.foot.matrix_world.translation.z)
+
+    def test_what_holds_one_of_them_holds_all_and_is_named(self):
+        before = self.lamp()
+        self.shade.lock_location[0] = True
+        support.put(as_one=True)
+        self.assertIn('"shade" has locked', memory.last.refused["foot"])
+        self.assertEqual(support.matrices(), before)
+
+    def test_each_alone_would_not_keep_its_place(self):
+        self.lamp()
+        apart = self.apart()
+        support.put()
+        self.assertGreater((self.apart()[0] - apart[0]).length, .05)
+
+
+class Locked(unittest.TestCase):
+    """Euler angles nearly lock where the second one is 90 degrees; Blender's own are off there."""
+
+    def test_what_lies_on_a_slight_slope_is_where_it_should_be(self):
+        for order in ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "QUATERNION"):
+            for slope in (1e-5, 2e-4, 3e-3, .03):
+                support.clear()
+                slab = cube("slab", (0, 0, .1), (2, 2, .1))
+                slab.rotation_euler = (.4 * slope, slope, 0)
+                book = cube("book", (0, 0, 1), (.3, .2, .1))
+                book.rotation_euler = (.2, math.pi / 2, .3)
+                book.rotation_mode = order
+                support.select([book])
+                self.assertEqual(bpy.ops.trivet.put_here(*RUN, point=(.2, .1, .2), turn=.7), {"FINISHED"}, (order, slope))
+                self.assertLess(bpy.context.scene.trivet.clearance, 1e-5, (order, slope))
+
+
+class Obstacles(unittest.TestCase):
+    def test_that_cross_each_other_are_no_obstacle_and_named_once(self):
+        support.clear()
+        cube("wall", (0, 0, .5), (2, .2, 1))
+        cube("other wall", (0, 0, .5), (.2, 2, 1))
+        book = cube("book", (.5, .5, 1), (.2, .2, .2))
+        support.select([book])
+        self.assertEqual(support.put(), {"FINISHED"})
+        self.assertEqual((memory.last.done, memory.last.crossings), (["book"], []))
+        self.assertIn("pass through each other: other wall and wall", " ".join(memory.last.notes))
+        book.location.z = 2
+        bpy.context.view_layer.update()
+        self.assertEqual(support.put(), {"FINISHED"})
+        self.assertEqual(memory.last.notes, [])
+        self.assertEqual(bpy.ops.trivet.check(*RUN), {"FINISHED"})
+        self.assertEqual([set(pair) for pair in memory.last.crossings], [{"wall", "other wall"}])
+
+
 class Moves(unittest.TestCase):
     def test_push_takes_loads_along_and_is_blocked(self):
         table, plate, cup = table_with_plate_and_cup()
@@ -174,6 +263,7 @@ class Scatters(unittest.TestCase):
         self.assertEqual(bpy.ops.trivet.scatter(*RUN, **options), {"FINISHED"})
         copies = [one for one in bpy.data.objects if one.name[:-4] in {"apple", "mug"}]
         self.assertEqual(len(copies), len(memory.last.done))
+        self.assertTrue(memory.last.verdict.stands, memory.last.verdict)
         nothing = support.pairs_that_cross(trivet, support.shown_bodies(
             lambda one: one.parent if one.parent is not None else one))[1]
         self.assertEqual(nothing, [])
@@ -216,6 +306,54 @@ class Scatters(unittest.TestCase):
         support.select([bpy.data.objects["table"]])
         with self.assertRaisesRegex(RuntimeError, "nothing to copy"):
             bpy.ops.trivet.scatter(*RUN)
+
+
+class Paints(unittest.TestCase):
+    PATH = "[[-0.6, 0, 1], [0.1, 0, 1], [0.6, 0.3, 1]]"
+
+    def scene(self):
+        support.clear()
+        self.table = cube("table", (0, 0, .5), (2, 2, 1))
+        self.pebble = scenes.new(ADD.primitive_ico_sphere_add, "pebble", (3, 0, .2), radius=.06, subdivisions=2)
+        self.tile = cube("tile", (3, 1, .2), (.12, .12, .03))
+        support.select([self.pebble, self.tile])
+        bpy.ops.ed.undo_push(message="built")
+        return support.matrices()
+
+    def painted(self, **options):
+        self.assertEqual(bpy.ops.trivet.paint(*RUN, path=self.PATH, **options), {"FINISHED"})
+        nothing_crosses(self)
+        copies = [one for one in bpy.data.objects if one.name[:-4] in {"pebble", "tile"}]
+        self.assertEqual(len(copies), len(memory.last.done))
+        self.assertTrue(memory.last.verdict.stands, memory.last.verdict)
+        self.assertTrue(all(one.data == bpy.data.objects[one.name[:-4]].data for one in copies))
+        return {one.name: tuple(map(tuple, one.matrix_world)) for one in copies}
+
+    def test_copies_along_the_stroke_by_the_seed_and_back_by_undo(self):
+        before = self.scene()
+        first = self.painted(spacing=.2, seed=5, turn="NONE")
+        self.assertEqual(len(first), 7)  # 1.28 m
+        self.assertTrue(all(rows[2][3] > 1 for rows in first.values()))
+        bpy.ops.ed.undo()
+        self.assertEqual(support.matrices(), before)
+        self.scene()
+        self.assertEqual(self.painted(spacing=.2, seed=5, turn="NONE"), first)
+        self.scene()
+        self.assertNotEqual(self.painted(spacing=.2, seed=6, turn="NONE"), first)
+
+    def test_on_each_other_where_the_stroke_is_dense(self):
+        self.scene()
+        heights = [rows[2][3] for rows in self.painted(spacing=.05, seed=1).values()]
+        self.assertGreater(max(heights), 1.08)
+
+    def test_as_far_apart_as_they_are_wide_and_never_more_than_a_hundred(self):
+        from trivet_addon.scattering import along
+        self.scene()
+        self.assertEqual(len(self.painted(seed=2)), 11)
+        path = [(0, 0, 0), (.25, 0, 0), (.25, .3, 0)]
+        self.assertEqual([tuple(map(float, one.round(9))) for one in along(path, .2)], [(0, 0, 0), (.2, 0, 0), (.25, .15, 0)])
+        self.assertEqual(len(along([(0, 0, 0), (9, 0, 0)], 1e-3)), 100)
+        self.assertEqual(along([], 1), [])
 
 
 class Exports(unittest.TestCase):

@@ -109,6 +109,8 @@ def steps():
     yield from puts_one_here_with_a_ghost()
     yield from goes_on_with_copies()
     yield from goes_on_with_the_next()
+    yield from puts_two_as_one()
+    yield from paints_strokes()
     yield from pushes_by_mouse()
     yield from shows_where_things_cross()
     yield from shows_preferences()
@@ -239,6 +241,54 @@ def goes_on_with_the_next():
     yield from put_here_at((0.1, -0.42, 0.73), "the monkey")
     yield from frames(5)
     assert not memory.running, memory.running
+
+
+def puts_two_as_one():
+    """By the panel's box; one click for both."""
+    mug, monkey = bpy.data.objects["mug"], bpy.data.objects["monkey (subdivided)"]
+    before = support.matrices()
+    apart = monkey.matrix_world.inverted() @ mug.matrix_world
+    bpy.context.scene.trivet.as_one = True
+    here([monkey, mug])
+    yield from put_here_at((-0.1, -0.42, 0.73), "both")
+    yield from frames(5)
+    assert memory.last.done == [monkey.name] and not memory.running, memory.last
+    assert ((monkey.matrix_world.inverted() @ mug.matrix_world).translation - apart.translation).length < 1e-5
+    picture("as_one")
+    bpy.context.scene.trivet.as_one = False
+    press("Z", ctrl=True)
+    yield from until("undone", lambda: support.matrices() == before)
+
+
+def paints_strokes():
+    """Each drag is a step for Undo, until Esc."""
+    before, names = support.matrices(), set(bpy.data.objects.keys())
+    support.select([bpy.data.objects["mug"]])
+    with override():
+        bpy.ops.trivet.paint("INVOKE_DEFAULT", True, spacing=0.12)
+    assert memory.running == "TRIVET_OT_paint", memory.running
+    point(screen((-0.2, -0.42, 0.73)))
+    yield from frames()
+    send("LEFTMOUSE", "PRESS", screen((-0.2, -0.42, 0.73)))
+    for k in range(1, 9):
+        point(screen((-0.2 + 0.05 * k, -0.42, 0.73)))
+        yield from frames(1)
+    yield from until("ghosts of the stroke", lambda: len(memory.ghost[0]) >= 3)
+    yield from frames()
+    number = len(memory.ghost[0])
+    assert set(bpy.data.objects.keys()) == names, "ghosts are no objects"
+    picture("paint")
+    memory.last.done = []
+    send("LEFTMOUSE", "RELEASE", screen((0.2, -0.42, 0.73)))
+    yield from until("painted", lambda: memory.last.done)
+    yield from until("the next stroke", lambda: memory.running == "TRIVET_OT_paint")
+    assert len(memory.last.done) == number, "as the ghosts"
+    assert len(set(bpy.data.objects.keys()) - names) == 2 * number, "mugs, each with its handle"
+    press("ESC")
+    yield from until("ended", lambda: not memory.running)
+    picture("painted")
+    press("Z", ctrl=True)
+    yield from until("undone in one step", lambda: support.matrices() == before)
 
 
 def pushes_by_mouse():

@@ -16,8 +16,8 @@ components="$(grep -rhoE 'CMAKE_INSTALL_COMPONENT STREQUAL "[^"]+"' "$build" --i
   sed 's/.*"\(.*\)"/\1/' | sort -u | tr '\n' ' ')"
 for component in $components; do
   case "$component" in
-    trivet | edit | cad | python | dev) ;;
-    *) fail "files of the component $component are in no package; accepted: COMPONENT trivet, edit, cad, python or dev" ;;
+    trivet | edit | cad | python | lib | dev) ;;
+    *) fail "files of the component $component are in no package; accepted: COMPONENT trivet, edit, cad, python, lib or dev" ;;
   esac
   [ "$component" = dev ] || cmake --install "$build" --prefix "$work/$component" --component "$component" >/dev/null
 done
@@ -32,6 +32,7 @@ has trivet bin/trivet bin/trivet-import share/trivet/layout.schema.json
 has edit bin/trivet-edit share/applications/trivet-edit.desktop share/mime/packages/trivet.xml \
   share/icons/hicolor/scalable/apps/trivet-edit.svg
 has cad bin/trivet-import-cad
+has lib '*/libtrivet.so.*.*'
 has python '*/trivet/__init__.py' '*/trivet/_trivet.cpython-*.so' '*/trivet-*.dist-info/METADATA' '*/trivet/py.typed'
 
 find "$work" -type f \( -path '*/bin/*' -o -name '*.so' \) | while read -r file; do

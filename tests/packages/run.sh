@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # Packages: what installations hold, and every kind of package used in a bare Debian.
 #
-#   tests/packages/run.sh components|make|deb|dev|wheel|blender|tarball|image|squashfs BUILD_DIR WORK_DIR
+#   tests/packages/run.sh components|make|deb|editor|dev|wheel|blender|tarball|image|squashfs BUILD_DIR WORK_DIR
 #   tests/packages/run.sh made BUILD_DIR WORK_DIR PACKAGES_DIR
 #
 # components: what a build installs, by component; seconds
 # make:       apps/packages/make.sh, for the others; of BUILD_DIR if that is of the preset package, else it builds one
 # made:       takes packages that were made of BUILD_DIR instead of making some
 # deb:        lintian; installed by apt in a bare Debian, used, and removed
-# dev:        a project built in a bare Debian with libtrivet-dev
+# editor:     the steps of its tutorial by mouse and keys, in a bare Debian with Xvfb
+# dev:        a project built in a bare Debian with libtrivet-dev, and run with the shared library alone
 # wheel:      in a Debian with Python and NumPy only
-# blender:    the extension in a Debian with Blender, by the program of the package trivet alone, then by python3-trivet
+# blender:    the extension in a Debian with Blender, by the program of the package trivet alone, then by python3-trivet; in
+#             the next Debian's, by the program of the tarball
 # tarball:    in bare Debians, this one and the next
 # image, squashfs: unpacked or mounted, as the user of the image
 #
@@ -138,7 +140,7 @@ test_deb() {
   rm -rf "$base/job/debs"
   mkdir "$base/job/debs"
   cp "$made"/*.deb "$base/job/debs"
-  rm -f "$base/job/debs"/libtrivet-dev_*
+  rm -f "$base/job/debs"/libtrivet*
   ONLINE=1 in_root "$roots/bookworm" "$base/job" "
     export DEBIAN_FRONTEND=noninteractive
     apt-get update -q >/dev/null
@@ -156,20 +158,38 @@ test_deb() {
   cmp "$base/job/poses.here" "$base/job/poses.deb" || fail "python3-trivet puts otherwise"
 }
 
+test_editor() {
+  need_tools
+  bare_root bookworm bookworm
+  rm -rf "$work/job"
+  mkdir -p "$work/job"
+  cp "$(made_file 'trivet_*.deb')" "$(made_file 'trivet-edit_*.deb')" "$here/use_editor.sh" "$work/job"
+  ONLINE=1 in_root "$roots/bookworm" "$work/job" "
+    export DEBIAN_FRONTEND=noninteractive
+    apt-get update -q >/dev/null
+    apt-get install -q -y --no-install-recommends xvfb xdotool >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
+    before=\$(date +%s)
+    apt-get install -q -y --no-install-recommends /job/trivet_*.deb /job/trivet-edit_*.deb >apt.log 2>&1 ||
+      { tail -n 20 apt.log; exit 1; }
+    echo \"installed: \$((\$(date +%s) - before)) s\"
+    bash use_editor.sh /job/tutorial" || fail "the editor's tutorial"
+}
+
 test_dev() {
   need_tools
   bare_root bookworm bookworm
   rm -rf "$work/job"
   mkdir -p "$work/job/client"
-  cp "$(made_file 'libtrivet-dev_*.deb')" "$work/job"
+  cp "$(made_file 'libtrivet-dev_*.deb')" "$(made_file 'libtrivet[0-9]*.deb')" "$work/job"
   cp "$source_dir"/tests/install/{CMakeLists.txt,*.cpp} "$work/job/client"
   ONLINE=1 in_root "$roots/bookworm" "$work/job" "
     export DEBIAN_FRONTEND=noninteractive
     apt-get update -q >/dev/null
-    apt-get install -q -y --no-install-recommends g++ cmake ninja-build /job/libtrivet-dev_*.deb >/job/apt.log 2>&1 ||
+    apt-get install -q -y --no-install-recommends g++ cmake ninja-build /job/libtrivet*.deb >/job/apt.log 2>&1 ||
       { tail -n 20 /job/apt.log; exit 1; }
     cmake -G Ninja -S client -B /tmp/build -DCMAKE_BUILD_TYPE=Release >/dev/null
     cmake --build /tmp/build --target box_on_floor
+    apt-get purge -q -y libtrivet-dev >>/job/apt.log
     /tmp/build/box_on_floor" || fail "a project with libtrivet-dev"
 }
 
@@ -194,7 +214,7 @@ test_wheel() {
 }
 
 test_blender() {
-  need_tools
+  need_tools zstd
   bare_root blender bookworm blender
   rm -rf "$work/job"
   mkdir -p "$work/job"
@@ -203,7 +223,7 @@ test_blender() {
   ONLINE=1 in_root "$roots/blender" "$work/job" "
     export DEBIAN_FRONTEND=noninteractive
     try() { blender -b --factory-startup --python-exit-code 9 -P use_blender.py -- addon.zip \$1 >\$1.log 2>&1 ||
-      { tail -n 20 \$1.log; exit 1; }; grep -E '^(backend|put):' \$1.log; }
+      { tail -n 20 \$1.log; exit 1; }; grep -E '^(Blender|backend|put|operators):' \$1.log; }
     apt-get update -q >/dev/null
     apt-get install -q -y --no-install-recommends /job/trivet_*.deb >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
     if (try PROGRAM) >without.log || ! grep -q 'apt install python3-numpy' without.log; then
@@ -214,6 +234,14 @@ test_blender() {
     try PROGRAM
     apt-get install -q -y --no-install-recommends /job/python3-trivet_*.deb >apt.log 2>&1 || { tail -n 20 apt.log; exit 1; }
     try MODULE" || fail "the extension in Blender"
+  # The next Debian's Blender takes it as an extension; its Python is another one, so that the program works.
+  bare_root blender-next trixie blender,python3-numpy
+  tar -C "$work/job" -xf "$(made_file 'trivet-*-linux-*.tar.zst')"
+  in_root "$roots/blender-next" "$work/job" "
+    ln -s /job/trivet-*/bin/trivet /usr/local/bin/trivet
+    blender -b --factory-startup --python-exit-code 9 -P use_blender.py -- addon.zip PROGRAM >next.log 2>&1 ||
+      { tail -n 20 next.log; exit 1; }
+    grep -E '^(Blender|backend|put|operators):' next.log" || fail "the extension in the next Debian's Blender"
 }
 
 test_tarball() {

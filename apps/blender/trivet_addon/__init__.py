@@ -17,9 +17,9 @@ def _parts():
     except ImportError as error:
         raise ImportError("Trivet needs NumPy in Blender's Python. Builds of blender.org have it; for Debian's: "
                           "apt install python3-numpy") from error
-    from . import op_check, op_export, op_moves, op_put, op_scatter, overlay, preferences, properties, ui
+    from . import op_check, op_export, op_moves, op_paint, op_put, op_scatter, overlay, preferences, properties, ui
 
-    operators = (op_put, op_moves, op_scatter, op_check, op_export)
+    operators = (op_put, op_moves, op_scatter, op_paint, op_check, op_export)
     return (properties, preferences), [one for module in operators for one in module.CLASSES], (ui, op_export, overlay)
 
 

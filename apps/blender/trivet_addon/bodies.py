@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from typing import Optional
 
@@ -137,6 +138,34 @@ def deviation(expected: Body, motion: np.ndarray, shown: Body) -> float:
     """Metres by which a vertex is elsewhere than it should be; infinity if it is another mesh."""
     a, b = moved(expected.world(), motion), shown.world()
     return float(np.abs(a - b).max()) if a.shape == b.shape else float("inf")
+
+
+_AXES = {"XYZ": (0, 1, 2), "XZY": (0, 2, 1), "YXZ": (1, 0, 2), "YZX": (1, 2, 0), "ZXY": (2, 0, 1), "ZYX": (2, 1, 0)}
+_EVEN = {"XYZ", "YZX", "ZXY"}
+_NEAR_LOCK = 0.2  # cosine of the second angle
+_LOCKED = 1e-12
+
+
+def angles_near_lock(rotation: np.ndarray, order: str) -> Optional[tuple]:
+    """Euler angles, radians, of a rotation whose second angle is nearly 90 degrees; None if it is not.
+
+    There Blender finds the others from two small float32 numbers each, and is off by far more than a rounding.
+    order : as Blender's rotation modes, the first axis first
+    """
+    if order not in _AXES:
+        return None
+    i, j, k = _AXES[order]
+    r = rotation
+    cosine = math.hypot(r[i, i], r[j, i])
+    if cosine > _NEAR_LOCK:
+        return None
+    angles = [0.0, 0.0, 0.0]
+    angles[j] = math.atan2(-r[k, i], cosine)
+    if cosine > _LOCKED:
+        angles[i], angles[k] = math.atan2(r[k, j], r[k, k]), math.atan2(r[j, i], r[i, i])
+    else:
+        angles[i] = math.atan2(-r[j, k], r[j, j])
+    return tuple(angles) if order in _EVEN else tuple(-angle for angle in angles)
 
 
 def is_sheared(matrix: np.ndarray) -> bool:

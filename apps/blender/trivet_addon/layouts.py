@@ -103,6 +103,15 @@ class Layout(Protocol):
     def close(self) -> None: ...
 
 
+_MOST_NAMES = 5
+
+
+def few(names: Sequence[str], between: str = ", ") -> str:
+    """The first ones, and how many more there are."""
+    more = len(names) - _MOST_NAMES
+    return between.join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
+
+
 def safe_names(names: Sequence[str]) -> dict:
     """{name in Blender: name in Trivet}, which has no "floor" of its own and no control characters."""
     out: dict = {}

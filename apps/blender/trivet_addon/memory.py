@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from .layouts import Verdict
+from .layouts import Verdict, few
 
 
 @dataclass
@@ -31,6 +31,7 @@ class Last:
 last = Last()
 statuses: dict = {}  # name -> (Status, where it was)
 running = ""  # the operator that shows its progress or a ghost
+_named: set = set()  # pairs of obstacles that interpenetrate, of which the user knows
 ghost: tuple = ((), "")  # names that the ghost shows, and what is told of it
 
 
@@ -53,14 +54,32 @@ def _renamed(stage, verdict: Verdict) -> Verdict:
                    not_at_rest=names(verdict.not_at_rest), topples=names(verdict.topples))
 
 
-def remember(title: str, stage, report) -> None:
+def _without_obstacles(stage, report) -> tuple:
+    """The verdict without pairs of obstacles, which stand as they are; and a note that names new ones."""
+    concerned = {*report.motions, *report.refused, *stage.movers}
+    found = report.verdict
+    kept = [tuple(pair for pair in pairs if set(pair) & concerned) for pairs in (found.crossings, found.contained)]
+    file = stage.context.blend_data.filepath
+    new = []
+    for pair in (*found.crossings, *found.contained):
+        key = (file, *sorted(map(stage.object_name, pair)))
+        if not set(pair) & concerned and key not in _named:
+            _named.add(key)
+            new.append(" and ".join(key[1:]))
+    note = [f"Stand as they are, though they pass through each other: {few(new, '; ')}"] if new else []
+    return replace(found, crossings=kept[0], contained=kept[1]), note
+
+
+def remember(title: str, stage, report, judges_all: bool = False) -> None:
+    """What an operator told. judges_all : pairs of obstacles, too; else these are named once."""
     global last
+    verdict, notes = (report.verdict, []) if judges_all else _without_obstacles(stage, report)
     refused = dict(stage.refused)
     refused.update({stage.object_name(name): outcome for name, outcome in report.refused.items()})
     names = {stage.object_name(name) for outcome in refused.values() for name in outcome.objects}
     last = Last(title, [stage.object_name(name) for name in report.done],
                 {name: outcome.reason for name, outcome in refused.items()}, sorted(names - set(refused) - {"floor"}),
-                _renamed(stage, report.verdict), notes=stage.notes)
+                _renamed(stage, verdict), notes=[*stage.notes, *notes])
     for name, status in report.statuses.items():
         if name in stage.reading.owners:
             owner = stage.reading.owners[name]

@@ -40,6 +40,7 @@ class TRIVET_OT_check(Working, bpy.types.Operator):
     bl_label = "Check"
     bl_options = {"REGISTER", "UNDO"}
     moves = False
+    judges_all = True
 
     select: bpy.props.BoolProperty(name="Select", default=True, description="Select what interpenetrates or is not at rest")
 

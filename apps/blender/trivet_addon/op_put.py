@@ -35,7 +35,19 @@ def in_object_mode(operator, context) -> bool:
     return context.mode == "OBJECT"
 
 
-class TRIVET_OT_put(Working, bpy.types.Operator):
+class AsOne:
+    """Mixin: by mouse the panel says whether the selected objects are one thing."""
+
+    as_one: bpy.props.BoolProperty(name="As One", default=False, options={"SKIP_SAVE"},
+                                   description="The selected objects keep their places to each other, as one thing")
+
+    def invoke(self, context, event):
+        if not self.properties.is_property_set("as_one"):
+            self.as_one = context.scene.trivet.as_one
+        return super().invoke(context, event)
+
+
+class TRIVET_OT_put(AsOne, Working, bpy.types.Operator):
     """Lets the selected objects fall from where they are, the lowest first; they come to rest, and nothing interpenetrates"""
 
     bl_idname = "trivet.put"
@@ -52,13 +64,13 @@ class TRIVET_OT_put(Working, bpy.types.Operator):
                    crossings=lambda: stage.choices.backend.crossings(stage.bodies, stage.movers))
 
 
-class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
-    """Puts the active object where the mouse points; a ghost shows where it would come to rest"""
+class TRIVET_OT_put_here(AsOne, Pointing, bpy.types.Operator):
+    """Puts the active object, or the selected ones as one, where the mouse points; a ghost shows where it would come to rest"""
 
     bl_idname = "trivet.put_here"
     bl_label = "Put Here"
     bl_options = {"REGISTER", "UNDO"}
-    _by_mouse = None  # window, area, name of what is put
+    _by_mouse = None  # window, area, names of what is put
     point: bpy.props.FloatVectorProperty(name="Point", size=3, subtype="TRANSLATION", precision=4)
     turn: bpy.props.FloatProperty(name="Turn", subtype="ANGLE", description="About the vertical")
     way: bpy.props.IntProperty(name="Way to Lie", min=0, max=len(WAYS_TO_LIE) - 1,
@@ -83,7 +95,7 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
         return False
 
     def objects(self, context):
-        return [context.active_object]
+        return context.selected_objects if self.as_one else [context.active_object]
 
     def out(self, stage: Stage) -> list:
         return stage.movers
@@ -95,14 +107,15 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
         return put_at(layout, body, tuple(self.point), laid(self.turn, self.way), _GAP * stage.clearance)
 
     def begin(self, context, event) -> None:
-        owner = self._stage.reading.owners[self._stage.movers[0]]
-        self._excluded = {owner, *owner.children_recursive}
-        if owner.instance_collection is not None:
-            self._excluded.update(owner.instance_collection.all_objects)
+        owners = list(self._stage.reading.all_of(self._stage.movers[0]))
+        self._excluded = {one for owner in owners for one in (owner, *owner.children_recursive)}
+        for owner in owners:
+            if owner.instance_collection is not None:
+                self._excluded.update(owner.instance_collection.all_objects)
         self.turn, self.way = 0.0, 0
-        if not self.goes_on:
-            self.waiting = json.dumps([one.name for one in context.selected_objects if one != owner])
-        self._by_mouse = context.window, self._view.area, owner.name
+        if not self.goes_on and not self.as_one:
+            self.waiting = json.dumps([one.name for one in context.selected_objects if one not in owners])
+        self._by_mouse = context.window, self._view.area, [owner.name for owner in owners]
         self.follow(context, event)
 
     def follow(self, context, event) -> None:
@@ -125,12 +138,14 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
 
     def left(self, context) -> None:
         if self.is_copy:
-            remove_tree(context.active_object)
+            for one in self.objects(context):
+                remove_tree(one)
 
     def result(self, report: Report):
         result = super().result(report)
         if "FINISHED" in result and self._by_mouse is not None:
-            bpy.app.timers.register(functools.partial(_go_on, *self._by_mouse, self.waiting, self.copies), first_interval=0.0)
+            then = functools.partial(_go_on, *self._by_mouse, self.waiting, self.copies, self.as_one)
+            bpy.app.timers.register(then, first_interval=0.0)
         return result
 
     def preview(self, layout: Layout) -> Outcome:
@@ -147,21 +162,23 @@ class TRIVET_OT_put_here(Pointing, bpy.types.Operator):
         return {name: translation(np.array(self.point) - foot) @ turn}
 
 
-def _go_on(window, area, name: str, waiting: str, copies: bool) -> None:
+def _go_on(window, area, put: list, waiting: str, copies: bool, as_one: bool) -> None:
     """Puts the next one: a copy, or of those that wait the first that is still there. A step of its own for Undo."""
     names = [one for one in json.loads(waiting) if one in bpy.data.objects]
-    put = bpy.data.objects.get(name)
-    if put is None or not (copies or names):
+    done = [bpy.data.objects[name] for name in put if name in bpy.data.objects]
+    if not done or not (copies or names):
         return
     region = next(one for one in area.regions if one.type == "WINDOW")
     with bpy.context.temp_override(window=window, area=area, region=region):
         context = bpy.context
-        put.select_set(not copies and put.select_get())
-        following = copy_tree(put, home_of(put, context)) if copies else bpy.data.objects[names[0]]
-        following.select_set(True)
-        context.view_layer.objects.active = following
+        following = [copy_tree(one, home_of(one, context)) for one in done] if copies else [bpy.data.objects[names[0]]]
+        for one in done:
+            one.select_set(not copies and one.select_get())
+        for one in following:
+            one.select_set(True)
+        context.view_layer.objects.active = following[0]
         bpy.ops.trivet.put_here("INVOKE_DEFAULT", True, waiting=json.dumps(names if copies else names[1:]), goes_on=True,
-                                copies=copies, is_copy=copies)
+                                copies=copies, is_copy=copies, as_one=as_one)
 
 
 class TRIVET_OT_separate(Working, bpy.types.Operator):

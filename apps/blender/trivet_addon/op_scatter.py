@@ -13,13 +13,43 @@ from .stage import Stage
 from .work import Report
 
 
-class TRIVET_OT_scatter(Working, bpy.types.Operator):
+TURNS = [("NONE", "None", "As they are"), ("UP", "About the vertical", "Upright"), ("ANY", "Any", "Every way")]
+
+
+class Copying:
+    """Mixin of operators that put linked copies: `scatter` is the work, with its copies."""
+
+    done_word = "copies at rest"
+    scatter = None
+
+    def ran(self, stage: Stage, report: Report) -> None:
+        collection = home_of(stage.context.active_object, stage.context)
+        self._copies = {}
+        for body in self.scatter.copies:
+            if body.name in report.done:
+                copy = copy_tree(stage.reading.owners[self.scatter.source_of[body.name]], collection)
+                self._copies[body.name] = copy
+                stage.reading.add(body, copy)
+        stage.context.view_layer.update()
+
+    def undone(self, stage: Stage) -> None:
+        self._remove_copies(stage, list(getattr(self, "_copies", ())))
+
+    def written(self, context, stage: Stage, report: Report) -> None:
+        self._remove_copies(stage, [name for name in self._copies if name not in report.done])
+
+    def _remove_copies(self, stage: Stage, names) -> None:
+        for name in names:
+            stage.reading.remove(name)
+            remove_tree(self._copies.pop(name))
+
+
+class TRIVET_OT_scatter(Copying, Working, bpy.types.Operator):
     """Puts linked copies of the other selected objects, or of a collection's, on the active object"""
 
     bl_idname = "trivet.scatter"
     bl_label = "Scatter"
     bl_options = {"REGISTER", "UNDO"}
-    done_word = "copies at rest"
 
     collection: bpy.props.StringProperty(name="Collection",
                                          description="What is copied; empty: what the panel says, or the other selected objects")
@@ -29,8 +59,7 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
                                  description="Drop them from above, onto each other too; else each in a free place of its own")
     keep: bpy.props.FloatProperty(name="Keep", default=0.0, min=0.0, unit="LENGTH",
                                   description="Distance from everything but what they are put on; not for piles")
-    turn: bpy.props.EnumProperty(name="Turn", default="UP", items=[
-        ("NONE", "None", "As they are"), ("UP", "About the vertical", "Upright"), ("ANY", "Any", "Every way")])
+    turn: bpy.props.EnumProperty(name="Turn", default="UP", items=TURNS)
 
     @classmethod
     def poll(cls, context) -> bool:
@@ -48,10 +77,8 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
 
     def sources(self, context) -> list:
         named = bpy.data.collections.get(self.collection) or context.scene.trivet.sources
-        if named is None:
-            return [one for one in context.selected_objects if one != context.active_object]
-        below = set(named.all_objects)
-        return [one for one in named.all_objects if one.parent not in below and one != context.active_object]
+        found = context.selected_objects if named is None else outermost(named)
+        return [one for one in found if one != context.active_object]
 
     def objects(self, context):
         return [*self.sources(context), context.active_object]
@@ -69,37 +96,19 @@ class TRIVET_OT_scatter(Working, bpy.types.Operator):
     def work(self, stage: Stage) -> Scatter:
         target = stage.reading.name_of(stage.context.active_object)
         sources = [name for name in stage.movers if name != target]
-        bodies = [_still(body) if body.name == target or body.name in sources else body for body in stage.bodies]
+        bodies = [still(body) if body.name == target or body.name in sources else body for body in stage.bodies]
         recipe = Recipe(self.number, self.seed, self.pile, self.keep, self.turn)
-        self._scatter = Scatter(stage.make, bodies, sources if target else [], target, recipe)
-        return self._scatter
-
-    def ran(self, stage: Stage, report: Report) -> None:
-        self._add_copies(stage, report)
-
-    def undone(self, stage: Stage) -> None:
-        self._remove_copies(stage, list(getattr(self, "_copies", ())))
-
-    def written(self, context, stage: Stage, report: Report) -> None:
-        self._remove_copies(stage, [name for name in self._copies if name not in report.done])
-
-    def _add_copies(self, stage: Stage, report: Report) -> None:
-        collection = home_of(stage.context.active_object, stage.context)
-        self._copies = {}
-        for body in self._scatter.copies:
-            if body.name in report.done:
-                copy = copy_tree(stage.reading.owners[self._scatter.source_of[body.name]], collection)
-                self._copies[body.name] = copy
-                stage.reading.add(body, copy)
-        stage.context.view_layer.update()
-
-    def _remove_copies(self, stage: Stage, names) -> None:
-        for name in names:
-            stage.reading.remove(name)
-            remove_tree(self._copies.pop(name))
+        self.scatter = Scatter(stage.make, bodies, sources if target else [], target, recipe)
+        return self.scatter
 
 
-def _still(body: Body) -> Body:
+def outermost(collection) -> list:
+    """Objects of a collection that do not hang on others in it."""
+    below = set(collection.all_objects)
+    return [one for one in collection.all_objects if one.parent not in below]
+
+
+def still(body: Body) -> Body:
     return Body(body.name, body.parts, body.matrix, True, body.friction, body.density)
 
 

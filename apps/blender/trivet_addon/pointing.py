@@ -26,6 +26,10 @@ class Pointing(Working):
 
     hint = ""
 
+    def bodies(self, stage) -> list:
+        """Of the preview."""
+        return stage.bodies
+
     def out(self, stage) -> list:
         """Names of bodies that are out of the scene while the mouse moves."""
         return []
@@ -43,11 +47,11 @@ class Pointing(Working):
             if not self._stage.movers:
                 return self.execute(context)
             settings = replace(self._stage.settings, seconds=_PREVIEW_SECONDS)
-            self._layout = self._stage.choices.backend.layout(self._stage.bodies, self.out(self._stage), settings)
+            self._layout = self._stage.choices.backend.layout(self.bodies(self._stage), self.out(self._stage), settings)
         except (backends.NoBackend, LayoutError, TooLarge) as error:
             return self._failed(error)
         self._mouse = self._view.mouse(event)
-        self._ghost, self._stale, self._text = Ghost(self._stage.bodies), True, ""
+        self._ghost, self._stale, self._text = Ghost(self.bodies(self._stage)), True, ""
         self.begin(context, event)
         self._points = True
         manager = context.window_manager
@@ -105,6 +109,9 @@ class Pointing(Working):
             else:
                 self._ghost.show(self.held(), REFUSED)
                 self._text = outcome.reason
+        self._tell(context)
+
+    def _tell(self, context) -> None:
         memory.ghost = (self._ghost.names, self._text)
         context.workspace.status_text_set(f"{self.bl_label}: {self._text}   {self.hint}")
         for area in context.screen.areas:

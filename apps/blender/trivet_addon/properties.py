@@ -26,6 +26,8 @@ class TrivetScene(bpy.types.PropertyGroup):
     """Settings of a scene."""
 
     floor: bpy.props.BoolProperty(name="Floor at z = 0", default=True, description="An endless floor at height 0")
+    as_one: bpy.props.BoolProperty(name="Selected as one", default=False,
+                                   description="Put and Put Here take the selected objects as one thing: they keep their places to each other")
     clearance: bpy.props.FloatProperty(name="Clearance", default=0.0, min=0.0, unit="LENGTH", precision=6,
                                        description="How far apart objects were put, at most; contacts are found by it")
     sources: bpy.props.PointerProperty(name="Scatter", type=bpy.types.Collection,

@@ -29,6 +29,7 @@ class Reading:
     faults: dict  # object -> why
     left_out: list = field(default_factory=list)  # names of objects in the way that cannot be taken
     rendered_otherwise: list = field(default_factory=list)  # names
+    together: dict = field(default_factory=dict)  # mover -> {object: its matrix} of those that move with it as one body
 
     def __post_init__(self) -> None:
         self._by_name = {body.name: body for body in self.bodies}
@@ -39,6 +40,11 @@ class Reading:
 
     def body(self, name: str) -> Body:
         return self._by_name[name]
+
+    def all_of(self, name: str) -> dict:
+        """{object: its matrix when it was read} that a body's motion moves: its owner, and those together with it."""
+        owner = self.owners[name]
+        return {owner: self._by_name[name].matrix, **self.together.get(owner, {})}
 
     def add(self, body: Body, owner: bpy.types.Object) -> None:
         self.bodies.append(body)
@@ -160,16 +166,18 @@ def _is_beyond(instance, owner: bpy.types.Object, movers: set, reach: Optional[n
     return not meets(reach, corners.min(axis=0), corners.max(axis=0))
 
 
-def read(context, movers: Iterable, *, only: Optional[Iterable] = None, obstacles: str = "VISIBLE",
+def read(context, movers: Iterable, *, together: Iterable = (), only: Optional[Iterable] = None, obstacles: str = "VISIBLE",
          most_faces: int = 0, reach: Optional[np.ndarray] = None) -> Reading:
     """What is there.
 
     movers : objects that move as one with what is below them
+    together : of these the ones that move as one body, by the first of them
     only : of these owners alone, where given
     most_faces : TooLarge is raised beyond; 0: any number
     reach : (k, 2, 3) boxes, world; instances that stay are read where they meet one; None: all
     """
-    movers = set(movers)
+    movers, together = set(movers), list(together)
+    leads = {one: together[0] for one in together}
     wanted = None if only is None else set(only)
     view = context.space_data if context.space_data and context.space_data.type == "VIEW_3D" else None
     in_the_way = _obstacle_filter(context, obstacles)
@@ -181,6 +189,7 @@ def read(context, movers: Iterable, *, only: Optional[Iterable] = None, obstacle
         if not _is_there(instance, shown, movers, view):
             continue
         owner = _owner_of(shown, movers)
+        owner = leads.get(owner, owner)
         if (wanted is not None and owner not in wanted) or not (owner in movers or in_the_way(shown)):
             continue
         if _is_beyond(instance, owner, movers, reach):
@@ -196,7 +205,10 @@ def read(context, movers: Iterable, *, only: Optional[Iterable] = None, obstacle
         for one in (shown, instance.object.original):
             if one.name_full not in otherwise:
                 otherwise[one.name_full] = renders_otherwise(one)
-    out = _reading(parts, movers, movers if wanted is None else wanted & movers)
+    expected = {leads.get(one, one) for one in movers}
+    out = _reading(parts, movers, expected if wanted is None else wanted & expected)
+    if together:
+        out.together[together[0]] = {one: matrix_of(one.matrix_world) for one in together[1:]}
     out.rendered_otherwise = sorted(name for name, differs in otherwise.items() if differs)
     return out
 

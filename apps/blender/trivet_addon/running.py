@@ -45,12 +45,15 @@ class Working:
     done_word = "at rest"
     moves = True  # Blender's objects
     falls = False  # what moves stays near
+    as_one = False  # objects keep their places to each other
+    judges_all = False  # obstacles, too
 
     def objects(self, context):
         return context.selected_objects
 
     def stage(self, context) -> Stage:
-        return Stage(context, self.objects(context), preferences.choices(context), moves=self.moves, falls=self.falls)
+        return Stage(context, self.objects(context), preferences.choices(context), moves=self.moves, falls=self.falls,
+                     as_one=self.as_one)
 
     def execute(self, context):
         try:
@@ -175,7 +178,7 @@ class Working:
 
     def _end(self, context, stage: Stage, report: Report):
         self.written(context, stage, report)
-        memory.remember(self.bl_label, stage, report)
+        memory.remember(self.bl_label, stage, report, self.judges_all)
         for line in [*memory.last.lines[:_MOST_LINES], *memory.last.notes]:
             self.report({"WARNING"}, line)
         self.report({"INFO"}, self.summary(stage, report))

@@ -9,6 +9,7 @@ import numpy as np
 
 from .bodies import Body
 from .layouts import Layout, Outcome
+from .moves import put_at
 from .work import MakeLayout, Progress, Report, motions_in
 
 _MOST_TRIES = 12  # places for a copy that is dropped
@@ -62,11 +63,11 @@ class Scatter:
         names = [body.name for body in self.copies]
         layout = self._make([*self._bodies, *self.copies], names)
         self.progress.watch(layout)
-        report = Report()
+        report = Report(still={body.name for body in self._bodies if body.fixed})
         try:
             for number, body in enumerate(self.copies):
                 self.progress.at(number, len(names), body.name)
-                outcome = self._drop(layout, body, number) if self._recipe.pile else self._place(layout, body, number)
+                outcome = self.put(layout, body, number)
                 self.progress.at(number, len(names), body.name)
                 if outcome:
                     report.done.append(body.name)
@@ -80,6 +81,9 @@ class Scatter:
             return report
         finally:
             layout.close()
+
+    def put(self, layout: Layout, body: Body, number: int) -> Outcome:
+        return self._drop(layout, body, number) if self._recipe.pile else self._place(layout, body, number)
 
     def _place(self, layout: Layout, body: Body, number: int) -> Outcome:
         """In a free place of its own."""
@@ -121,3 +125,42 @@ class Scatter:
     def _is_over(self, pose: np.ndarray, low: np.ndarray, high: np.ndarray) -> bool:
         at = pose[:3, 3]
         return bool((low[:2] <= at[:2]).all() and (at[:2] <= high[:2]).all() and at[2] > low[2])
+
+
+MOST_OF_A_STROKE = 100  # copies
+
+
+def along(path: Sequence, spacing: float) -> list:
+    """Points at most MOST_OF_A_STROKE, this far apart along a path: its first one, and so on. A longer path has the same first ones."""
+    out, left = [np.array(point, float) for point in path[:1]], spacing
+    for a, b in zip(path[:-1], path[1:]):
+        a, b = np.array(a, float), np.array(b, float)
+        length = float(np.linalg.norm(b - a))
+        at = left
+        while at <= length and len(out) < MOST_OF_A_STROKE:
+            out.append(a + at / length * (b - a))
+            at += spacing
+        left = at - length
+    return out
+
+
+class Paint(Scatter):
+    """Puts copies of sources along a stroke, onto what is there, and onto each other.
+
+    points : (3,) where the foot of each copy is wanted
+    gap : metres above a point at which a copy is let go
+    """
+
+    def __init__(self, make: MakeLayout, bodies: Sequence[Body], sources: Sequence[str], recipe: Recipe, points: Sequence,
+                 gap: float) -> None:
+        super().__init__(make, bodies, sources, "", replace(recipe, number=MOST_OF_A_STROKE))
+        self._points, self._gap = list(points), gap
+        self.copies = self.copies[:len(self._points)]
+
+    def put(self, layout: Layout, body: Body, number: int) -> Outcome:
+        return self.put_at(layout, body, number, self._points[number])
+
+    def put_at(self, layout: Layout, body: Body, number: int, point: Sequence[float]) -> Outcome:
+        """At a point that is not known before."""
+        random = np.random.default_rng([self._recipe.seed, 3, number])
+        return put_at(layout, body, point, random_rotation(random, self._recipe.turn), self._gap)

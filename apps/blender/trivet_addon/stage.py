@@ -8,7 +8,7 @@ from typing import Callable, Iterable, Mapping, Optional, Sequence
 import numpy as np
 
 from .bodies import Body, holds, moved, reach_of, usual_clearance
-from .layouts import Layout, Outcome, Settings
+from .layouts import Layout, Outcome, Settings, few
 from .reading import Reading, TooLarge, read, root_among
 from .work import Report
 from .writing import Writer, misplaced, probe, why_it_stays
@@ -19,7 +19,6 @@ _COARSEST = 1.0 / 64  # clearance of a body's size, as Trivet has it
 _WIDER = 4.0
 _WIDEST = 2.0 ** -12  # of the smallest body that moves
 _CHANGED = 1e-3  # of a body's size: no rounding
-_MOST_NAMES = 5
 
 
 @dataclass(frozen=True)
@@ -37,12 +36,16 @@ class Stage:
 
     `refused` has an Outcome for each of them that cannot be moved, by the object's name.
     falls : what moves stays near; then instances further away are left out if there are too many
+    as_one : they keep their places to each other, and move by the active one, or the first by name
     """
 
-    def __init__(self, context, objects: Iterable, choices: Choices, *, moves: bool = True, falls: bool = False) -> None:
+    def __init__(self, context, objects: Iterable, choices: Choices, *, moves: bool = True, falls: bool = False,
+                 as_one: bool = False) -> None:
         self.context, self.choices = context, choices
         objects = set(objects)
         movers = {root_among(one, objects) for one in objects}
+        active = root_among(context.active_object, objects) if context.active_object else None
+        self._together = sorted(movers, key=lambda one: (one != active, one.name_full)) if as_one else []
         self.reach: Optional[np.ndarray] = None  # (k, 2, 3) boxes; beyond, instances were not read
         self.reading = self._read(movers, falls)
         self.refused: dict = {one.name_full: _because(one.name_full, why) for one, why in self.reading.faults.items()}
@@ -53,7 +56,7 @@ class Stage:
             context.scene.trivet.clearance)
 
     def _read(self, movers: set, falls: bool) -> Reading:
-        asked = {"obstacles": self.choices.obstacles, "most_faces": self.choices.most_faces}
+        asked = {"together": self._together, "obstacles": self.choices.obstacles, "most_faces": self.choices.most_faces}
         try:
             return read(self.context, movers, **asked)
         except TooLarge:
@@ -82,25 +85,26 @@ class Stage:
         """What the user should know of what was read."""
         out = []
         if self.reading.left_out:
-            out.append(f"Left out, with coordinates that are not finite: {_few(self.reading.left_out)}")
+            out.append(f"Left out, with coordinates that are not finite: {few(self.reading.left_out)}")
         if self.reading.rendered_otherwise:
             out.append("Judged as the view shows it; renders have other levels or modifiers of: "
-                       + _few(self.reading.rendered_otherwise))
+                       + few(self.reading.rendered_otherwise))
         return out
 
     def _hold_what_stays(self, movers: set) -> float:
         """Returns metres by which Blender is off in what it can move."""
         auto_key = self.context.scene.tool_settings.use_keyframe_insert_auto
         for name, owner in self.reading.owners.items():
-            why = why_it_stays(owner, auto_key) if owner in movers or not self.reading.body(name).fixed else None
-            if why:
-                self.hold(name, why)
+            if owner in movers or not self.reading.body(name).fixed:
+                for one in self.reading.all_of(name):
+                    if why := why_it_stays(one, auto_key):
+                        self.hold(name, why, one)
         for name in self.movers:
             if usual_clearance([self.reading.body(name)]) > _COARSEST * _size(self.reading.body(name)):
                 self.hold(name, "is too far from the origin: Blender's numbers there are too coarse for it")
         stuck, precision = probe(self.context, self.reading, self.movers)
-        for name, why in stuck.items():
-            self.hold(name, why)
+        for name, (one, why) in stuck.items():
+            self.hold(name, why, one)
         return precision
 
     @property
@@ -113,12 +117,12 @@ class Stage:
     def bodies(self) -> list:
         return [replace(body, fixed=True) if body.name in self._held else body for body in self.reading.bodies]
 
-    def hold(self, name: str, why: str) -> None:
-        """This one stays from now on."""
+    def hold(self, name: str, why: str, because_of=None) -> None:
+        """This one stays from now on, because of its owner or of one that is together with it."""
         self._held.add(name)
         owner = self.reading.owners[name]
         if owner in self.reading.movers:
-            self.refused[owner.name_full] = _because(owner.name_full, why)
+            self.refused[owner.name_full] = _because((because_of or owner).name_full, why)
 
     def widen(self) -> bool:
         """A larger clearance from now on; false if that would be seen, or the user asked for one."""
@@ -190,9 +194,10 @@ def is_shown(stage: Stage, report: Report) -> bool:
 
 
 def _shown_bodies(stage: Stage, report: Report, shown: Reading) -> list:
-    """All bodies where Blender shows them; what was refused stands still."""
+    """All bodies where Blender shows them; what was refused stands still, as what did in the work."""
     there = {stage.reading.name_of(shown.owners[body.name]): body for body in shown.bodies}
-    return [replace(there.get(body.name, body), name=body.name, fixed=body.fixed or body.name in report.refused)
+    still = {*report.refused, *report.still}
+    return [replace(there.get(body.name, body), name=body.name, fixed=body.fixed or body.name in still)
             for body in stage.bodies]
 
 
@@ -201,23 +206,24 @@ def _remember(stage: Stage, report: Report) -> None:
     stage.context.scene.trivet.clearance = max(stage.context.scene.trivet.clearance, stage.clearance)
     auto_key = stage.context.scene.tool_settings.use_keyframe_insert_auto
     for name in report.motions:
-        owner = stage.reading.owners[name]
-        if owner.trivet.role == "AUTO" and not _is_passive(owner):
-            owner.trivet.role = "FREE"
-        if auto_key:
-            owner.keyframe_insert("location")
-            owner.keyframe_insert({"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}.get(
-                owner.rotation_mode, "rotation_euler"))
+        objects = stage.reading.all_of(name)
+        for owner in objects:
+            # Things that were put as one may not stand each alone.
+            if len(objects) == 1 and owner.trivet.role == "AUTO" and not _is_passive(owner):
+                owner.trivet.role = "FREE"
+            if auto_key:
+                _insert_keys(owner)
+
+
+def _insert_keys(owner) -> None:
+    owner.keyframe_insert("location")
+    owner.keyframe_insert({"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}.get(
+        owner.rotation_mode, "rotation_euler"))
 
 
 def _is_passive(owner) -> bool:
     """Whether it stands still in Blender's own simulation."""
     return owner.rigid_body is not None and owner.rigid_body.type == "PASSIVE"
-
-
-def _few(names: Sequence[str]) -> str:
-    more = len(names) - _MOST_NAMES
-    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
 def _size(body: Body) -> float:

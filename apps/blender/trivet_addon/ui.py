@@ -11,7 +11,7 @@ from . import backends, memory, preferences
 from .reading import metres_of_unit
 
 _KEYS: list = []
-ICONS = {"put": "TRIA_DOWN_BAR", "put_here": "PIVOT_CURSOR", "scatter": "STICKY_UVS_DISABLE", "push": "FORWARD",
+ICONS = {"put": "TRIA_DOWN_BAR", "put_here": "PIVOT_CURSOR", "scatter": "STICKY_UVS_DISABLE", "paint": "BRUSH_DATA", "push": "FORWARD",
          "turn": "FILE_REFRESH", "move": "ORIENTATION_GLOBAL", "separate": "MOD_EXPLODE", "check": "CHECKMARK"}
 _CHARACTER = 8.0  # pixels, at a scale of 1
 _BARELY = 2e-4  # of its size: margins below it are told
@@ -56,9 +56,10 @@ class TRIVET_PT_main(_Panel, bpy.types.Panel):
         row = layout.row()
         row.scale_y = 1.8
         row.operator("trivet.put", icon="TRIA_DOWN_BAR")
-        for first, second in (("put_here", "scatter"), ("push", "turn"), ("move", "separate")):
+        layout.prop(context.scene.trivet, "as_one")
+        for names in (("put_here",), ("scatter", "paint"), ("push", "turn"), ("move", "separate")):
             row = layout.row(align=True)
-            for name in (first, second):
+            for name in names:
                 row.operator(f"trivet.{name}", text=name.replace("_", " ").title(), icon=ICONS[name])
         layout.operator("trivet.check", icon="CHECKMARK")
         layout.operator("trivet.export", text="Export", icon="EXPORT")

@@ -28,6 +28,7 @@ class Report:
     verdict: Verdict = field(default_factory=Verdict)
     statuses: dict = field(default_factory=dict)  # name -> Status
     outcome: Outcome = Outcome(True)  # of a move
+    still: set = field(default_factory=set)  # names of bodies that stood still, though the operator was given them
 
 
 class Progress:

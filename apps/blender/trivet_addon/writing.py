@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from .bodies import deviation, is_sheared
+from .bodies import angles_near_lock, deviation, is_sheared
 from .reading import Reading, ancestors, matrix_of, read
 from .properties import settings_of
 
@@ -60,22 +60,23 @@ class Writer:
 
     def __init__(self, context, reading: Reading) -> None:
         self._context, self._reading = context, reading
-        self._channels = {owner: _channels(owner) for owner in reading.owners.values()}
+        self._channels = {owner: _channels(owner) for name in reading.owners for owner in reading.all_of(name)}
 
     def write(self, motions: Mapping[str, np.ndarray]) -> dict:
         """The outermost first; bodies below one that moves are told that they stay. Returns the motions of all written."""
-        moving = {self._reading.owners[name] for name in motions}
+        moving = {owner for name in motions for owner in self._reading.all_of(name)}
         wanted, written = {}, {}
         for body in self._reading.bodies:
             owner = self._reading.owners[body.name]
             if owner in moving or any(up in moving for up in ancestors(owner.parent)):
                 written[body.name] = motions.get(body.name, np.eye(4))
-                wanted[owner] = written[body.name] @ body.matrix
+                wanted.update((one, written[body.name] @ matrix) for one, matrix in self._reading.all_of(body.name).items())
         depths = sorted({_depth(owner) for owner in wanted})
         for depth in depths:
             for owner, matrix in wanted.items():
                 if _depth(owner) == depth:
                     owner.matrix_world = Matrix(matrix.tolist())
+                    _mend_angles(owner, matrix)
             self._context.view_layer.update()
         return written
 
@@ -88,11 +89,26 @@ class Writer:
         self._context.view_layer.update()
 
 
+def _mend_angles(owner: bpy.types.Object, wanted: np.ndarray) -> None:
+    """Euler angles where Blender's own are not precise; see angles_near_lock."""
+    if any(owner.delta_rotation_euler) or not all(owner.scale):
+        return
+    above = np.eye(4)
+    if owner.parent is not None:
+        above = matrix_of(owner.parent.matrix_world) @ matrix_of(owner.matrix_parent_inverse)
+    if abs(np.linalg.det(above)) > 0:
+        linear = (np.linalg.inv(above) @ wanted)[:3, :3]
+        lengths = np.linalg.norm(linear, axis=0) * np.sign(owner.scale)
+        angles = angles_near_lock(linear / lengths, owner.rotation_mode) if lengths.all() else None
+        if angles is not None:
+            owner.rotation_euler = angles
+
+
 def probe(context, reading: Reading, names):
     """Moves and turns each body a little, looks where Blender has it, and moves it back.
 
-    Returns ({name: why} of those that do not go where they are told, by constraints or a parent of unequal scale, and
-    metres by which others are off: Blender's matrices are float32).
+    Returns ({name: (object, why)} of those that do not go where they are told, by constraints or a parent of unequal
+    scale, and metres by which others are off: Blender's matrices are float32).
     """
     writer = Writer(context, reading)
     turn = np.array(Matrix.Rotation(0.7, 4, (0.36, 0.48, 0.8)), np.float64)
@@ -105,17 +121,23 @@ def probe(context, reading: Reading, names):
         motions[name] = motion
     writer.write(motions)
     for name, motion in motions.items():
-        owner, body = reading.owners[name], reading.body(name)
-        wanted, shown = motion @ body.matrix, matrix_of(owner.matrix_world)
-        corners = np.linalg.inv(body.matrix) if abs(np.linalg.det(body.matrix)) > 0 else np.eye(4)
-        points = np.c_[body.bounds(), np.ones(2)] @ corners.T
-        off = np.abs(points @ (shown - wanted).T)[:, :3].max()
-        if off > 1e-3 * float(np.linalg.norm(np.ptp(body.bounds(), axis=0))):
-            out[name] = _reason(owner, wanted)
-        else:
-            precision = max(precision, float(off))
+        box = reading.body(name).bounds()
+        for owner, matrix in reading.all_of(name).items():
+            wanted = motion @ matrix
+            off = _off(box, matrix, wanted, matrix_of(owner.matrix_world))
+            if off > 1e-3 * float(np.linalg.norm(np.ptp(box, axis=0))):
+                out[name] = (owner, _reason(owner, wanted))
+            else:
+                precision = max(precision, off)
     writer.put_back()
     return out, precision
+
+
+def _off(box: np.ndarray, matrix: np.ndarray, wanted: np.ndarray, shown: np.ndarray) -> float:
+    """Metres by which corners of a box, in the world below `matrix`, are elsewhere than they should be."""
+    corners = np.linalg.inv(matrix) if abs(np.linalg.det(matrix)) > 0 else np.eye(4)
+    points = np.c_[box, np.ones(2)] @ corners.T
+    return float(np.abs(points @ (shown - wanted).T)[:, :3].max())
 
 
 def _reason(owner: bpy.types.Object, wanted: np.ndarray) -> str:
@@ -137,7 +159,8 @@ def _reason(owner: bpy.types.Object, wanted: np.ndarray) -> str:
 def misplaced(context, reading: Reading, motions: Mapping[str, np.ndarray], tolerance: float):
     """({name: metres} of moved bodies that Blender shows elsewhere, what it shows of the moved)."""
     moved = {reading.owners[name] for name in motions}
-    shown = read(context, reading.movers, only=moved)
+    together = next(([lead, *others] for lead, others in reading.together.items()), [])
+    shown = read(context, reading.movers, together=together, only=moved)
     out = {}
     for name, motion in motions.items():
         body = reading.body(name)

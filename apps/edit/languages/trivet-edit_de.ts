@@ -3247,6 +3247,46 @@
         <translation>gelesene Teile, die nicht gedruckt werden sollen</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; cannot come into a scene of another program</source>
+        <translation>„%1“ kann in keine Szene eines anderen Programms kommen</translation>
+    </message>
+    <message>
+        <source>&quot;to&quot; or &quot;by&quot;</source>
+        <translation>„to“ oder „by“</translation>
+    </message>
+    <message>
+        <source>a joint of a scene in MJCF: this scene has none</source>
+        <translation>ein Gelenk einer Szene in MJCF: diese Szene hat keines</translation>
+    </message>
+    <message>
+        <source>a number, &quot;lower&quot;, &quot;upper&quot;</source>
+        <translation>eine Zahl, „lower“, „upper“</translation>
+    </message>
+    <message>
+        <source>an operation or several, or &quot;poses&quot;</source>
+        <translation>eine oder mehrere Operationen, oder „poses“</translation>
+    </message>
+    <message>
+        <source>cannot be saved; accepted: a file name ending in %1, as the scene&apos;s</source>
+        <translation>kann nicht gespeichert werden; erlaubt: ein Dateiname, der auf %1 endet wie der der Szene</translation>
+    </message>
+    <message>
+        <source>heights count from the floor, which is at %1 m in the file</source>
+        <translation>Höhen zählen ab dem Boden, der in der Datei bei %1 m liegt</translation>
+    </message>
+    <message>
+        <source>none: no slides and hinges were read</source>
+        <translation>keine: es wurden weder Schubgelenke noch Scharniere gelesen</translation>
+    </message>
+    <message>
+        <source>not read: %1</source>
+        <translation>nicht gelesen: %1</translation>
+    </message>
+    <message>
+        <source>operations that move objects: a scene of another program keeps its objects</source>
+        <translation>Operationen, die Objekte bewegen: eine Szene eines anderen Programms behält ihre Objekte</translation>
+    </message>
+    <message>
         <source>supports for printing left out</source>
         <translation>weggelassene Druckstützen</translation>
     </message>

@@ -65,8 +65,10 @@ std::vector<Operation> GizmoTool::choices() const {
   for (int k = 0; k < 3; ++k) axis[k] = rounded(axis[k], 1e-6);
   const Rotation turn = turned_about(axis.normalized(), std::fmod(m_degrees, 360));
   turned.pose.rotation = (turn * turned.pose.rotation).normalized();
-  return put_choices(scene(), turned, with_loads(scene(), m_lifted_id), place_of(*m_lifted),
-                     operation_of<PutOperation>(*m_lifted), m_options.drop_height);
+  auto put = operation_of<PutOperation>(*m_lifted);
+  put.tries = kTriesInHand;
+  return put_choices(scene(), turned, with_loads(scene(), m_lifted_id), place_of(*m_lifted), put,
+                     m_options.drop_height);
 }
 
 void GizmoTool::turn_to(double degrees) {

@@ -146,16 +146,21 @@ void HandGesture::show_rest_of_slide() {
   if (!slides()) return update();
   const ObjectSnapshot* const now = object();
   if (!now || m_several) return;
-  auto put = operation_of<PutOperation>(*m_start, m_document, m_options);
+  PutOperation put = put_in_hand();
   put.start = (*now)->pose;
   m_document.request_ghost(put);
+}
+
+PutOperation HandGesture::put_in_hand() const {
+  auto put = operation_of<PutOperation>(*m_start, m_document, m_options);
+  put.tries = kTriesInHand;
+  return put;
 }
 
 std::vector<Operation> HandGesture::choices() const {
   Object turned = *m_start;
   turned.pose.rotation = m_turn.of(m_start->pose.rotation);
-  return put_choices(*m_document.snapshot(), turned, m_moving, put_at(),
-                     operation_of<PutOperation>(*m_start, m_document, m_options),
+  return put_choices(*m_document.snapshot(), turned, m_moving, put_at(), put_in_hand(),
                      m_options.drop_height, m_lift);
 }
 

@@ -48,6 +48,7 @@ class HandGesture {
   const Picked& put_at() const;
   void update();
   void show_rest_of_slide();
+  PutOperation put_in_hand() const;
   std::vector<Operation> choices() const;
   void end();
 

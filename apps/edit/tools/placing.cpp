@@ -130,12 +130,13 @@ std::vector<Operation> put_choices(const SceneSnapshot& scene, const Object& obj
                                    const std::vector<ObjectId>& moving, const Picked& at,
                                    PutOperation put, double drop_height, double lift) {
   const double close = kClose * world_box(object).diagonal();
+  const int tries = put.tries;
   put.start = put_start(scene, object, moving, at, close + lift, true);
   put.tries = 1;
   std::vector<Operation> choices{put};
   if (is_wall(at)) return choices;
   put.start = put_start(scene, object, moving, at, drop_height + lift, false);
-  put.tries = kTriesOfPut;
+  put.tries = tries;
   choices.push_back(put);
   return choices;
 }

@@ -15,12 +15,15 @@ Pose put_start(const SceneSnapshot& scene, const Object& object,
                const std::vector<ObjectId>& moving, const Picked& at, double height, bool near);
 
 /// PUTs that bring the object to rest where the mouse points, the better ones first: from close to
-/// that point, between what stands there; then as put_start(), with tries.
+/// that point, between what stands there; then as put_start(), with the tries of `put`.
 /// @param object  in the rotation in which it is put. @param put  with its name and options.
 /// @param lift  metres above that point.
 std::vector<Operation> put_choices(const SceneSnapshot& scene, const Object& object,
                                    const std::vector<ObjectId>& moving, const Picked& at,
                                    PutOperation put, double drop_height, double lift = 0);
+
+/// Tries of a PUT whose ghost follows the mouse: its next place is another try.
+inline constexpr int kTriesInHand = 2;
 
 /// The place of an object that is turned where it is: below its centre of mass, at its underside.
 Picked place_of(const Object& object);

@@ -39,8 +39,9 @@ void add_options(QCommandLineParser& parser) {
                     "Settles with nearly perfect friction, each object alone, as the paper does"});
   parser.addOption({"objects-alone",
                     "Settles each object on what stands still, whether the whole stands or not"});
-  parser.addOption(
-      {"language", "Of the windows: en or de; otherwise as chosen, or the system's", "code"});
+  parser.addOption({"language",
+                    "Language of the windows: en or de; default: the chosen one, else the system's",
+                    "code"});
 }
 
 // Help, version and a language that is none need no display.

@@ -38,7 +38,7 @@ class Foreign:
         path : path
             .xml or .mjcf, .urdf, .sdf or .world, .glb or .gltf.
         key : str
-            Keyframe of MJCF that the poses are of; "none": where the bodies stand. Default: the first, if it has
+            Keyframe of MJCF with the poses; "none": where the bodies stand. Default: the first, if it has
             positions.
         collide : "engine" or "raw"
             Colliding meshes as the engine takes them, by their hulls, or as they are.

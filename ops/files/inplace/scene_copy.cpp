@@ -61,10 +61,16 @@ void copy_companions(const GltfJson& root, const std::string& scene, const fs::p
   }
 }
 
+// By its content, as readers take it: names of either kind are given to both.
+bool is_text(const std::string& scene) {
+  const std::size_t begin = scene.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+  const std::size_t first = scene.find_first_not_of(" \t\r\n", begin);
+  return first != std::string::npos && scene[first] == '{';
+}
+
 // The same container with another JSON chunk; all other chunks byte for byte.
-// @param file  it was read from before, and may be another one by now.
-std::string with_json(const std::string& file, std::string json) {
-  const std::string glb = whole_file(file);
+// @param glb  what is in the file now; it was read from before, and may be another one by now.
+std::string with_json(const std::string& file, const std::string& glb, std::string json) {
   std::uint32_t old_json = 0;
   if (glb.size() >= kBeforeJson) std::memcpy(&old_json, glb.data() + 12, sizeof old_json);
   if (glb.size() < kBeforeJson + old_json || glb.compare(0, 4, "glTF") != 0)
@@ -88,11 +94,13 @@ void write_scene_copy(const std::string& from, const GltfJson& original, const G
   if (lower_extension(to) != lower_extension(from))
     throw Error(Error::Kind::BadInput, "%1: the scene stays what it is; accepted: %2", to,
                 lower_extension(from));
-  const bool glb = lower_extension(to) == ".glb";
-  const std::string text = json.dump(glb ? -1 : 1, ' ', false, GltfJson::error_handler_t::replace);
+  const std::string scene = whole_file(from);
+  const bool stays_text = is_text(scene);
+  const std::string text =
+      json.dump(stays_text ? 1 : -1, ' ', false, GltfJson::error_handler_t::replace);
   StagedFiles staged(to);
   copy_companions(original, from, to, staged);
-  staged.add(to, glb ? with_json(from, text) : text);
+  staged.add(to, stays_text ? text : with_json(from, scene, text));
   staged.commit();
 }
 

@@ -1,6 +1,5 @@
 #include "ops/files/json/operation_schema.h"
 
-#include <cctype>
 #include <cstdint>
 
 #include "ops/files/json/operations.h"
@@ -53,7 +52,7 @@ struct Schema {
   }
   template <class T>
   Json operator()(const std::optional<T>*) const {
-    const Json value = (*this)(static_cast<const T*>(nullptr));
+    Json value = (*this)(static_cast<const T*>(nullptr));
     if (!accepts.words[0]) return value;
     return {{"oneOf", {{{"const", accepts.words[0]}}, value}}};
   }
@@ -101,10 +100,8 @@ void narrow_words(const OperationTable& table, size_t form, Json& words, const c
 }
 
 std::string described(const Field& field) {
-  std::string unit = field.accepts.unit;
-  if (unit.empty()) return std::string(field.help) + ".";
-  unit[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(unit[0])));
-  return std::string(field.help) + ". " + unit + ".";
+  const std::string help = field.help, unit = field.accepts.unit;
+  return help + (unit.empty() ? "." : " (" + unit + ").");
 }
 
 Json property(const OperationTable& table, const Field& field, size_t form, const Slot& usual) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the documentation site, and looks for its pages and links; warnings are errors.
+# Builds the documentation site, and looks at its pages and links; warnings are errors.
 #   tests/apps/python/sphinx.sh PYTHON PACKAGE_FOLDER OUTPUT_FOLDER
 # Status 77: a prerequisite is missing.
 set -euo pipefail
@@ -17,6 +17,7 @@ for page in index tutorial/index guide/index reference/index python/index python
   grep -q "<h1>" "$output/html/$page.html"
 done
 "$python" "$root/tests/prose/links.py" --site "$output/html"
+"$python" "$root/tests/prose/pages.py" "$output/html" "$output/pictures" || [ $? -eq 77 ]
 # All that is public has an entry.
 "$python" - "$output/html/python/api.html" "$package" <<'END'
 import sys

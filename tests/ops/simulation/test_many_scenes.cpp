@@ -1,6 +1,8 @@
 // Scenes that share a folder of meshes: one file for all sizes of a model, read by the engines.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -163,6 +165,32 @@ TEST(ManyScenes, AreReadBySdformatWithTheirSizes) {
   }
 #else
   GTEST_SKIP() << "this build has no SDFormat (Debian: libsdformat-dev)";
+#endif
+}
+
+// All worlds below the folder TRIVET_SDF_WORLDS, such as those of an exported batch.
+TEST(ManyScenes, OfAFolderAreReadBySdformat) {
+  const char* const worlds = std::getenv("TRIVET_SDF_WORLDS");
+  if (!worlds) GTEST_SKIP() << "TRIVET_SDF_WORLDS names no folder";
+#ifdef TRIVET_TEST_SDFORMAT
+  int num_worlds = 0, num_models = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(worlds)) {
+    if (entry.path().extension() != ".sdf") continue;
+    sdf::Root root;
+    for (const sdf::Error& error : root.Load(entry.path().string()))
+      ADD_FAILURE() << entry.path() << ": " << error.Message();
+    ASSERT_EQ(root.WorldCount(), 1u) << entry.path();
+    for (std::uint64_t i = 0; i < root.WorldByIndex(0)->ModelCount(); ++i) {
+      const sdf::Link* const link = root.WorldByIndex(0)->ModelByIndex(i)->LinkByIndex(0);
+      const sdf::Mesh* const mesh = link->VisualByIndex(0)->Geom()->MeshShape();
+      if (!mesh) continue;  // the floor
+      EXPECT_TRUE(std::filesystem::exists(entry.path().parent_path() / mesh->Uri()));
+      ++num_models;
+    }
+    ++num_worlds;
+  }
+  std::printf("%d worlds with %d objects are read by libsdformat\n", num_worlds, num_models);
+  EXPECT_GT(num_models, 0);
 #endif
 }
 
