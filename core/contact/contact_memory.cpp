@@ -41,7 +41,7 @@ size_t ContactMemory::Hash::operator()(const Question& question) const {
 const std::vector<ContactPoint>& ContactMemory::points(const Body& a, const Body& b,
                                                        double tolerance, double slack,
                                                        const Find& find) {
-  Question question{a.shape, b.shape, {}};
+  Question question{a.shape, b.shape, {a.shape->id, b.shape->id}, {}};
   double* const end =
       append(b.world_from_object, append(a.world_from_object, question.numbers.data()));
   end[0] = tolerance;

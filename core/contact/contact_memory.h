@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -13,8 +14,8 @@ namespace trivet {
 
 /// While one lives, contact_points() remembers its answers on this thread: whoever lets a heap come
 /// to rest asks for the same pairs again and again. They are functions of shapes and poses, so that
-/// nothing but time depends on it. The shapes have to live as long. Of several the first one that
-/// lives remembers, for all.
+/// nothing but time depends on it. Shapes without an id have to live as long. Of several the
+/// first one that lives remembers, for all.
 class ContactMemory {
  public:
   ContactMemory();
@@ -35,7 +36,8 @@ class ContactMemory {
   /// All that the points follow from.
   struct Question {
     const Shape *a, *b;
-    std::array<double, 26> numbers;  // two poses, tolerance, slack
+    std::array<std::uint64_t, 2> ids;  // another shape may come to be where one was
+    std::array<double, 26> numbers;    // two poses, tolerance, slack
 
     bool operator==(const Question&) const = default;
   };

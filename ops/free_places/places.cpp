@@ -68,20 +68,17 @@ class PlaceSearch {
     HeightMap underside = underside_on_grid();
     const HeightMap support = top_of_support(underside);
     const std::vector<float> falls = falls_onto(support, underside, brackets);
-    HeightMap rest = top_of_others(underside);
     if (!(m_keep > 0)) {
-      take_starts(falls, underside, rest);
+      take_starts(falls, underside, top_of_others(underside));
       return std::move(m_out);
     }
-    const HeightMap wide = top_about(rest);
+    const HeightMap about = top_about(support);
     // Two pixels may hold points that are closer or farther than their centres by a diagonal.
     const double reach = m_keep / (m_coarse * m_grid.pixel);
-    HeightMap narrow = rest;
-    take_higher(widened_top(wide, reach + kDiagonal, m_border), rest);
-    take_starts(falls, underside, rest);
+    take_starts(falls, underside, top_within(reach + kDiagonal, about, underside));
     if (m_out.starts.empty()) {
-      take_higher(widened_top(wide, std::max(reach - kDiagonal, 0.0), m_border), narrow);
-      m_out.doubtful = ranked(farther_than(falls, underside, narrow));
+      const double sure = std::max(reach - kDiagonal, 0.0);
+      m_out.doubtful = ranked(farther_than(falls, underside, top_within(sure, about, underside)));
     }
     return std::move(m_out);
   }
@@ -159,27 +156,39 @@ class PlaceSearch {
   }
 
   HeightMap top_of_others(const HeightMap& underside) const {
-    const MapGrid grid = grid_under(underside.width, underside.height);
-    return draw_top(others_on(grid), grid, m_setting.others.floor() && !m_setting.on_floor(),
-                    ceiling());
+    return top_of(others_on(grid_under(underside.width, underside.height)), underside);
+  }
+
+  HeightMap top_of(std::span<const Body> bodies, const HeightMap& underside) const {
+    return draw_top(bodies, grid_under(underside.width, underside.height),
+                    m_setting.others.floor() && !m_setting.on_floor(), ceiling(), MapParts::Bounds);
+  }
+
+  // Coarse pixels bound what is over the fine ones in them, which need not be drawn.
+  HeightMap top_within(double reach, const HeightMap& about, const HeightMap& underside) const {
+    HeightMap out = top_of({}, underside);
+    take_higher(widened_top(about, reach, m_border), out);
+    return out;
   }
 
   // Everything else in coarse pixels, under all places and as far about them as is to be kept.
-  HeightMap top_about(const HeightMap& rest) const {
+  HeightMap top_about(const HeightMap& fine) const {
     MapGrid grid = grid_under(m_grid.width, m_grid.height);
     grid.pixel *= m_coarse;
     grid.corner -= Vec2::Constant(m_border * grid.pixel);
-    grid.width = (rest.width + m_coarse - 1) / m_coarse + 2 * m_border;
-    grid.height = (rest.height + m_coarse - 1) / m_coarse + 2 * m_border;
-    return draw_top(others_on(grid), grid, false, ceiling());
+    grid.width = (fine.width + m_coarse - 1) / m_coarse + 2 * m_border;
+    grid.height = (fine.height + m_coarse - 1) / m_coarse + 2 * m_border;
+    return draw_top(others_on(grid), grid, false, ceiling(), MapParts::Bounds);
   }
 
   void take_higher(const HeightMap& coarse, HeightMap& fine) const {
-    for (int y = 0; y < fine.height; ++y)
-      for (int x = 0; x < fine.width; ++x) {
-        float& bound = fine.bound[fine.index(x, y)];
-        bound = std::max(bound, coarse.bound[coarse.index(x / m_coarse, y / m_coarse)]);
-      }
+    for (int y = 0; y < fine.height; ++y) {
+      const float* highest = &coarse.bound[coarse.index(0, y / m_coarse)];
+      float* const bound = &fine.bound[fine.index(0, y)];
+      for (int first = 0; first < fine.width; first += m_coarse, ++highest)
+        for (int x = first; x < std::min(first + m_coarse, fine.width); ++x)
+          bound[x] = std::max(bound[x], *highest);
+    }
   }
 
   Vec2 centre_at(int place) const {

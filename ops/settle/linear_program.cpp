@@ -8,11 +8,24 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <utility>
+
+#include "core/contact/recent_nodes.h"
+#include "ops/settle/program_memory.h"
 
 namespace trivet {
 namespace {
 
 constexpr double kNoise = 1e-12;  // forces and torques of size one: rounding below this
+// Entries. Of larger programs, as of heaps, hardly any comes again.
+constexpr size_t kMostRemembered = 10'000;
+
+template <class Number>
+void append_bytes(const std::vector<Number>& numbers, std::string& out) {
+  const size_t count = numbers.size();
+  out.append(reinterpret_cast<const char*>(&count), sizeof count);
+  out.append(reinterpret_cast<const char*>(numbers.data()), count * sizeof(Number));
+}
 
 }  // namespace
 
@@ -96,20 +109,51 @@ LinearProgram::Solution LinearProgram::solve_by_dual(bool scale) const {
 }
 
 LinearProgram::Solution LinearProgram::solve(bool scale, Method method, Basis* basis) const {
+  const bool is_start = basis && basis->size() == m_costs.size() + m_row_lower.size();
+  const Basis start = is_start ? *basis : Basis();
+  Answer answer = m_values.size() > kMostRemembered ? solve_now(scale, method, start)
+                                                    : solve_once(scale, method, start);
+  if (basis && answer.solution.optimal) *basis = std::move(answer.basis);
+  return std::move(answer.solution);
+}
+
+LinearProgram::Answer LinearProgram::solve_once(bool scale, Method method,
+                                                const Basis& start) const {
+  auto& memory = memory_of_thread<ProgramMemory>();
+  std::string question = this->question(scale, method, start);
+  if (const Answer* const known = memory.find(question)) return *known;
+  Answer out = solve_now(scale, method, start);
+  memory.remember(std::move(question), out);
+  return out;
+}
+
+std::string LinearProgram::question(bool scale, Method method, const Basis& start) const {
+  std::string out{scale ? 's' : '-', method == Method::Dual ? 'd' : 'p'};
+  append_bytes(start, out);
+  append_bytes(m_starts, out);
+  append_bytes(m_rows, out);
+  for (const auto* numbers : {&m_values, &m_costs, &m_column_upper, &m_row_lower, &m_row_upper})
+    append_bytes(*numbers, out);
+  return out;
+}
+
+LinearProgram::Answer LinearProgram::solve_now(bool scale, Method method,
+                                               const Basis& start) const {
   const size_t num_states = m_costs.size() + m_row_lower.size();
   const auto held = Solver::of(*this, scale);
   Solver& solver = *held;
-  if (basis && basis->size() == num_states) solver.copyinStatus(basis->data());
+  if (!start.empty()) solver.copyinStatus(start.data());
   method == Method::Dual ? solver.dual() : solver.primal();
-  Solution solution;
+  Answer out;
+  Solution& solution = out.solution;
   solution.optimal = solver.isProvenOptimal();
-  if (!solution.optimal) return solution;
-  if (basis) basis->assign(solver.statusArray(), solver.statusArray() + num_states);
+  if (!solution.optimal) return out;
+  out.basis.assign(solver.statusArray(), solver.statusArray() + num_states);
   const double *x = solver.primalColumnSolution(), *prices = solver.dualRowSolution();
   solution.objective = solver.objectiveValue();
   solution.x.assign(x, x + m_costs.size());
   solution.prices.assign(prices, prices + m_row_lower.size());
-  return solution;
+  return out;
 }
 
 std::vector<double> LinearProgram::objectives_with(std::span<const Column> columns,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/types.h"
@@ -44,6 +45,12 @@ class LinearProgram {
   /// of several solutions may be found.
   Solution solve_by_dual(bool scale) const;
 
+  /// A solution as ProgramMemory keeps it.
+  struct Answer {
+    Solution solution;
+    Basis basis;  // the final one; empty where there is no solution
+  };
+
   struct Column {
     std::vector<Entry> entries;
     double cost = 0, upper = kInfinity;
@@ -56,6 +63,10 @@ class LinearProgram {
   class Solver;
   enum class Method { Primal, Dual };
   Solution solve(bool scale, Method method, Basis* basis) const;
+  /// All that the solution follows from, byte by byte.
+  std::string question(bool scale, Method method, const Basis& start) const;
+  Answer solve_once(bool scale, Method method, const Basis& start) const;
+  Answer solve_now(bool scale, Method method, const Basis& start) const;
 
   std::vector<int> m_starts{0}, m_rows;
   std::vector<double> m_values, m_costs, m_column_upper, m_row_lower, m_row_upper;

@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
 # Packs what measures Trivet on a machine with a GPU: program, tests of the GPU, benchmarks, and their libraries.
-#   perf/kit/pack.sh BUILD OUT.tar.gz      (or .tar.xz or .tar.zst, smaller, for machines that have xz or zstd)
+#   perf/kit/pack.sh BUILD OUT.tar.gz
 # BUILD: configured as perf/README.md says, without the libraries that are only compared with; trivet, trivet-import, trivet_perf and
 # test_gpu_* are built.
+# Programs and libraries are in payload.tar.xz, which gzip alone would not bring below 64 MiB; run.sh unpacks it by the xz that is beside it,
+# so that the machine needs none.
 # Left out: glibc with its loader, and the drivers of EGL and OpenGL; both must be those of the machine. In lib/machine are
 # libraries that its drivers may use, too, and GLVND's loaders: they are taken only where the machine has none (or an older libstdc++).
 set -euo pipefail
 build="$1" out="$(realpath -m "$2")"
 here="$(dirname "$(readlink -f "$0")")"
 case "$out" in
-  *.tar.gz) packer="gzip -9n" ;;
-  *.tar.xz) packer="xz -T0 -6" ;;
-  *.tar.zst) packer="zstd -T0 -12 -q" ;;
-  *) echo "pack.sh: $out is not accepted; accepted: a name that ends in .tar.gz, .tar.xz or .tar.zst" >&2; exit 2 ;;
+  *.tar.gz) ;;
+  *) echo "pack.sh: $out is not accepted; accepted: a name that ends in .tar.gz" >&2; exit 2 ;;
 esac
+xz="$(command -v xz)" || { echo "xz is missing: install xz-utils" >&2; exit 2; }
 most_bytes=$((64 << 20))
 work="$(mktemp -d)"; trap 'rm -rf "$work"' EXIT
 root="$work/trivet-kit"; mkdir -p "$root/bin" "$root/lib/machine"
@@ -56,7 +57,15 @@ if [ -f "$build/apps/python/trivet/__init__.py" ]; then  # configured with Pytho
   find "$root/python" -name '*.so' -exec strip --strip-unneeded {} +
 fi
 
-tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@0 -C "$work" -cf - trivet-kit | $packer >"$out"
-bytes="$(stat -c %s "$out")"
-echo "$out: $((bytes >> 10)) KiB packed, $(du -sk "$root" | cut -f1) KiB unpacked; needs $(tr '\n' ' ' <"$root/NEEDS")"
-[ "$bytes" -lt $most_bytes ] || { echo "larger than 64 MiB: leave out libraries (see perf/README.md), or pack a .tar.xz" >&2; exit 1; }
+unpacked="$(du -sk "$root" | cut -f1)"
+in_order() { tar --sort=name --owner=0 --group=0 --numeric-owner --mtime=@0 "$@"; }
+in_order -C "$root" -cf - bin lib $(cd "$root" && ls -d python 2>/dev/null) | "$xz" -6 >"$root/payload.tar.xz"
+rm -rf "$root/bin" "$root/lib" "$root/python"
+mkdir "$root/unpack"
+install -m 755 "$(readlink -f "$xz")" "$root/unpack/xz"
+install -m 644 "$(readlink -f "$(ldd "$xz" | sed -n 's/^.*liblzma.* => \(\/[^ ]*\) .*/\1/p')")" "$root/unpack/liblzma.so.5"
+in_order -C "$work" -cf - trivet-kit | gzip -9n >"$out.part"
+bytes="$(stat -c %s "$out.part")"
+[ "$bytes" -lt $most_bytes ] || { rm "$out.part"; echo "$((bytes >> 10)) KiB, larger than 64 MiB: leave out libraries (see docs/measurements/zlists.md)" >&2; exit 1; }
+mv "$out.part" "$out"
+echo "$out: $((bytes >> 10)) KiB packed, $unpacked KiB unpacked; needs $(tr '\n' ' ' <"$root/NEEDS")"

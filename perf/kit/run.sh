@@ -37,6 +37,11 @@ of_machine() {  # NAME: its path; nothing if the machine has none
     if [ -e "$folder/$1" ]; then echo "$folder/$1"; return; fi
   done
 }
+if [ -f "$kit/payload.tar.xz" ]; then  # the first time
+  { LD_LIBRARY_PATH="$kit/unpack" "$kit/unpack/xz" -dc "$kit/payload.tar.xz" | tar -C "$kit" -xf -; } ||
+    { say "FAILED: $kit/payload.tar.xz cannot be unpacked"; exit 3; }
+  rm "$kit/payload.tar.xz"
+fi
 # Libraries of the machine where it has them, else ours.
 use="$work/lib"; mkdir -p "$use"
 symbols="$(sed -n 2p "$kit/NEEDS")"

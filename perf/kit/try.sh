@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Tries the kit in a bare system without GLVND, where Mesa's llvmpipe is the only driver; as root, on Debian.
-#   perf/kit/try.sh trivet-kit.tar.xz OUT [PARTS]
+#   perf/kit/try.sh trivet-kit.tar.gz OUT [PARTS]
 # GTEST_FILTER, if set, is passed on. The kit is unpacked there, must fail where no hardware answers, and run through where llvmpipe is allowed.
 set -euo pipefail
 kit="$(realpath "$1")" out="$(realpath -m "$2")" parts="${3:-table1}"
-seeds="bash coreutils sed grep tar gzip xz-utils libegl-mesa0 libgl1-mesa-dri"
+seeds="bash coreutils sed grep tar gzip libegl-mesa0 libgl1-mesa-dri"
 root="$(mktemp -d)"; trap 'rm -rf "$root"' EXIT
 packages="$(apt-cache depends --recurse --installed --no-recommends --no-suggests --no-conflicts --no-breaks --no-replaces \
   --no-enhances $seeds | grep '^[a-z]' | sort -u)"

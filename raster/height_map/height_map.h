@@ -22,11 +22,14 @@ struct MapGrid {
 /// The lowest surfaces, with the bodies grown by `growth` metres in every direction.
 HeightMap draw_underside(std::span<const Body> bodies, const MapGrid& grid, double growth);
 
+enum class MapParts { All, Bounds };
+
 /// The highest surfaces.
 /// @param floor    include the plane z = 0.
 /// @param ceiling  skip faces wholly above this z.
+/// @param parts    Bounds: the map has no samples, which takes less time.
 HeightMap draw_top(std::span<const Body> bodies, const MapGrid& grid, bool floor,
-                   double ceiling = kInfinity);
+                   double ceiling = kInfinity, MapParts parts = MapParts::All);
 
 /// Widened upper bounds: the maximum within so many pixels of each, centre to centre.
 /// @param border  pixels cropped from each side of `map`; >= pixels.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace trivet {
 namespace {
@@ -100,8 +101,9 @@ void Coverage::rows(double shrink, std::vector<CoverageRow>& out) const {
   using Two = Eigen::Array2d;
   const std::array<double, 3> shrunk_reach = shrunk(shrink);
   const int count = m_last_row - m_first_row + 1;
-  out.resize(static_cast<std::size_t>(count));
-  for (CoverageRow& row : out)
+  if (out.size() < static_cast<std::size_t>(count)) out.resize(static_cast<std::size_t>(count));
+  const std::span<CoverageRow> used(out.data(), static_cast<std::size_t>(count));
+  for (CoverageRow& row : used)
     row.from.setConstant(m_first_column), row.to.setConstant(m_last_column);
   for (int k = 0; k < 3; ++k) {
     const Edge& e = m_edges[k];
@@ -122,7 +124,7 @@ void Coverage::rows(double shrink, std::vector<CoverageRow>& out) const {
     if (!(row.from[lane] <= row.to[lane])) return {0, -1};
     return {ceiling(row.from[lane]), floor_of(row.to[lane])};
   };
-  for (CoverageRow& row : out) {
+  for (CoverageRow& row : used) {
     row.touched = columns_of(row, 0);
     row.inside = is_thin() ? Columns{0, -1} : columns_of(row, 1);
   }

@@ -42,7 +42,8 @@ class Coverage {
   Columns touched(int row) const { return columns(row, m_reach); }
   /// Pixels whose centre is inside by more than `shrink` pixels.
   Columns inside(int row, double shrink) const;
-  /// The same two of all rows, from first_row() on, which is faster. @param out  scratch, too.
+  /// The same two of all rows, from first_row() on, which is faster. @param out  scratch, too: it
+  /// may be longer.
   void rows(double shrink, std::vector<CoverageRow>& out) const;
   /// Twice the area, and the longest edge squared.
   double area2() const { return m_area2; }

@@ -33,8 +33,9 @@ Slope slope_of(const std::array<Vec2, 3>& p, const Triangle& c, const Coverage& 
 
 }  // namespace
 
-TriangleRaster::TriangleRaster(const View& view)
+TriangleRaster::TriangleRaster(const View& view, bool centres)
     : m_view(view),
+      m_centres(centres),
       m_growth(view.growth()),
       m_lower(view.width),
       m_upper(view.width),
@@ -96,9 +97,10 @@ void TriangleRaster::draw_straight(const Triangle& c, SpanSink& sink) {
       hi[i] = std::min(upper, z + margin);
       centre[i] = z;
     }
-    for (int i = 0; i < count; ++i)
-      if (columns.first + i < in.first || columns.first + i > in.last) centre[i] = kNotMet;
-    emit(row, columns, error, sink);
+    if (m_centres)
+      for (int i = 0; i < count; ++i)
+        if (columns.first + i < in.first || columns.first + i > in.last) centre[i] = kNotMet;
+    emit(row, columns, m_centres ? error : kFloatInfinity, sink);
   }
 }
 

@@ -18,7 +18,8 @@ namespace trivet {
 /// README.md proves both. Works in double, so that only depths are rounded (to float32).
 class TriangleRaster {
  public:
-  explicit TriangleRaster(const View& view);
+  /// @param centres  whether spans have depths at centres; without, only straight motions.
+  explicit TriangleRaster(const View& view, bool centres = true);
 
   /// @param corners  as from ZListFrame::pixels_from_object().
   /// @return false if the triangle has too many pieces (in a rotation, near the axis).
@@ -59,6 +60,7 @@ class TriangleRaster {
   void emit(int row, Coverage::Columns columns, float centre_error, SpanSink& sink);
 
   View m_view;
+  bool m_centres;
   double m_growth;
   std::vector<float> m_lower, m_upper, m_centre;  // of a row
   std::vector<CoverageRow> m_rows;                // of a triangle

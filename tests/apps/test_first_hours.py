@@ -108,7 +108,9 @@ class FirstHours(BatchCase):
         sky = b"".join(bytes((40, 60, 120, 129)) if y < 4 else bytes((60, 50, 40, 128)) for y in range(8) for x in range(16))
         self.write("sky.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + sky)
         for name, look in (("lamps", {"lamps": {"kind": ["sun", "bulb", "panel"], "count": [1, 3], "temperature": [2500, 9000]},
-                                      "lens": {"f_number": [1, 4]}}), ("sky", {"environments": ["sky.hdr"]})):
+                                      "lens": {"f_number": [1, 4]}}), ("sky", {"environments": ["sky.hdr"]}),
+                           ("all", {"environments": ["sky.hdr"], "environment_turn_deg": [-30, 30], "key": {"strength": [0.3, 0.6]},
+                                    "lamps": {"kind": "panel", "strength": [0.3, 0.6]}})):
             self.write(name + ".json", json.dumps({"views": {"width": 64, "height": 48, "samples": 1, "dome": {"count": 1},
                                                              "look": look}}))
             self.trivet("batch", "pictures", "scenes", "--views", name + ".json", "--bop", name, "--quiet")
@@ -116,6 +118,9 @@ class FirstHours(BatchCase):
             shown = {k: sum(bop.image(k, "rgb", 0)[3]) // (64 * 48) for k in bop.scene_ids() if bop.scene(k)[1]}
             self.assertEqual(sorted(shown), sorted(means))
             self.assertTrue(all(shown[k] > 0 for k in shown), shown)
+            if name == "all":  # lamps and key lamp beside the same sky
+                self.assertTrue(all(shown[k] > before[k] for k in shown), (before, shown))
+            before = shown
         self.write("none.json", json.dumps({"views": {"look": {"environments": ["none.hdr"]}}}))
         self.trivet("batch", "pictures", "scenes", "--views", "none.json", "--bop", "none", status=2)
 

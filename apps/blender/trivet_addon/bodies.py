@@ -149,7 +149,8 @@ _LOCKED = 1e-12
 def angles_near_lock(rotation: np.ndarray, order: str) -> Optional[tuple]:
     """Euler angles, radians, of a rotation whose second angle is nearly 90 degrees; None if it is not.
 
-    There Blender finds the others from two small float32 numbers each, and is off by far more than a rounding.
+    There Blender finds the others from two small float32 numbers each, and is off by far more than a rounding. Here the
+    last angle makes up for what the first is off.
     order : as Blender's rotation modes, the first axis first
     """
     if order not in _AXES:
@@ -159,13 +160,24 @@ def angles_near_lock(rotation: np.ndarray, order: str) -> Optional[tuple]:
     cosine = math.hypot(r[i, i], r[j, i])
     if cosine > _NEAR_LOCK:
         return None
+    sign = 1.0 if order in _EVEN else -1.0
     angles = [0.0, 0.0, 0.0]
-    angles[j] = math.atan2(-r[k, i], cosine)
-    if cosine > _LOCKED:
-        angles[i], angles[k] = math.atan2(r[k, j], r[k, k]), math.atan2(r[j, i], r[i, i])
-    else:
-        angles[i] = math.atan2(-r[j, k], r[j, j])
-    return tuple(angles) if order in _EVEN else tuple(-angle for angle in angles)
+    angles[j] = sign * math.atan2(-r[k, i], cosine)
+    angles[i] = sign * (math.atan2(r[k, j], r[k, k]) if cosine > _LOCKED else math.atan2(-r[j, k], r[j, j]))
+    rest = r @ (rotation_about(j, angles[j]) @ rotation_about(i, angles[i])).T
+    a, b = (k + 1) % 3, (k + 2) % 3
+    angles[k] = math.atan2(rest[b, a] - rest[a, b], rest[a, a] + rest[b, b])
+    return tuple(angles)
+
+
+def rotation_about(axis: int, angle: float) -> np.ndarray:
+    """(3, 3) about x, y or z. angle : radians"""
+    out = np.eye(3)
+    a, b = (axis + 1) % 3, (axis + 2) % 3
+    out[a, a] = out[b, b] = math.cos(angle)
+    out[b, a] = math.sin(angle)
+    out[a, b] = -out[b, a]
+    return out
 
 
 def is_sheared(matrix: np.ndarray) -> bool:

@@ -10,6 +10,7 @@
 #include "apps/farm/recipe/decisions.h"
 #include "apps/farm/recipe/look.h"
 #include "ops/files/layout/layout.h"
+#include "ops/operations/put.h"
 
 namespace trivet::farm {
 
@@ -58,6 +59,7 @@ struct RecipeGroup {
   RotationRule rotation = RotationRule::Yaw;
   Rotation given;
   PlaceRule place;
+  int tries = kTriesOfPut;            // starts of a PUT that lets an object fall, see PutOperation
   bool target = true;                 // of data sets; else its objects are distractors
   std::optional<SurfaceRanges> look;  // in pictures
 };

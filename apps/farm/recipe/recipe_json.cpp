@@ -133,6 +133,9 @@ PlaceRule read_place_rule(const JsonPlace& place) {
   only_with("region", "on");
   only_with("region_of", "region");
   only_with("above", "in");
+  if (place.find("tries") && place.find("on"))
+    place.at("tries").fail(
+        "no start is tried where there is room; accepted: with \"in\" or \"heap\"");
   if (place.find("on")) return read_on(place);
   if (place.find("in")) return read_in(place);
   return read_heap(place.at("heap"));
@@ -185,7 +188,7 @@ Counts read_counts(const JsonPlace& place, int lower, int upper) {
 RecipeGroup read_group(const JsonPlace& place) {
   place.expect_object({"name", "models"},
                       {"count", "scale_range", "rotation", "on", "keep", "region", "region_of",
-                       "in", "above", "heap", "target", "look"});
+                       "in", "above", "heap", "tries", "target", "look"});
   RecipeGroup group;
   group.name = read_plain_name(place.at("name"));
   for (const JsonPlace& item : place.at("models").items())
@@ -197,6 +200,7 @@ RecipeGroup read_group(const JsonPlace& place) {
     group.scale_range = read_interval(*range, 1e-6, 1e6);
   if (const auto rotation = place.find("rotation")) read_rotation_rule(*rotation, group);
   group.place = read_place_rule(place);
+  if (const auto tries = place.find("tries")) group.tries = read_integer(*tries, 1, kMaxTriesOfPut);
   if (const auto target = place.find("target")) group.target = target->boolean();
   if (const auto look = place.find("look")) group.look = read_surface(*look);
   return group;

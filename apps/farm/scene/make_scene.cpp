@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "apps/farm/scene/placing.h"
+#include "core/contact/contact_memory.h"
 #include "core/model/unit.h"
 #include "ops/base/interrupt.h"
 #include "ops/base/stopwatch.h"
@@ -302,6 +303,7 @@ MadeScene Attempt::make() {
 MadeScene make_scene(const SceneSource& source, std::uint64_t k) {
   MadeScene out;
   SceneClock clock(source.context);
+  const ContactMemory memory;  // what an operation left where it is, the next ones ask for again
   for (int attempt = 0; attempt < source.recipe.accept.attempts; ++attempt) {
     try {
       out = Attempt(source, clock, k, attempt).make();

@@ -117,6 +117,7 @@ std::optional<Placing> draw_placing(const Scene& scene, const RecipeGroup& group
     }
   }
   out.put.object = name;
+  if (!out.put.place) out.put.tries = group.tries;
   if (out.container) out.put.within = kWithinContainer;
   return out;
 }

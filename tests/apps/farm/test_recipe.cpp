@@ -34,6 +34,7 @@ TEST(Recipe, ReadsWhatItSays) {
   EXPECT_EQ(cup.models[0].object.class_name, "mug");
   EXPECT_EQ(std::get<PutOn>(cup.place).on, (std::vector<std::string>{"table", "floor"}));
   EXPECT_EQ(std::get<PutIn>(recipe.groups[1].place).above, 0.2);
+  EXPECT_EQ(recipe.groups[1].tries, kTriesOfPut);
   EXPECT_EQ(recipe.then[0].angle_deg.low, -30);
   EXPECT_EQ(recipe.accept.attempts, 5);
   EXPECT_EQ(recipe.accept.max_refused, 3);

@@ -184,6 +184,30 @@ TEST(RecipeScene, TellsRefusalsAsTheRecipeSays) {
   EXPECT_EQ(retried.run.operations.size(), 6u) << "one record for each object";
 }
 
+// Rods that fall on rods topple from most starts.
+TEST(RecipeScene, TriesAsManyStartsAsAGroupSays) {
+  const auto make = [](const std::string& rest) {
+    const Recipe recipe = recipe_of(R"("groups": [{"name": "rod", "models": [{"model": "rod"}],
+        "count": 8, "rotation": "any", "heap": {"radius": 0.05, "height": 0.4, "rise": 0.1})" +
+                                    rest + "}]");
+    return make_scene({recipe, models(), {1, 2}}, 0);
+  };
+  const auto tried = [](const MadeScene& made) {
+    int most = 1;
+    for (const OperationRecord& record : made.run.operations) {
+      const OperationResult& result = record.result;
+      if (result.tried) most = std::max(most, result.tried->number);
+      if (result.refusal) most = std::max(most, static_cast<int>(result.refusal->number("tries")));
+    }
+    return most;
+  };
+  const MadeScene once = make(R"(, "tries": 1)"), twice = make(R"(, "tries": 2)"), usual = make("");
+  EXPECT_EQ(tried(once), 1);
+  EXPECT_GT(once.left_out.size(), usual.left_out.size());
+  EXPECT_GT(tried(twice), 1);
+  EXPECT_EQ(json_line(scene_json(0, usual)), json_line(scene_json(0, make(R"(, "tries": 12)"))));
+}
+
 TEST(RecipeScene, DrawsMassesAndMaterialsOfRanges) {
   const auto with = [](const std::string& model) {
     return parse_recipe(

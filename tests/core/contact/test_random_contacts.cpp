@@ -223,5 +223,22 @@ TEST(ContactMemory, GivesThePointsThatAreFoundWithout) {
   EXPECT_LE(memory.num_remembered(), num_asked);
 }
 
+// A cube where a smaller one was, in memory, too.
+TEST(ContactMemory, TellsAShapeFromThatWhichWasThereBefore) {
+  const Posed below = box(Vec3(1, 1, 1), Vec3(0, 0, -1));
+  Shape place = *box(Vec3(0.4, 0.4, 0.5), Vec3(0, 0, 0)).shape;
+  const Body body(place, test::placed({}, Vec3(0, 0, 0.5)));
+  const ContactMemory memory;
+  const auto widest = [&] {
+    double out = 0;
+    for (const ContactPoint& p : contact_points(body, below.body, 1e-3, 1e-3))
+      out = std::max(out, p.point.x());
+    return out;
+  };
+  EXPECT_NEAR(widest(), 0.4, 1e-12);
+  place = *box(Vec3(0.2, 0.4, 0.5), Vec3(0, 0, 0)).shape;
+  EXPECT_NEAR(widest(), 0.2, 1e-12);
+}
+
 }  // namespace
 }  // namespace trivet
