@@ -33,7 +33,8 @@ void decide_pairs(const FirstContactQuery& query, std::span<const FacePair> pair
   }
 }
 
-/// Pairs below which the closed form alone is faster than Embree's scenes with it.
+/// Pairs from which Embree is asked, which then takes a few hundredths of a query at most. By time
+/// alone it pays from some 5,000 pairs on, see docs/measurements/zlists.md.
 constexpr std::size_t kFewestFalling = 512, kFewestTurning = 512;
 
 double horizon_of(const FirstContactQuery& query, const FirstContact& best) {
