@@ -1,6 +1,7 @@
 #include "ops/files/report/queries.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "core/base/quoted.h"
@@ -65,6 +66,14 @@ OrderedJson with_all_free_json(const Scene& scene, const Stability& part,
   return json;
 }
 
+// Rounding leaves parts that are no force.
+std::string newtons(const Vec3& force) {
+  const double least = 1e-9 * force.cwiseAbs().maxCoeff();
+  std::ostringstream out;
+  for (const double part : force) out << (std::abs(part) <= least ? 0.0 : part) << " ";
+  return out.str() + "N";
+}
+
 // Forces of the neighbours, in the order in which they are met.
 std::string forces_text(const Scene& scene, const Stability& part, ObjectId object) {
   std::vector<std::pair<Support, Vec3>> sums;
@@ -80,7 +89,7 @@ std::string forces_text(const Scene& scene, const Stability& part, ObjectId obje
   std::ostringstream out;
   for (const auto& [from, force] : sums)
     out << "    " << (from.is_object() ? quoted(named(scene, from).name) : "the floor")
-        << " presses with " << force.x() << " " << force.y() << " " << force.z() << " N\n";
+        << " presses with " << newtons(force) << "\n";
   return out.str();
 }
 
