@@ -125,7 +125,7 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
       ->check(one_of(collision_rule_names()))
       ->group(kSimulators);
   verb.add_option("--max-overlap", options.max_overlap,
-                  "Metres by which convex parts of two objects may overlap; 0: 1/10,000 of the "
+                  "Largest overlap of convex parts of two objects (metres); 0: 1/10,000 of the "
                   "smaller one. More is an error")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
@@ -144,7 +144,7 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
                 "MuJoCo 3.9 or later reads")
       ->group(kSimulators);
   verb.add_option("--hull-clearance", options.hull_clearance,
-                  "Move the faces of hulls inwards by these metres; default: 0")
+                  "Distance by which faces of hulls move inwards (metres); default: 0")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
   verb.add_option("--meshes", options.files.mesh_folder,

@@ -171,7 +171,7 @@ int zlist(const ZListArguments& arguments, const CommonOptions& common) {
 }
 
 void add_motion_options(CLI::App& verb, MotionRequest& motion) {
-  const char* const group = "Of a motion, instead of a direction";
+  const char* const group = "Motion, instead of a direction";
   CLI::Option* const drop =
       verb.add_option("--drop", motion.drop, "Z-lists of this object's fall, with its loads")
           ->group(group);

@@ -85,13 +85,13 @@ class TRIVET_OT_select(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     what: bpy.props.EnumProperty(name="What", items=[
-        ("IN_THE_WAY", "In the way", "What refused objects would interpenetrate, touch or bring down"),
-        ("REFUSED", "Refused", "What could not be done"),
-        ("CROSSING", "Interpenetrating", "What interpenetrates"),
+        ("IN_THE_WAY", "In the way", "Objects that refused ones would interpenetrate, touch or bring down"),
+        ("REFUSED", "Refused", "Objects that could not be put or moved"),
+        ("CROSSING", "Interpenetrating", "Objects that interpenetrate"),
         ("NOT_AT_REST", "Not at rest", "Free objects that nothing holds"),
-        ("TOPPLES", "Toppling", "What gives way as a whole"),
-        ("SUPPORTS", "Supports", "What carries the active object"),
-        ("LOADS", "Loads", "What lies on the active object")])
+        ("TOPPLES", "Toppling", "Objects that give way as a whole"),
+        ("SUPPORTS", "Supports", "Objects that carry the active object"),
+        ("LOADS", "Loads", "Objects that lie on the active object")])
 
     @classmethod
     def poll(cls, context) -> bool:
@@ -126,7 +126,7 @@ class TRIVET_OT_put_again(bpy.types.Operator):
     def execute(self, context):
         verdict = memory.last.verdict
         if not select(context, {*verdict.not_at_rest, *verdict.topples}):
-            self.report({"WARNING"}, "Nothing to put; accepted: after Check")
+            self.report({"WARNING"}, "No object to put; accepted: after Check")
             return {"CANCELLED"}
         bpy.ops.trivet.put("INVOKE_DEFAULT", True)
         return {"FINISHED"}

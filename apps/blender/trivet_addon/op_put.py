@@ -182,7 +182,7 @@ def _go_on(window, area, put: list, waiting: str, copies: bool, as_one: bool) ->
 
 
 class TRIVET_OT_separate(Working, bpy.types.Operator):
-    """Of the selected objects, takes up those that interpenetrate, and puts each as near to where it was as it is free"""
+    """Takes up those of the selected objects that interpenetrate, and puts each as near to where it was as it is free"""
 
     bl_idname = "trivet.separate"
     bl_label = "Separate"

@@ -52,7 +52,7 @@ class TRIVET_OT_scatter(Copying, Working, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     collection: bpy.props.StringProperty(name="Collection",
-                                         description="What is copied; empty: what the panel says, or the other selected objects")
+                                         description="Collection to copy; empty: that of the panel, or the other selected objects")
     number: bpy.props.IntProperty(name="Number", default=10, min=1, max=10000)
     seed: bpy.props.IntProperty(name="Seed", default=0, min=0, description="The same seed gives the same scene")
     pile: bpy.props.BoolProperty(name="Pile", default=False,

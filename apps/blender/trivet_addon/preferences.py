@@ -26,7 +26,7 @@ class TrivetPreferences(bpy.types.AddonPreferences):
                                       description="Path of the program `trivet`; empty: as the shell finds it")
     obstacles: bpy.props.EnumProperty(name="In the way", default="VISIBLE", items=[
         ("VISIBLE", "All that is visible", "All surfaces that the view shows"),
-        ("COLLECTION", "A collection", "What is in the collection that the scene names"),
+        ("COLLECTION", "A collection", "The objects of the collection that the scene names"),
         ("SELECTED", "Selected objects only", "The selected objects and the floor")])
     detector: bpy.props.EnumProperty(name="Detector", default="auto", items=[
         ("auto", "Automatic", "The fastest here for each query"),
@@ -38,9 +38,9 @@ class TrivetPreferences(bpy.types.AddonPreferences):
         description="Detector of candidates for contact; results do not depend on it")
     device: bpy.props.IntProperty(name="Device", default=0, min=0, description="EGL device of a GPU, from 1; 0: automatic")
     clearance: bpy.props.FloatProperty(name="Clearance", default=0.0, min=0.0, unit="LENGTH", precision=6,
-                                       description="How far objects stay apart; 0: a millionth of the scene's size")
+                                       description="Distance that objects keep; 0: a millionth of the scene's size")
     seconds: bpy.props.FloatProperty(name="Seconds for each object", default=30.0, min=0.0,
-                                     description="What takes longer is refused; 0: any time")
+                                     description="Time limit; longer work is refused; 0: none")
     most_millions: bpy.props.FloatProperty(name="Most triangles, millions", default=5.0, min=0.001,
                                            description="Scenes with more are not read")
 

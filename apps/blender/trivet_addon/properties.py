@@ -29,11 +29,11 @@ class TrivetScene(bpy.types.PropertyGroup):
     as_one: bpy.props.BoolProperty(name="Selected as one", default=False,
                                    description="Put and Put Here take the selected objects as one thing: they keep their places to each other")
     clearance: bpy.props.FloatProperty(name="Clearance", default=0.0, min=0.0, unit="LENGTH", precision=6,
-                                       description="How far apart objects were put, at most; contacts are found by it")
+                                       description="Largest distance at which objects were put; contacts are found by it")
     sources: bpy.props.PointerProperty(name="Scatter", type=bpy.types.Collection,
-                                       description="What Scatter copies; none: the other selected objects")
+                                       description="Collection that Scatter copies; none: the other selected objects")
     obstacles: bpy.props.PointerProperty(name="Obstacles", type=bpy.types.Collection,
-                                         description="What is in the way, where the preferences say Collection")
+                                         description="Collection of obstacles, where the preferences say Collection")
 
 
 def settings_of(owner: bpy.types.Object) -> TrivetObject:

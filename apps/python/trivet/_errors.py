@@ -1,4 +1,4 @@
-"""What Trivet raises."""
+"""Exceptions that Trivet raises."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ Progress = Callable[[str, str, int, int], Any]
 
 
 class Files:
-    """How a scene comes and goes; see `trivet.Scene`."""
+    """Reading and writing of scenes; see `trivet.Scene`."""
 
     __slots__ = ()
     _scene: _trivet.Scene

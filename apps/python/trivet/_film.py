@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Film:
-    """What moves while the block runs, as an animated .glb.
+    """Film of all that moves while the block runs, as an animated .glb.
 
     The object of an operation goes the way that was executed, motion by motion, and its loads with it; what gave way or
     settled then goes to where it came to rest. Of several operations at once, of drags and of undo only the ends are known.
@@ -46,7 +46,7 @@ class Film:
 
     @property
     def seconds(self) -> float:
-        """How long it is, seconds."""
+        """Length, seconds."""
         return self._made().seconds
 
     def to_glb(self) -> bytes:

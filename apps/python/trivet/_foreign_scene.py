@@ -81,12 +81,12 @@ class Foreign:
 
     @property
     def notes(self) -> list[str]:
-        """What was taken in another way than it stands, and links that gravity would move."""
+        """Parts that were taken in another way than they stand, and links that gravity would move."""
         return self._opened.notes
 
     @property
     def not_judged(self) -> list[str]:
-        """What matters and was not read: verdicts then hold for a part."""
+        """Parts that matter and were not read: verdicts then hold for a part."""
         return self._opened.not_judged
 
     @property
@@ -107,7 +107,7 @@ class Foreign:
         return verdict
 
     def intent(self, tolerance: float = 0.0) -> Verdict:
-        """What stands on and in what, as the poses mean it, though they may interpenetrate and float.
+        """Relations of standing on and in, as the poses mean them, though they may interpenetrate and float.
 
         Parameters
         ----------

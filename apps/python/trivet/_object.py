@@ -24,11 +24,11 @@ class Object(Operations):
 
     @property
     def supports(self) -> list[Other]:
-        """What it rests on: objects, and "floor"."""
+        """Supports: objects, and "floor"."""
         return [name if name == "floor" else self._scene[name] for name in self._ask(self._scene._scene.supports)]
 
     def loads(self, recursive: bool = False) -> list[Object]:
-        """What rests on it.
+        """Loads: objects that rest on it.
 
         Parameters
         ----------

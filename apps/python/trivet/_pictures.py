@@ -25,7 +25,7 @@ _MOST_SHOWN = 500_000  # faces of a page
 
 
 class Pictures:
-    """What a camera sees of a scene; see `trivet.Scene`. By rays on the processor: no display, no GPU."""
+    """Pictures of a scene by a camera; see `trivet.Scene`. By rays on the processor: no display, no GPU."""
 
     __slots__ = ()
     _scene: _trivet.Scene

@@ -1,4 +1,4 @@
-"""What an object of a scene is, looked up each time."""
+"""Properties of an object of a scene, looked up each time."""
 
 from __future__ import annotations
 
@@ -85,12 +85,12 @@ class Properties:
 
     @property
     def placed(self) -> bool:
-        """Whether it is in the scene, not merely known."""
+        """True if it is in the scene, not merely known."""
         return self._ask(self._scene._scene.placed)
 
     @property
     def at_rest(self) -> bool:
-        """Whether its `state` is "stable" or "fixed"."""
+        """True if its `state` is "stable" or "fixed"."""
         return self.state in ("stable", "fixed")
 
     @property
@@ -159,13 +159,13 @@ class Properties:
 
     @property
     def flexible(self) -> Optional[dict[str, Any]]:
-        """Of a cloth or cable: the certificate of its rest, with "net_force", "balance", "stable", "supports"; else None."""
+        """Certificate of rest of a cloth or cable, with "net_force", "balance", "stable", "supports"; else None."""
         text = self._ask(self._scene._scene.flexible)
         return None if text is None else json.loads(text)
 
     @property
     def middle(self) -> Optional[Array]:
-        """Of a cloth or cable: (n, 3) positions of the middle of its thickness, world; else None."""
+        """Positions (n, 3) of a cloth or cable, in the middle of its thickness, world; else None."""
         return self._ask(self._scene._scene.middle)
 
     def _try(self, budget: Optional[float] = None, **operation: Any) -> Result:

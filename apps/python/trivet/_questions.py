@@ -16,7 +16,7 @@ _KINDS = np.array(["vertex-face", "face-vertex", "edge-edge", "closest"])
 
 
 class Questions:
-    """What a scene tells of itself; see `trivet.Scene`."""
+    """Questions about a scene; see `trivet.Scene`."""
 
     __slots__ = ()
     _scene: _trivet.Scene
@@ -29,7 +29,7 @@ class Questions:
         return Contacts(**values)
 
     def support_graph(self) -> SupportGraph:
-        """What rests on what."""
+        """Graph of which object rests on which."""
         return SupportGraph(**self._scene.support_graph())
 
     def check(self, friction: Optional[float] = None, *, num_threads: int = 0) -> Check:

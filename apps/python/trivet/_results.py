@@ -1,4 +1,4 @@
-"""What operations and queries give back: values, never views of a scene that changes."""
+"""Results of operations and queries: values, never views of a scene that changes."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ class Result:
 
     @property
     def ok(self) -> bool:
-        """Whether it was done."""
+        """True if it was done."""
         return self.status == "ok"
 
 
@@ -170,7 +170,7 @@ class Contacts:
 
 @dataclass(frozen=True)
 class SupportGraph:
-    """What rests on what.
+    """Graph of which object rests on which.
 
     Attributes
     ----------
@@ -267,7 +267,7 @@ class Overlap(NamedTuple):
 
 @dataclass(frozen=True)
 class Simulated:
-    """What a simulator made of an exported scene; true if all stayed where they were.
+    """Motion of an exported scene in a simulator; true if all stayed where they were.
 
     Attributes
     ----------

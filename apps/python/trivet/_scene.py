@@ -134,17 +134,17 @@ class Scene(Files, Pictures, Pours, Questions):
 
     @property
     def names(self) -> list[str]:
-        """Of all objects, in the scene's order."""
+        """Names of all objects, in the scene's order."""
         return [name for _, name in self._scene.entries()]
 
     @property
     def floor(self) -> bool:
-        """Whether there is one."""
+        """True if there is one."""
         return self._scene.floor
 
     @property
     def settle(self) -> Settle:
-        """How operations settle: `clearance`, `perfect_friction`, `whole_at_rest`, `accept_wedged`, `max_motions`."""
+        """Rules of settling: `clearance`, `perfect_friction`, `whole_at_rest`, `accept_wedged`, `max_motions`."""
         return Settle(self._scene.settle)
 
     @property
@@ -176,7 +176,7 @@ class Scene(Files, Pictures, Pours, Questions):
 
     @property
     def notes(self) -> list[str]:
-        """What the file of the scene lost, or which operations of a layout were refused."""
+        """Losses of the scene's file, or refused operations of a layout."""
         return self._scene.notes
 
     # Operations.
@@ -321,12 +321,12 @@ class Scene(Files, Pictures, Pours, Questions):
 
     @property
     def can_undo(self) -> bool:
-        """Whether there is a step to take back."""
+        """True if there is a step to take back."""
         return self._scene.can_undo
 
     @property
     def can_redo(self) -> bool:
-        """Whether there is a step to do again."""
+        """True if there is a step to do again."""
         return self._scene.can_redo
 
     @property

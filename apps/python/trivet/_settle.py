@@ -1,4 +1,4 @@
-"""How operations settle."""
+"""Rules by which operations settle."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _checked(name: str, value: Any) -> Any:
 
 
 class Settle:
-    """How operations of a scene settle; what is set holds from the next one on.
+    """Rules by which operations of a scene settle; a value that is set holds from the next one on.
 
     Attributes
     ----------

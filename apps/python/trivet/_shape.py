@@ -162,12 +162,12 @@ class Shape:
 
     @property
     def volume(self) -> float:
-        """Of the solid if closed (`mass_rule` is "volume"), of the hull by "hull", 0 by "surface"; units cubed."""
+        """Volume of the solid if closed (`mass_rule` is "volume"), of the hull by "hull", 0 by "surface"; units cubed."""
         return self._shape.volume
 
     @property
     def area(self) -> float:
-        """Of all faces, units squared."""
+        """Area of all faces, units squared."""
         return self._shape.area
 
     @property
@@ -187,12 +187,12 @@ class Shape:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a file has that was left out."""
+        """Parts of the file that were left out."""
         return tuple(self._shape.notes)
 
     @property
     def name(self) -> str:
-        """Of the file; empty for arrays."""
+        """Name of the file; empty for arrays."""
         return self._shape.name
 
     def __eq__(self, other: object) -> bool:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class TrivetWarning(UserWarning):
-    """What a file of a scene lost, or an operation of a layout that was refused."""
+    """A loss of a scene's file, or a refused operation of a layout."""
 
 
 class Snapshot:
@@ -34,7 +34,7 @@ class Snapshot:
 
     @classmethod
     def from_bytes(cls, data: bytes) -> Snapshot:
-        """What `to_bytes` gave, or the bytes of a .glb that Trivet wrote.
+        """The bytes that `to_bytes` gave, or the bytes of a .glb that Trivet wrote.
 
         Parameters
         ----------

@@ -87,7 +87,7 @@ def encode_png(image: Any) -> bytes:
 
 
 def num_faces(scene: Scene) -> int:
-    """Of all shapes in the scene, each once."""
+    """Triangles of all shapes in the scene, each shape once."""
     return sum(len(shape.faces) for shape in {one.shape for one in scene if one.placed})
 
 
@@ -113,7 +113,7 @@ def _template() -> str:
 
 
 def _page_of(scene: Scene, marked: set[str]) -> dict[str, Any]:
-    """What viewer.html shows: metres about the scene's middle, so that float32 is enough."""
+    """The data that viewer.html shows: metres about the scene's middle, so that float32 is enough."""
     placed = [one for one in scene if one.placed]
     boxes = np.array([one.bounds for one in placed]).reshape(-1, 2, 3)
     low, high = (boxes[:, 0].min(0), boxes[:, 1].max(0)) if placed else (np.full(3, -0.5), np.full(3, 0.5))
