@@ -154,6 +154,51 @@ TEST_F(Live, ShowsBackgroundThroughGhosts) {
   EXPECT_NEAR(brightness(image, beside), brightness(plain, beside), 2) << "no shadow";
 }
 
+// A slab of 10 m, or a chequered one, of squares of 0.5 m.
+LiveScene ground(const std::vector<float>& brightnesses) {
+  LiveScene scene;
+  const auto count = static_cast<int>(brightnesses.size());
+  for (int i = 0; i < (count > 1 ? 400 : 1); ++i) {
+    const double size = count > 1 ? 0.5 : 10;
+    const Vec3 lower(-5 + size * (i % 20), -5 + size * (i / 20), -0.1);
+    const float b = brightnesses[static_cast<size_t>((i % 20 + i / 20) % count)];
+    scene.objects.push_back(placed(box_model(lower, lower + Vec3(size, size, 0.1), {b, b, b, 1})));
+  }
+  return scene;
+}
+
+// Largest difference of a channel within a pixel.
+int contrast(const Image& a, const Image& b, const Vec2& at) {
+  int out = 0;
+  for (const int dx : {-1, 0, 1})
+    for (const int dy : {-1, 0, 1})
+      for (int c = 0; c < 3; ++c) {
+        const int x = static_cast<int>(at.x()) + dx, y = static_cast<int>(at.y()) + dy;
+        out = std::max(out, std::abs(a.pixel(x, y)[c] - b.pixel(x, y)[c]));
+      }
+  return out;
+}
+
+TEST_F(Live, OutlinesGhostsOnWhiteBlackAndChequeredGround) {
+  for (const std::vector<float>& brightnesses : {std::vector<float>{1}, {0}, {1, 0}}) {
+    LiveScene scene = ground(brightnesses);
+    const Image plain = draw(scene, from_above());
+    LiveObject ghost = placed(cube_scene().objects[0].model);
+    ghost.opacity = 0.55f;
+    ghost.outlined = true;
+    ghost.tint = {0.1f, 0.3f, 1.0f, 1.0f};
+    scene.objects.push_back(ghost);
+    const Image image = draw(scene, from_above());
+    int num_seen = 0;
+    for (int i = 0; i < 40; ++i)
+      for (const double side : {-1.0, 1.0})
+        for (const Vec3& at : {Vec3(side, 0.05 * i - 1, 2), Vec3(0.05 * i - 1, side, 2)})
+          num_seen += contrast(image, plain, pixel(from_above(), at)) >= 40;
+    EXPECT_GE(num_seen, 150) << "of 160, ground " << brightnesses[0] << ", of "
+                             << brightnesses.size();
+  }
+}
+
 TEST_F(Live, ShowsBackgroundThroughTransparentMaterials) {
   LiveScene scene;
   scene.objects = {placed(box_model(Vec3(-1, -1, 0), Vec3(1, 1, 0.1), {1, 0, 0, 1})),
