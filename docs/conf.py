@@ -1,6 +1,7 @@
 """Configuration of the documentation site. docs/build.sh builds it; see there for what must be importable and on the path."""
 import json
 import os
+import re
 import subprocess
 
 from docutils import nodes
@@ -37,20 +38,26 @@ numpydoc_show_class_members = False
 
 
 class ProgramHelp(Directive):
-    """``.. trivet-help:: put push``: the text of ``--help`` of each verb, as the program of this build prints it."""
-
-    required_arguments = 1
-    final_argument_whitespace = True
+    """``.. trivet-help::``: the text of ``--help`` of every verb, in the order in which the program of this build lists them."""
 
     def run(self):
+        return self.verbs_below([])
+
+    def verbs_below(self, words):
         result = []
-        for verb in self.arguments[0].split():
-            done = subprocess.run([PROGRAM, *verb.split("/"), "--help"], capture_output=True, text=True, check=True)
-            section = nodes.section(ids=[nodes.make_id(f"trivet-{verb}")])
-            section += nodes.title("", f"trivet {verb.replace('/', ' ')}")
-            section += nodes.container("", nodes.literal_block(done.stdout, done.stdout, language="text"), classes=["program-help"])
-            result.append(section)
+        for verb in re.findall(r"^  ([a-z][a-z-]*) ", self.help(words).partition("\nSubcommands:\n")[2].partition("\n\n")[0], re.M):
+            result += [self.section([*words, verb]), *self.verbs_below([*words, verb])]
         return result
+
+    def section(self, words):
+        text = self.help(words)
+        section = nodes.section(ids=[nodes.make_id("-".join(["trivet", *words]))])
+        section += nodes.title("", " ".join(["trivet", *words]))
+        section += nodes.container("", nodes.literal_block(text, text, language="text"), classes=["program-help"])
+        return section
+
+    def help(self, words):
+        return subprocess.run([PROGRAM, *words, "--help"], capture_output=True, text=True, check=True).stdout
 
 
 class SchemaKeys(Directive):

@@ -51,7 +51,7 @@ Verb add_batch_export(CLI::App& batch, const CommonOptions& common) {
                    "Folder of the files; meshes that scenes share are in its folder meshes")
       ->required()
       ->type_name("DIR");
-  verb->add_option("--as", a->kinds, "Formats to write: mjcf, urdf, sdf, usd, glb")
+  verb->add_option("--as", a->kinds, "Formats to write, with commas between them")
       ->required()
       ->check(one_of(export_kinds()))
       ->delimiter(',');

@@ -20,11 +20,11 @@ struct ExportWork {
   std::shared_ptr<PartCache> parts = std::make_shared<PartCache>();  // of each process
 };
 
-/// "mjcf", "urdf", "sdf", "usd", "glb".
+/// Kinds of simulator_formats(), such as "mjcf", and "glb".
 const std::vector<std::string>& export_kinds();
 
 /// Simulator files of scene k: its JSON with "exports", {"mjcf": {"hull_clearance", "max_overlap"}}
-/// of those that needed them; and members "K.xml", "K.urdf", "K.sdf", "K.usda", "K.glb" as wanted.
+/// of those that needed them; and members such as "K.xml" and "K.glb", as wanted.
 /// Meshes and textures go to OUT/meshes at once: their names tell their content. A scene that
 /// cannot be written in one kind is "refused", with the reason, and has no members. Scenes that
 /// are not "ok" have none.

@@ -18,6 +18,10 @@ for page in index tutorial/index guide/index reference/index python/index python
 done
 "$python" "$root/tests/prose/links.py" --site "$output/html"
 "$python" "$root/tests/prose/pages.py" "$output/html" "$output/pictures" || [ $? -eq 77 ]
+# All verbs have their help there, those of other verbs, too.
+for verb in info mcp schema batch batch-merge; do
+  grep -q "id=\"trivet-$verb\"" "$output/html/reference/command-line.html"
+done
 # All that is public has an entry.
 "$python" - "$output/html/python/api.html" "$package" <<'END'
 import sys
