@@ -33,9 +33,9 @@ void decide_pairs(const FirstContactQuery& query, std::span<const FacePair> pair
   }
 }
 
-/// Pairs from which Embree is asked, which then takes a few hundredths of a query at most. By time
-/// alone it pays from some 5,000 pairs on, see docs/measurements/zlists.md.
-constexpr std::size_t kFewestFalling = 512, kFewestTurning = 512;
+/// Pairs from which Embree pays: with fewer, the closed form alone is sooner, by a millisecond at
+/// most. Measured, see docs/measurements/zlists.md.
+constexpr std::size_t kFewestFalling = 5000, kFewestTurning = 5000;
 
 double horizon_of(const FirstContactQuery& query, const FirstContact& best) {
   return std::min(best.time, query.motion.limit);
@@ -98,7 +98,7 @@ FirstContact first_contact(const FirstContactQuery& query, CandidateFinder& stag
                            CandidatePairs* proposal, const Confirmation& confirmation) {
   const FirstContact floor = first_floor_contact_of(query);
   CandidatePairs found = stage.find_candidates(query, horizon_of(query, floor));
-  const FirstContact out = decide(query, floor, found, confirmation);
+  FirstContact out = decide(query, floor, found, confirmation);
   if (proposal) *proposal = std::move(found);
   return out;
 }

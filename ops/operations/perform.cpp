@@ -10,6 +10,7 @@
 #include "ops/operations/whole.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
+#include "ops/settle/program_memory.h"
 
 namespace trivet {
 namespace {
@@ -84,6 +85,7 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
     return o.problem->solve(transaction, run.options, context);
   } else if constexpr (Plannable<Any>) {
     const ContactMemory memory;  // what was tried is committed; what stays is judged again
+    const ProgramMemory programs;
     if constexpr (std::is_same_v<Any, PutOperation>)
       return perform_put(transaction, id, o, run, name);
     else

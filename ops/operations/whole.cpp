@@ -12,6 +12,7 @@
 #include "ops/operations/commit.h"
 #include "ops/operations/joint_motion.h"
 #include "ops/placement/slot_order.h"
+#include "ops/settle/program_memory.h"
 #include "ops/stability/part.h"
 
 namespace trivet {
@@ -279,6 +280,7 @@ class Whole {
   OperationResult& m_result;
   const RestRules m_rules;
   const ContactMemory m_memory;  // what stays where it is, is judged again and again
+  const ProgramMemory m_programs;
   std::int64_t m_queries_left;
   const bool m_is_trial;
   std::vector<ObjectId> m_in_hand;

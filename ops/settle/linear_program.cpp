@@ -10,7 +10,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/contact/recent_nodes.h"
 #include "ops/settle/program_memory.h"
 
 namespace trivet {
@@ -111,15 +110,16 @@ LinearProgram::Solution LinearProgram::solve_by_dual(bool scale) const {
 LinearProgram::Solution LinearProgram::solve(bool scale, Method method, Basis* basis) const {
   const bool is_start = basis && basis->size() == m_costs.size() + m_row_lower.size();
   const Basis start = is_start ? *basis : Basis();
-  Answer answer = m_values.size() > kMostRemembered ? solve_now(scale, method, start)
-                                                    : solve_once(scale, method, start);
+  ProgramMemory* const memory = ProgramMemory::current();
+  Answer answer = memory && m_values.size() <= kMostRemembered
+                      ? solve_once(*memory, scale, method, start)
+                      : solve_now(scale, method, start);
   if (basis && answer.solution.optimal) *basis = std::move(answer.basis);
   return std::move(answer.solution);
 }
 
-LinearProgram::Answer LinearProgram::solve_once(bool scale, Method method,
+LinearProgram::Answer LinearProgram::solve_once(ProgramMemory& memory, bool scale, Method method,
                                                 const Basis& start) const {
-  auto& memory = memory_of_thread<ProgramMemory>();
   std::string question = this->question(scale, method, start);
   if (const Answer* const known = memory.find(question)) return *known;
   Answer out = solve_now(scale, method, start);

@@ -17,6 +17,8 @@ std::array<Vec3, 2> tangents(const Vec3& n);
 /// `n` is 1, across it `friction`.
 std::array<Vec3, 8> friction_pyramid(const Vec3& n, double friction);
 
+class ProgramMemory;
+
 /// Minimises costs . x over x >= 0 with lower <= rows x <= upper, by CLP.
 class LinearProgram {
  public:
@@ -65,7 +67,7 @@ class LinearProgram {
   Solution solve(bool scale, Method method, Basis* basis) const;
   /// All that the solution follows from, byte by byte.
   std::string question(bool scale, Method method, const Basis& start) const;
-  Answer solve_once(bool scale, Method method, const Basis& start) const;
+  Answer solve_once(ProgramMemory& memory, bool scale, Method method, const Basis& start) const;
   Answer solve_now(bool scale, Method method, const Basis& start) const;
 
   std::vector<int> m_starts{0}, m_rows;

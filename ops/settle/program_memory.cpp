@@ -3,6 +3,21 @@
 #include <utility>
 
 namespace trivet {
+namespace {
+
+thread_local ProgramMemory* first_living = nullptr;
+
+}  // namespace
+
+ProgramMemory::ProgramMemory(size_t most_bytes) : m_most_bytes(most_bytes) {
+  if (!first_living) first_living = this;
+}
+
+ProgramMemory::~ProgramMemory() {
+  if (first_living == this) first_living = nullptr;
+}
+
+ProgramMemory* ProgramMemory::current() { return first_living; }
 
 const ProgramMemory::Answer* ProgramMemory::find(const std::string& question) {
   if (const auto known = m_recent.find(question); known != m_recent.end()) return &known->second;

@@ -1,4 +1,4 @@
-// Solutions of linear programs that were solved before on this thread. Private.
+// Solutions of linear programs that were solved before. Private.
 #pragma once
 
 #include <string>
@@ -8,15 +8,22 @@
 
 namespace trivet {
 
-/// Whoever puts objects down asks for the same forces again: at the trial and at the commit, and of
-/// all that stayed where it was. Questions hold every number of a program, so that nothing but time
-/// depends on what is remembered.
+/// While one lives, LinearProgram remembers its answers on this thread: whoever puts objects down
+/// asks for the same forces again, at the trial and at the commit, and of all that stayed where it
+/// was. Questions hold every number of a program, so that nothing but time depends on what is
+/// remembered. Of several the first one that lives remembers, for all, as ContactMemory does.
 class ProgramMemory {
  public:
   using Answer = LinearProgram::Answer;
 
   /// @param most_bytes  of questions and answers, about.
-  explicit ProgramMemory(size_t most_bytes = kMostBytes) : m_most_bytes(most_bytes) {}
+  explicit ProgramMemory(size_t most_bytes = kMostBytes);
+  ~ProgramMemory();
+  ProgramMemory(const ProgramMemory&) = delete;
+  ProgramMemory& operator=(const ProgramMemory&) = delete;
+
+  /// The first one that lives on this thread, or null.
+  static ProgramMemory* current();
 
   /// @return null: not known; else valid until the next call.
   const Answer* find(const std::string& question);

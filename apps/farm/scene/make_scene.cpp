@@ -9,6 +9,7 @@
 #include "ops/base/stopwatch.h"
 #include "ops/files/json/operations.h"
 #include "ops/operations/perform.h"
+#include "ops/settle/program_memory.h"
 
 namespace trivet::farm {
 namespace {
@@ -304,6 +305,7 @@ MadeScene make_scene(const SceneSource& source, std::uint64_t k) {
   MadeScene out;
   SceneClock clock(source.context);
   const ContactMemory memory;  // what an operation left where it is, the next ones ask for again
+  const ProgramMemory programs;
   for (int attempt = 0; attempt < source.recipe.accept.attempts; ++attempt) {
     try {
       out = Attempt(source, clock, k, attempt).make();

@@ -16,6 +16,7 @@
 #include "ops/files/layout/watched_run.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
+#include "ops/settle/program_memory.h"
 
 namespace trivet {
 namespace {
@@ -167,6 +168,7 @@ Verdict judge(const RunOptions& options, const LayoutRun& run) {
 void finish_run(const RunOptions& options, LayoutRun& run) {
   report_progress(options, "check", "", 0, 1);
   const ContactMemory memory;  // contacts, rest and forces ask for the same pairs
+  const ProgramMemory programs;
   const double given = options.settle.clearance;
   update(options, given, run);
   Verdict verdict = judge(options, run);

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <new>
 
-#include "core/contact/recent_nodes.h"
 #include "core/scene/allocation_faults.h"
 #include "core/scene/fingerprint.h"
 #include "ops/faults/random_piles.h"
 #include "ops/operations/live_move.h"
 #include "ops/operations/perform.h"
 #include "ops/session/session.h"
-#include "ops/settle/program_memory.h"
 #include "support/effort.h"
 
 namespace trivet {
@@ -24,9 +22,6 @@ using test::push_of;
 using test::random_operation;
 using test::random_scene;
 
-// So that they are solved again, and allocate again.
-void forget_programs() { memory_of_thread<ProgramMemory>() = ProgramMemory(); }
-
 /// Runs `work(scene)` with each of the chosen allocations failing. @return how many failed.
 template <class Work>
 int expect_all_or_nothing(const Scene& start, const Work& work, test::Random& random) {
@@ -34,7 +29,6 @@ int expect_all_or_nothing(const Scene& start, const Work& work, test::Random& ra
   Scene whole = start;
   std::int64_t num_allocations = 0;
   {
-    forget_programs();
     const AllocationFault count;
     work(whole);
     num_allocations = count.num_allocations();
@@ -44,7 +38,6 @@ int expect_all_or_nothing(const Scene& start, const Work& work, test::Random& ra
   const std::int64_t most = std::max(60, test::with_effort(60));
   for (const std::int64_t n : chosen(num_allocations, most, random)) {
     Scene scene = start;
-    forget_programs();
     {
       const AllocationFault fault(n);
       try {

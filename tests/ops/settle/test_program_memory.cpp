@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/contact/recent_nodes.h"
 #include "ops/settle/program_memory.h"
 
 namespace trivet {
@@ -17,16 +16,14 @@ LinearProgram program(double cost_of_x, double most) {
   return out;
 }
 
-size_t num_remembered() { return memory_of_thread<ProgramMemory>().num_remembered(); }
-
 TEST(ProgramMemory, AnswersTheSameProgramAlone) {
-  const size_t before = num_remembered();
+  const ProgramMemory memory;
   const auto first = program(1, 0.25).solve(false);
   ASSERT_TRUE(first.optimal);
   EXPECT_DOUBLE_EQ(first.objective, 1.75);
-  EXPECT_EQ(num_remembered(), before + 1);
+  EXPECT_EQ(memory.num_remembered(), 1u);
   const auto again = program(1, 0.25).solve(false);
-  EXPECT_EQ(num_remembered(), before + 1);
+  EXPECT_EQ(memory.num_remembered(), 1u);
   EXPECT_EQ(again.x, first.x);
   EXPECT_EQ(again.prices, first.prices);
   EXPECT_EQ(again.objective, first.objective);
@@ -34,10 +31,27 @@ TEST(ProgramMemory, AnswersTheSameProgramAlone) {
   EXPECT_DOUBLE_EQ(program(3, 0.25).solve(false).objective, 2);
   EXPECT_DOUBLE_EQ(program(3, 0.25).solve(true).objective, 2);
   EXPECT_DOUBLE_EQ(program(3, 0.25).solve_by_dual(false).objective, 2);
-  EXPECT_EQ(num_remembered(), before + 5);
+  EXPECT_EQ(memory.num_remembered(), 5u);
+}
+
+TEST(ProgramMemory, RemembersWhileTheFirstOneLives) {
+  EXPECT_EQ(ProgramMemory::current(), nullptr);
+  {
+    const ProgramMemory first;
+    {
+      const ProgramMemory second;
+      program(1, 0.25).solve(false);
+      EXPECT_EQ(second.num_remembered(), 0u);
+    }
+    EXPECT_EQ(ProgramMemory::current(), &first);
+    EXPECT_EQ(first.num_remembered(), 1u);
+  }
+  EXPECT_EQ(ProgramMemory::current(), nullptr);
+  EXPECT_DOUBLE_EQ(program(1, 0.25).solve(false).objective, 1.75);
 }
 
 TEST(ProgramMemory, KnowsWhichHaveNoSolution) {
+  const ProgramMemory memory;
   LinearProgram impossible;
   impossible.add_column(std::vector<LinearProgram::Entry>{{impossible.add_row(-1, -1), 1}}, 1);
   LinearProgram::Basis basis{1, 2, 3};
@@ -48,17 +62,17 @@ TEST(ProgramMemory, KnowsWhichHaveNoSolution) {
 }
 
 TEST(ProgramMemory, GivesTheBasisBack) {
+  const ProgramMemory memory;
   LinearProgram::Basis first, second;
   const auto a = program(1.5, 0.5).solve(false, &first);
-  const size_t known = num_remembered();
   const auto b = program(1.5, 0.5).solve(false, &second);
-  EXPECT_EQ(num_remembered(), known);
+  EXPECT_EQ(memory.num_remembered(), 1u);
   EXPECT_EQ(first.size(), 3u);
   EXPECT_EQ(first, second);
   EXPECT_EQ(a.x, b.x);
   // From another start it is another question.
   program(1.5, 0.5).solve(false, &second);
-  EXPECT_EQ(num_remembered(), known + 1);
+  EXPECT_EQ(memory.num_remembered(), 2u);
 }
 
 TEST(ProgramMemory, LeavesOutLargePrograms) {
@@ -66,9 +80,9 @@ TEST(ProgramMemory, LeavesOutLargePrograms) {
   const int row = large.add_row(1, 1);
   for (int i = 0; i < 10'001; ++i)
     large.add_column(std::vector<LinearProgram::Entry>{{row, 1}}, 2 + i);
-  const size_t before = num_remembered();
+  const ProgramMemory memory;
   EXPECT_DOUBLE_EQ(large.solve(false).objective, 2);
-  EXPECT_EQ(num_remembered(), before);
+  EXPECT_EQ(memory.num_remembered(), 0u);
 }
 
 TEST(ProgramMemory, ForgetsTheOlderHalf) {
