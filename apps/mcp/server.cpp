@@ -50,7 +50,7 @@ std::optional<std::string> Server::answer(const std::string& line,
     if (message.id.is_null()) return std::nullopt;  // notifications: nothing is kept of them
     if (cancelled) return std::nullopt;
     const Json done = result(message, cancelled);
-    // Who cancelled a request does not wait for its answer.
+    // A client that cancelled a request does not wait for its answer.
     return cancelled ? std::nullopt : std::optional(result_line(id, done));
   } catch (const RpcError& e) {
     return error_line(id, e.code, e.what());

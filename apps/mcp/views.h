@@ -1,4 +1,4 @@
-// Where a picture of a scene is taken from.
+// Cameras for pictures of a scene.
 #pragma once
 
 #include <optional>

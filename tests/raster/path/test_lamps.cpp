@@ -151,7 +151,7 @@ std::shared_ptr<const EnvironmentMap> even_surroundings(float radiance) {
   return std::make_shared<EnvironmentMap>(FloatImage{16, 8, std::vector<float>(3 * 128, radiance)});
 }
 
-// Whatever of them is the stronger one.
+// Each of the three has its share, whichever is the strongest.
 TEST(Lamps, AddUpWithAnEnvironmentAndTheKeyLight) {
   const Plate plate;
   PictureLamp lamp;
