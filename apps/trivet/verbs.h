@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "apps/trivet/common.h"
+#include "apps/trivet/verb_files.h"
 
 namespace trivet::apps {
 
@@ -16,6 +17,8 @@ struct Verb {
   std::string examples = {};
   /// True if the verb has the options of reading models.
   bool reads_models = true;
+  /// Files that the program checks before `run`; empty: the verb has none.
+  std::function<VerbFiles()> files = {};
 };
 
 /// The verbs in the order of --help; `operations` are push, turn, fix and others. A new verb is a
