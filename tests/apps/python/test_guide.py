@@ -98,11 +98,11 @@ def prepare(folder, page):
         write_foreign_room(folder / "room.glb")
     if page == "guide/sessions.md":
         shutil.copy(CASES / "drawer.xml", "kitchen.xml")
-        shutil.copy(CASES / "drawer.urdf", "cabinet.urdf")
     if page == "guide/scenes-of-others.md":
         for name in ("robot.urdf", "world.sdf"):
             program("export", "breakfast.glb", "-o", name)
         (folder / "dataset").mkdir()
+        shutil.copy(CASES / "drawer.urdf", "cabinet.urdf")
         kitchen = (CASES / "drawer.xml").read_text().replace('"in the drawer"', '"cube"').replace('name="slide"', 'name="drawer"')
         for name in ("kitchen.xml", "dataset/one.xml"):
             (folder / name).write_text(kitchen)

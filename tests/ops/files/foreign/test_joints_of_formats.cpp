@@ -47,7 +47,7 @@ struct ScenePlace {
   Vec3 at(const std::string& name) const {
     return opened.judged.scene.at(*opened.judged.scene.find(name)).pose.translation;
   }
-  OpenedScene written(std::vector<SceneJoint> moved) {
+  OpenedScene written(const std::vector<SceneJoint>& moved) {
     opened.write_with_joints(poses, moved, out());
     return open_scene(out(), {});
   }
