@@ -13,6 +13,7 @@ namespace trivet {
 namespace {
 
 Vec3 mean_normal(const std::vector<ContactPoint>& points) {
+  // Opposite normals cancel, and leave no mean: then the first one stands for all.
   Vec3 sum = Vec3::Zero();
   for (const ContactPoint& p : points) sum += p.normal;
   const double length = sum.norm();
@@ -22,6 +23,8 @@ Vec3 mean_normal(const std::vector<ContactPoint>& points) {
 void add_faces(const Body& body, ContactFeatures features, bool is_object, Index feature,
                std::vector<Index>& faces) {
   const Adjacency& adjacency = body.shape->adjacency;
+  // The kind of feature tells what the index names on this body: a face, an edge, or a vertex with
+  // the faces around it.
   const bool face =
       features == ContactFeatures::ClosestPoints ||
       features == (is_object ? ContactFeatures::FaceVertex : ContactFeatures::VertexFace);
@@ -51,14 +54,17 @@ void drop_inner(std::vector<Vec2>& points) {
                                                  Vec2(0, -1), Vec2(1, -1)};
   std::array<Vec2, kDirections> corners;
   corners.fill(points.front());
+  // The farthest point in each of eight directions is a corner of the octagon.
   for (const Vec2& p : points)
     for (size_t k = 0; k < kDirections; ++k)
       if (directions[k].dot(p) > directions[k].dot(corners[k])) corners[k] = p;
+  // The limit is a part of the extent's area, so that it scales with the model.
   const double extent = (corners[0] - corners[4]).cwiseAbs().maxCoeff() +
                         (corners[2] - corners[6]).cwiseAbs().maxCoeff();
   const double inside = kInside * extent * extent;
   std::erase_if(points, [&](const Vec2& p) {
     for (size_t k = 0; k < kDirections; ++k) {
+      // Directions that share a corner give an edge without length, which says nothing.
       const Vec2 &a = corners[k], &b = corners[(k + 1) % kDirections];
       if (a != b && !(cross(b - a, p - a) > inside)) return false;
     }
