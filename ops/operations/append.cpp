@@ -14,6 +14,7 @@ constexpr Accepts kChord{Sort::Number, kMinChord, kMaxChord, "metres", {}, 0};
 constexpr Accepts kFacetAngle{Sort::Number, kMinFacetAngleDeg, kMaxFacetAngleDeg, "degrees"};
 
 std::optional<InvalidArgument> refuse_chord(const AppendOperation& o) {
+  // Only models with curved surfaces have a tessellation to choose.
   const Tessellation standard;
   if (o.tessellation == standard || !cad_format(o.model).empty()) return std::nullopt;
   const bool chord = o.tessellation.chord != standard.chord;
