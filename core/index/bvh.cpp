@@ -11,6 +11,7 @@ namespace {
 
 /// Boxes of all nodes, children before parents.
 void set_boxes(const Mesh& mesh, Bvh& bvh) {
+  // Children come after their parents, so that one pass from the end sees them first.
   for (size_t id = bvh.nodes.size(); id-- > 0;) {
     BvhNode& node = bvh.nodes[id];
     if (node.is_leaf()) {

@@ -135,6 +135,7 @@ class FaceTree {
 
   // --- where to split; all faces: a leaf ---------------------------------------------------------
 
+  // The surface area heuristic: a split costs the area of each side times its faces.
   size_t divide(Faces faces) const {
     if (faces.size() == 1) return 1;
     if (faces.size() <= kFewOfTree) return divide_few(faces);
@@ -251,6 +252,7 @@ class FaceTree {
 
   size_t halve(Faces faces) const {
     if (faces.size() <= kMaxLeafFaces) return faces.size();
+    // The widest axis is cut in the middle.
     const int axis = bounds_of_centres(faces).widest_axis();
     const size_t half = faces.size() / 2;
     // Equal centres are told apart by their numbers, so that every library orders them alike.
@@ -267,6 +269,7 @@ class FaceTree {
 
 std::vector<FaceBox> face_boxes(const Mesh& mesh) {
   const Aabb box = mesh.box();
+  // Boxes are scaled about the mesh's centre, so that float32 has digits to spare.
   const Vec3 centre = box.centre();
   const double scale =
       1 / std::max(box.half_extent().maxCoeff(), std::numeric_limits<double>::min());

@@ -50,6 +50,7 @@ struct FaceQuery : EmbreeRayQuery {
 void visit_face(const RTCIntersectFunctionNArguments* arguments) {
   if (!arguments->valid[0]) return;
   const auto& query = *static_cast<const FaceQuery*>(arguments->context);
+  // The visit tells until when faces matter; Embree shortens the ray by it.
   const double until = (*query.visit)(static_cast<Index>(arguments->primID));
   float& end = RTCRayN_tfar(RTCRayHitN_RayN(arguments->rayhit, 1), 1, 0);
   end = std::min(end, query.length_until(until));
@@ -95,6 +96,7 @@ RayScene::RayScene(const Mesh& mesh) : m_num_faces(static_cast<Index>(mesh.trian
   const Aabb box = mesh.box();
   const double half = box.half_extent().maxCoeff();
   m_centre = box.centre();
+  // Meshes of extreme sizes are left to brute force.
   if (!(half > 1e-100 && half < 1e100) || m_num_faces == 0) return;
   const RTCDevice device = embree_device();
   ScaledMesh faces{mesh, m_centre, 1 / half};

@@ -23,6 +23,7 @@ GpuBrackets::GpuBrackets(Make make, GpuNotes notes)
 std::optional<std::vector<DropBracket>> GpuBrackets::try_finding(const HeightMap& object,
                                                                  const HeightMap& scene,
                                                                  int columns, int rows) {
+  // A context that was lost is made once more; one that never worked is given up at once.
   Sentence why;
   for (int tries = 0; m_make && tries < 2; ++tries) try {
       if (!m_gpu) m_gpu = m_make();
@@ -54,6 +55,8 @@ FasterBrackets::FasterBrackets(GpuBrackets::Make make, GpuNotes notes, Clock clo
 
 BracketSource::Answer FasterBrackets::find(const HeightMap& object, const HeightMap& scene,
                                            int columns, int rows) {
+  // Software collects its own time first; the GPU is warmed up, timed once, and kept if it is
+  // faster.
   const bool in_software = m_stage == Stage::Collecting || m_stage == Stage::Software;
   const double start = m_clock();
   Answer answer = in_software ? Answer{drop_brackets(object, scene, columns, rows), false}

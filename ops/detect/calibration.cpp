@@ -34,6 +34,7 @@ double fastest_run_ms(const FirstContactQuery& query, const Ask& ask) {
 CostModel measure(const Spheres& spheres, Motion::Kind kind, CostGrowth growth, const Ask& ask) {
   std::vector<CostSample> samples;
   const Stopwatch stopwatch;
+  // Small queries always run, larger ones as long as the budget lasts.
   for (std::size_t size = 0; size < spheres.size(); ++size) {
     const std::vector<CalibrationQuery> queries = calibration_queries(spheres[size], kind);
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -74,12 +75,14 @@ SourceCost measure_gpu(const GpuSource& source, const Spheres& spheres) {
   SourceCost out;
   out.name = source.name;
   try {
+    // Starting is part of the cost, as a process pays it once.
     const Stopwatch stopwatch;
     const std::unique_ptr<CandidateFinder> stage = make_stage(source, out);
     out.device = stage->device();
     out.failure = self_test(*stage);
     out.start_ms = stopwatch.milliseconds();
     if (!out.failure.empty()) out.failure = "fails its self-test: " + out.failure;
+    // A renderer on the processor works, and is never faster than software.
     if (out.failure.empty() && !out.on_cpu)
       measure_both(
           spheres, CostGrowth::Linear,

@@ -39,6 +39,7 @@ double BackendChooser::ms(const SourceCost& source, const QuerySize& size) const
 // Returns whether no source can be faster than BVHs, even if all bodies count for BVHs and none for
 // the source.
 bool BackendChooser::is_small(Motion::Kind kind, double triangles) const {
+  // The bound is cheap to ask, and spares small queries the frame.
   double bvh = kInfinity, others = kInfinity;
   for (const SourceCost& source : m_calibration->sources)
     if (source.name == Calibration::kBvh)
@@ -57,6 +58,8 @@ double BackendChooser::to_pay_ms(const SourceCost& source, double new_triangles)
 const SourceCost* BackendChooser::choose(const QuerySize& size, double new_triangles) {
   const SourceCost* best = nullptr;
   double best_ms = kInfinity;
+  // A source that has to start, or to build trees, pays that off by what it would have saved so
+  // far.
   for (const SourceCost& source : m_calibration->sources) {
     const double owed = to_pay_ms(source, new_triangles) - m_saved_ms[source.name];
     const double total = ms(source, size) + std::max(0.0, owed);
@@ -64,6 +67,7 @@ const SourceCost* BackendChooser::choose(const QuerySize& size, double new_trian
   }
   if (!best) return nullptr;
   m_saved_ms[best->name] = 0;
+  // Others gain what they would have saved at this query.
   for (const SourceCost& source : m_calibration->sources)
     if (to_pay_ms(source, new_triangles) > 0)
       m_saved_ms[source.name] += std::max(0.0, ms(*best, size) - ms(source, size));
@@ -96,6 +100,7 @@ void BackendChooser::give_up(const std::string& name, const Sentence& why) {
 }
 
 CandidateFinder* BackendChooser::use(const std::string& name) {
+  // Failures count in a row, and for one source.
   if (name != m_current) m_failures = 0;
   m_current = name;
   m_used.insert(name);
@@ -109,6 +114,7 @@ CandidateFinder* BackendChooser::use(const std::string& name) {
 }
 
 CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
+  // Calibration is measured when it is first needed.
   if (!m_calibration) m_calibration = m_machine->calibration();
   const Triangles triangles = triangles_of(query);
   if (triangles.new_ones == 0 && is_small(query.motion.kind, triangles.all))
@@ -123,6 +129,7 @@ CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
 }
 
 void BackendChooser::answered(bool usable, const std::string& why) {
+  // A source that gives up again and again is not asked any more.
   m_failures = usable ? 0 : m_failures + 1;
   if (m_failures < kMostFailures || m_current == Calibration::kBvh) return;
   m_ready.erase(m_current);

@@ -62,6 +62,7 @@ double CostModel::ms(const QuerySize& size) const {
 }
 
 CostModel fit_cost(std::span<const CostSample> samples, CostGrowth growth) {
+  // Errors are relative, so that small queries count as much as large ones.
   std::vector<Terms> rows;
   rows.reserve(samples.size());
   Terms squares = Terms::Zero();
@@ -69,6 +70,7 @@ CostModel fit_cost(std::span<const CostSample> samples, CostGrowth growth) {
     rows.emplace_back(terms_of(sample.size, growth) / sample.ms);
     squares += rows.back().cwiseAbs2();
   }
+  // Columns of length one keep the normal equations well conditioned.
   const Terms scale = squares.cwiseSqrt().cwiseMax(1e-300);
   Normal normal;
   for (Terms& row : rows) {

@@ -51,6 +51,7 @@ std::string Detector::lists() const {
 FirstContact Detector::first_contact(const FirstContactQuery& query) {
   const Stopwatch stopwatch;
   ++m_work.num_queries;
+  // The chooser may take another source for each query; the answer does not depend on it.
   CandidateFinder* const stage = m_chooser ? m_chooser->stage_for(query) : m_stage.get();
   const FirstContact found = stage ? ask_stage(query, *stage) : trivet::first_contact(query);
   m_work.node_pairs += found.work.node_pairs;

@@ -17,6 +17,7 @@ void DetectorPool::leave_those_of_parent() {
 }
 
 std::unique_ptr<Detector> DetectorPool::take() {
+  // The lock is given back before a new one is made, which may take a while.
   {
     const std::lock_guard lock(m_mutex);
     leave_those_of_parent();

@@ -56,6 +56,7 @@ void GatheredStage::leave() {
 }
 
 void GatheredStage::ask(Question& question) {
+  // A question waits until every member has one, or leaves.
   std::unique_lock lock(m_mutex);
   m_questions.push_back(&question);
   while (!question.is_answered) {
@@ -71,6 +72,7 @@ void GatheredStage::answer(std::unique_lock<std::mutex>& lock) {
   const std::vector<Question*> asked = std::exchange(m_questions, {});
   m_is_answering = true;
   lock.unlock();
+  // The stage answers without the lock, so that others can leave meanwhile.
   std::vector<FirstContactQuery> queries;
   std::vector<double> horizons;
   for (const Question* q : asked) {

@@ -24,6 +24,7 @@ MachineKey Machine::key() const {
 }
 
 std::shared_ptr<const Calibration> Machine::calibration() {
+  // One thread measures; the others wait, and share the result.
   const std::lock_guard lock(m_mutex);
   if (!m_calibration) m_calibration = read();
   if (!m_calibration) m_calibration = measure();
@@ -69,6 +70,7 @@ void Machine::tell(const Sentence& note) const {
 // Null if there is none, or none for this machine.
 std::shared_ptr<const Calibration> Machine::read() const {
   std::error_code error;
+  // A file of another machine or version is measured anew.
   if (m_options.file.empty() || !std::filesystem::exists(m_options.file, error)) return nullptr;
   Sentence why = "it is of another version, build, processor, driver or device";
   try {

@@ -25,6 +25,7 @@ size_t num_not_ruled_out(const CandidatePairs& candidates, double time) {
 MotionZLists motion_zlists(const FirstContactQuery& query, CandidateFinder& stage, int resolution,
                            const Confirmation& confirmation) {
   MotionZLists out;
+  // The floor bounds the picture as it bounds a query.
   out.floor = floor_time(query);
   out.depths = motion_depths(query, std::min(out.floor, query.motion.limit), resolution);
   out.contact = first_contact(query, stage, &out.candidates, confirmation);

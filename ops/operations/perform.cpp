@@ -148,7 +148,8 @@ OperationResult perform(Transaction& outer, const Operation& operation,
         return perform_one(inner, object.value_or(ObjectId{}), o, run, context);
       },
       operation);
-  // Supports whose own shape makes verdicts uncertain are named with a result that stands.
+  // Supports that a hand holds, or that are unsupported or invalid, are named: the result stands on
+  // them.
   if (result.ok() && object && inner.scene().contains(*object))
     for (const ObjectId id : unsound_supports(inner.scene(), *object))
       result.unsound.push_back(inner.scene().at(id).name);
