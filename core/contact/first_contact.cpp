@@ -102,6 +102,8 @@ FirstContact first_contact(const FirstContactQuery& query) {
 }
 
 FirstContact first_contact_brute_force(const FirstContactQuery& query) {
+  // Every pair of faces is asked by the same decision as in the search, with no box and no order:
+  // what tests compare the search with.
   FirstContact best;
   for (Index m = 0; m < static_cast<Index>(query.moving.size()); ++m) {
     const Mesh& mesh = query.moving[m].shape->mesh;

@@ -182,12 +182,16 @@ double until_any_plane(const State& s, const ClosestPoints& closest, double targ
   const Vec3 towards_a = (closest.point_a - closest.point_b) / closest.distance;
   const std::array<Vec3, 6> edges{s.a[1] - s.a[0], s.a[2] - s.a[1], s.a[0] - s.a[2],
                                   s.b[1] - s.b[0], s.b[2] - s.b[1], s.b[0] - s.b[2]};
+  // The direction between the closest points is tried first, then all fifteen normals that two of
+  // the six edges span.
   double first = until_plane_along_edges(s, edges, towards_a, target);
   for (size_t i = 0; i < edges.size(); ++i)
     for (size_t j = i + 1; j < edges.size(); ++j) {
       const Vec3 n = edges[i].cross(edges[j]);
       const double length = n.norm();
+      // Parallel edges, or those of length zero, span no direction.
       if (length <= 1e-16 * edges[i].norm() * edges[j].norm()) continue;
+      // All normals point from b towards a, as bounds expect it.
       const Vec3 unit = (n.dot(towards_a) < 0 ? -1 : 1) / length * n;
       first = std::max(first, until_plane_along_edges(s, edges, unit, target));
     }

@@ -74,6 +74,7 @@ int num_levels(const DrapeProblem& problem, const DrapeOptions& options) {
 
 DrapeProblem coarser(const DrapeProblem& fine) {
   DrapeProblem out = fine;
+  // Every second vertex stays, in each direction, at its place and with its pin.
   out.start.clear();
   out.pinned.clear();
   const auto keep = [&](int v) {

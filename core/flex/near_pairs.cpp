@@ -171,6 +171,7 @@ PairPoints Surroundings::vertex_face(const NearPair& pair, const Points& x) cons
 
 PairPoints Surroundings::face_vertex(const NearPair& pair, const Points& x) const {
   const auto& face = m_body.faces[pair.a];
+  // The vertex is the obstacle's: the face's corners alone are free.
   const Vec3& p = m_obstacles.vertices()[pair.b];
   const Vec3 w = face_weights(p, x, face);
   PairPoints out;
@@ -186,6 +187,7 @@ PairPoints Surroundings::edge_edge(const NearPair& pair, const Points& x) const 
   const auto [a, b] = m_body.edges[pair.a];
   const auto [p, q] = m_obstacles.edges()[pair.b];
   const Points& fixed = m_obstacles.vertices();
+  // Shares tell where on each edge the closest points are; the obstacle's edge stands still.
   const SegmentShares shares = closest_on_segments(x[a], x[b], fixed[p], fixed[q]);
   PairPoints out;
   out.count = out.first = 2;
@@ -200,6 +202,8 @@ PairPoints Surroundings::edge_edge(const NearPair& pair, const Points& x) const 
 
 PairPoints Surroundings::own_vertex_face(const NearPair& pair, const Points& x) const {
   const auto& face = m_body.faces[pair.b];
+  // The face's corners count with negative weights: the difference goes from the face to the
+  // vertex.
   const Vec3 w = face_weights(x[pair.a], x, face);
   PairPoints out;
   out.count = m_body.is_cable ? 3 : 4, out.first = 1;

@@ -154,6 +154,8 @@ class FaceTree {
   // Few enough share a leaf unless their boxes are small against that of all.
   size_t divide_few(Faces faces) const {
     const bool may_be_leaf = faces.size() <= kMaxLeafFaces;
+    // Few faces are sorted along each axis in turn: all their splits are compared, where bins would
+    // round them off.
     Split best;
     Few chosen;
     for (int axis = 0; axis < 3; ++axis) {
@@ -162,6 +164,7 @@ class FaceTree {
       if (found.cost < best.cost) best = found, chosen = order;
     }
     if (may_be_leaf && !(best.cost < leaf_cost(faces))) return faces.size();
+    // Costs that overflow name no split: halves are as good.
     if (best.axis < 0) return halve(faces);
     std::copy_n(chosen.begin(), faces.size(), faces.begin());
     return static_cast<size_t>(best.bin);
@@ -211,6 +214,7 @@ class FaceTree {
   template <int kBins>
   Split best_split(Faces faces, const Bins& bins) const {
     std::array<std::array<Bin, kBins>, 3> filled;
+    // One pass fills the bins of all three axes.
     for (const Index f : faces) {
       const FaceBox& box = m_boxes[f];
       const Eigen::Array4i at = bins.of(box.lower + box.upper);

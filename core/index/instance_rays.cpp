@@ -93,6 +93,7 @@ std::uint32_t InstanceRays::add_mesh(std::span<const Vec3f> vertices,
   mesh->passed_at = std::move(passed_at);
   for (const Vec3f& v : vertices)
     mesh->vertices.insert(mesh->vertices.end(), {v.x(), v.y(), v.z()});
+  // Six floats behind the last vertex are no vertices: Embree may read past the end.
   mesh->vertices.insert(mesh->vertices.end(), 6, 0.0f);
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     // Only see-through faces pay for a callback.

@@ -26,11 +26,13 @@ struct ScaledMesh {
 
 void give_face_box(const RTCBoundsFunctionArguments* arguments) {
   auto& faces = *static_cast<ScaledMesh*>(arguments->geometryUserPtr);
+  // Embree calls this on its threads, whose order sanitizers do not see.
   const OrderedStep step(faces.order);
   Aabb box;
   for (const Vec3& p : faces.mesh.triangle(static_cast<Index>(arguments->primID)))
     box.extend((p - faces.centre) * faces.scale);
   RTCBounds& out = *arguments->bounds_o;
+  // Boxes grow and are rounded outwards: Embree reads them in float32.
   out.lower_x = float_below(box.lower.x() - kRayGrowth);
   out.lower_y = float_below(box.lower.y() - kRayGrowth);
   out.lower_z = float_below(box.lower.z() - kRayGrowth);
@@ -64,6 +66,7 @@ struct RayPiece {
 RayPiece ray_piece(const Vec3& origin, const Vec3& direction, double until) {
   RayPiece out{0, until};
   for (int k = 0; k < 3; ++k) {
+    // Along an axis of no motion the ray is within reach all the time, or never.
     if (direction[k] == 0) {
       if (std::abs(origin[k]) > kRayReach) return {0, -1};
       continue;

@@ -51,6 +51,7 @@ class SlabMaker {
 
   void set_sums(Index id) {
     const BvhNode& node = m_bvh.nodes[id];
+    // Children have higher ids and are summed before their parents.
     if (!node.is_leaf()) {
       const Index first = id + 1, second = node.second_child;
       m_areas[id] = m_areas[first] + m_areas[second];

@@ -159,6 +159,8 @@ Index ObjectTree::balanced(Index inner) noexcept {
   if (std::abs(height(a) - height(b)) < 2) return inner;
   const int tall = height(b) > height(a) ? 1 : 0;
   const Index up = tall ? b : a, low = tall ? a : b;
+  // One grandchild goes below the node in place of the lifted child: the lower one, or at equal
+  // heights the one that makes the smaller box there.
   auto [stays, goes] = m_nodes[up].child;
   const auto area_with_low = [&](Index node) {
     return area(united(m_nodes[low].extent.box, m_nodes[node].extent.box));
@@ -178,6 +180,7 @@ Index ObjectTree::balanced(Index inner) noexcept {
 // all heights stay balanced and the node keeps its own.
 void ObjectTree::shrink_children(Index inner) noexcept {
   double best_gain = 0;
+  // The best of four exchanges is taken, if any makes a box smaller.
   int best_side = 0, best_grandchild = 0;
   for (int side = 0; side < 2; ++side)
     for (int k = 0; k < 2; ++k)

@@ -112,6 +112,8 @@ std::vector<FacePair> named(const ZListView& view, const std::vector<Pair>& pair
     const auto [b, face_b] = fixed(p.fixed);
     out.push_back({a, b, face_a, face_b, frame.time_before(p.gap)});
   }
+  // Pairs that may meet first come first; names decide between equal times, so that the order is
+  // always the same.
   std::sort(out.begin(), out.end(), [](const FacePair& x, const FacePair& y) {
     return std::tie(x.not_before, x.moving, x.fixed, x.face_moving, x.face_fixed) <
            std::tie(y.not_before, y.moving, y.fixed, y.face_moving, y.face_fixed);

@@ -31,6 +31,7 @@ double Solver::soft_cost(const Relation& r) const {
 
 // Cost of all soft relations. @param of_thing  that part of each thing.
 double Solver::soft_cost(std::vector<double>& of_thing) const {
+  // Each relation is judged once, then charged to every thing that it names.
   const std::vector<Relation>& relations = m_world.arrangement().relations;
   std::vector<double> costs;
   double out = 0;

@@ -150,6 +150,8 @@ std::vector<SlotSearch::Facing> SlotSearch::measured_facings() const {
   size_t first = 0;
   for (const Pattern::Block& given : m_pattern.blocks) {
     Facing block;
+    // All cells of a block are as large as its largest member, so that rows and columns are
+    // straight.
     for (size_t i = first; i < first + given.count; ++i) {
       block.cell = std::max(block.cell, m_members[i].width);
       block.row = std::max(block.row, m_members[i].depth);
@@ -157,6 +159,7 @@ std::vector<SlotSearch::Facing> SlotSearch::measured_facings() const {
     first += given.count;
     const auto wide = static_cast<size_t>(given.wide);
     const size_t rows = (given.count + wide - 1) / wide;
+    // Gaps lie between cells alone: one fewer than cells.
     block.width = double(std::min(wide, given.count)) * (block.cell + m_gap) - m_gap;
     block.depth = double(rows) * (block.row + m_gap) - m_gap;
     out.push_back(block);

@@ -107,9 +107,11 @@ bool SlotSearch::choose_surface() {
 // Rays at three heights, and beside the middle.
 Room SlotSearch::room(const Vec2& axis) const {
   const Vec2 across = quarter_turned(axis);
+  // The outline bounds the room along the axis; the floor has nothing else.
   Room out{-extent(m_surface.outline, -axis) - axis.dot(m_middle),
            extent(m_surface.outline, axis) - axis.dot(m_middle)};
   if (on_floor()) return out;
+  // Walls and posts of a shelf shorten the room where a ray at a member's height meets them.
   const double aside =
       0.25 * (extent(m_surface.outline, across) + extent(m_surface.outline, -across));
   for (const double height : {0.1, 0.5, 0.9})

@@ -177,11 +177,13 @@ bool Solver::place_thing(size_t item) {
 }
 
 bool Solver::place_pattern(size_t item) {
+  // A pattern is placed as a whole, or not at all.
   std::vector<PlacedSlot> placed;
   auto conflict = put_pattern(m_world, *m_items[item].pattern, scrambled(m_seed), placed);
   m_out.num_puts += static_cast<int>(placed.size());
   for (const PlacedSlot& slot : placed) m_out.put_milliseconds += slot.result.milliseconds;
   if (stopped()) return false;
+  // A pattern that fails after some of its members counts as one refusal; they are taken back.
   if (conflict) {
     m_out.num_refused += placed.empty() ? 0 : 1;
     m_out.conflict = std::move(conflict);

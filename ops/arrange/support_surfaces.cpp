@@ -173,6 +173,7 @@ class SurfaceSearch {
     out.area = cluster.area;
     out.lowest = cluster.box.lower.z(), out.highest = cluster.box.upper.z();
     out.lower = cluster.box.lower.head<2>(), out.upper = cluster.box.upper.head<2>();
+    // The outline is a hull: it spans holes and notches of the surface.
     std::vector<Vec2> corners;
     corners.reserve(3 * cluster.faces.size());
     for (const UpwardFace& face : cluster.faces)

@@ -125,6 +125,7 @@ std::string processor_name() {
 
 Calibration calibrate(const MachineKey& key, const std::vector<GpuSource>& gpu) {
   const Stopwatch stopwatch;
+  // All sources answer the same queries, of spheres of growing size.
   Spheres spheres;
   for (const int n : kSizes) spheres.push_back(wavy_sphere(n));
   Calibration out{key, 0, {}};
@@ -133,6 +134,7 @@ Calibration calibrate(const MachineKey& key, const std::vector<GpuSource>& gpu) 
   measure_both(
       spheres, CostGrowth::Root, [](const FirstContactQuery& query) { first_contact(query); }, bvh);
   out.sources.push_back(bvh);
+  // z-lists cost in proportion to faces, BVHs about to the root of them: the fit assumes it.
   SoftwareZLists zlists(SoftwareZListOptions{0, 0});
   SourceCost software{Calibration::kSoftware, "cpu", true, "", 0, 0, {}, {}};
   measure_both(

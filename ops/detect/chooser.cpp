@@ -76,9 +76,12 @@ const SourceCost* BackendChooser::choose(const QuerySize& size, double new_trian
 
 // False: it was given up, or the calibration is another one now.
 bool BackendChooser::make_ready(const SourceCost& source) {
+  // A source starts when it is chosen for the first time, not before.
   if (m_ready.contains(source.name)) return true;
   try {
     std::unique_ptr<CandidateFinder> stage = m_machine->make_stage(source.name, m_gpu_notes);
+    // Costs that were measured on another device say nothing about this one: they are measured once
+    // more.
     const bool is_other = stage && stage->device() != source.device && !m_recalibrated;
     m_ready[source.name] = std::move(stage);
     if (!is_other) return true;

@@ -79,6 +79,7 @@ std::vector<FirstContact> Detector::first_contacts_early(
   const Stopwatch stopwatch;
   m_work.early += static_cast<std::int64_t>(queries.size());
   std::vector<FirstContact> out;
+  // All queries are of the same faces: the first chooses the source for all.
   CandidateFinder* const stage = m_chooser ? m_chooser->stage_for(queries.front()) : m_stage.get();
   if (stage) {
     std::vector<CandidatePairs> proposals;
@@ -87,6 +88,7 @@ std::vector<FirstContact> Detector::first_contacts_early(
   } else {
     for (const FirstContactQuery& query : queries) out.push_back(trivet::first_contact(query));
   }
+  // Work counts for all queries, also for answers that are not used later.
   for (const FirstContact& found : out) {
     m_work.node_pairs += found.work.node_pairs;
     m_work.face_pairs += found.work.face_pairs;

@@ -55,6 +55,8 @@ std::unique_ptr<CandidateFinder> Machine::make_stage(const std::string& name,
   }
   for (const GpuSource& source : m_options.gpu) {
     if (source.name != name) continue;
+    // A stage answers for true only after its self-test: a driver may compute wrongly without an
+    // error.
     auto stage = source.make(false, notes);
     const std::string wrong = self_test(*stage);
     if (wrong.empty()) return stage;

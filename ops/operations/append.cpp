@@ -46,11 +46,13 @@ const OperationTable& table<AppendOperation>() {
 
 OperationResult apply(Transaction& transaction, const AppendOperation& o, OperationRun&) {
   if (auto why = refuse_name(transaction.scene(), o.object)) return refused(std::move(*why));
+  // A model is read before operations run: one that is missing here could not be read.
   if (!o.shape) {
     Refusal why{Refusal::Cause::ModelNotLoaded, {{o.object, std::nullopt}}};
     why.detail = o.model;
     return refused(std::move(why));
   }
+  // The object has no pose yet: a PUT or STAND gives it one.
   Object object;
   object.name = o.object;
   object.model = o.model_data;

@@ -119,7 +119,9 @@ double way_of_faces(const Triangle& moving, const Triangle& fixed, const Vec3& v
 
 double contact_end(const Body& moving, const Body* fixed, const ContactPoint& contact,
                    const Vec3& velocity, double tolerance) {
+  // The floor has no end.
   if (!fixed) return kInfinity;
+  // A vertex runs off a face over its edges, an edge runs off an edge at either's ends.
   switch (contact.features) {
     case ContactFeatures::VertexFace:
       return way_over_faces(*fixed, contact.feature_support, moving.vertex(contact.feature_object),
@@ -129,6 +131,7 @@ double contact_end(const Body& moving, const Body* fixed, const ContactPoint& co
                             -velocity);
     case ContactFeatures::EdgeEdge:
       return way_of_edges(moving, *fixed, contact, velocity);
+    // Closest points of two faces have no feature to run off: their distance itself is followed.
     case ContactFeatures::ClosestPoints:
       return way_of_faces(moving.triangle(contact.feature_object),
                           fixed->triangle(contact.feature_support), velocity, tolerance);

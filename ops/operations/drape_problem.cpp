@@ -87,6 +87,7 @@ std::optional<Refusal> place_mesh(const Scene& scene, const DrapeOperation& o,
   if (!id) return unknown_object(scene, *o.of);
   const Object& object = scene.at(*id);
   const Mesh& mesh = object.shape->mesh;
+  // A sheet is an open surface of one side, with no more vertices than can be draped.
   if (Sentence why = no_sheet(mesh); !why.empty()) {
     Refusal refusal{Refusal::Cause::NoSheet, {named(scene, Support(*id))}};
     refusal.detail = std::move(why);
@@ -174,6 +175,7 @@ std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
                                                         const DrapeOperation& o) {
   flex::DrapeProblem out;
   out.material = flex_material(o);
+  // The three kinds of start exclude each other: a size, a path, or an object's mesh.
   if (o.size) {
     place_sheet(o, out);
   } else if (!o.path.empty()) {
@@ -183,6 +185,7 @@ std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
   } else if (auto why = place_mesh(scene, o, out)) {
     return *why;
   }
+  // Pins come last, as they take vertices of the start.
   pin(o, out);
   return out;
 }

@@ -38,6 +38,7 @@ std::optional<Refusal> refuse_unsettled(const MovingGroup& group, const SettleOu
     case SettleOutcome::Status::Interrupted:
       return std::nullopt;
     case SettleOutcome::Status::Wedged:
+      // A wedged object cannot move, but is not shown to be supported: the user decides.
       if (options.accept_wedged) return std::nullopt;
       return Refusal{Cause::Wedged, wedge(group, outcome.contacts)};
     case SettleOutcome::Status::FallsOut:

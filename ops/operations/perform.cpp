@@ -39,6 +39,7 @@ constexpr Budget kBudgetOfTrials{2400};
 std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const PlaceOptions& place) {
   const Object& object = scene.at(id);
   const Named name = named(scene, Support(id));
+  // The object may have moved since its place was judged: it came to rest meanwhile.
   if (!PlaceRegion(place.region).holds(body_of(object)))
     return Refusal{Refusal::Cause::LeavesRegion, {name}};
   if (object.stability_margin < place.least_margin)
@@ -115,13 +116,16 @@ void tell_depth(const Scene& scene, std::optional<ObjectId> id, const Operation&
                 OperationResult& result) {
   if (!id || !result.refusal) return;
   Refusal& why = *result.refusal;
+  // Refusals by the exact tests of a pose have a depth, others have none.
   const bool is_exact_test =
       why.cause == Refusal::Cause::Crossing || why.cause == Refusal::Cause::Inside ||
       why.cause == Refusal::Cause::Float32Contact || why.cause == Refusal::Cause::BelowFloor ||
       why.cause == Refusal::Cause::Float32BelowFloor;
+  // At the end of a motion the pose is not the user's.
   if (!is_exact_test || why.at == Refusal::At::End) return;
   Pose pose = scene.at(*id).pose;
   const auto* const put = std::get_if<PutOperation>(&operation);
+  // A PUT that searches its place has no pose of the user's.
   if (put && put->place) return;
   if (put) pose = put->start;
   if (const auto* const stand = std::get_if<StandOperation>(&operation)) pose = stand->pose;

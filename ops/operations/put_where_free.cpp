@@ -238,9 +238,11 @@ class FreePlaceSearch {
 
   Refusal refuse_everywhere(const Places& places) const {
     const bool has_region = !m_operation.place->region.empty();
+    // Places that all lie outside are the region's fault alone.
     if (has_region && places.num_judged == places.num_outside)
       return Refusal{Cause::LeavesRegion, {m_name, m_on}};
     Refusal why{Cause::NoFreePlace, {m_name, m_on}};
+    // The counts tell where the search got stuck: outside, beside, blocked, or refused at a trial.
     why.numbers = {{"judged", double(places.num_judged)},
                    {"spacing", places.spacing},
                    {"beside", double(places.num_beside)},

@@ -114,6 +114,7 @@ Depth depth_below_floor(const ObjectInWorld& here) {
 }
 
 void add_depth(const Scene& scene, const Placement& given, Refusal& refusal) {
+  // Poses are taken as an export would hold them, from the same origin.
   const Vec3 origin = origin_with(scene, {&given, 1});
   std::vector<ObjectInWorld> here;
   for (const Named& name : refusal.objects) {
@@ -123,6 +124,8 @@ void add_depth(const Scene& scene, const Placement& given, Refusal& refusal) {
     here.push_back(in_world(object, id == given.id ? given.pose : object.pose, origin));
   }
   if (here.empty()) return;
+  // Two objects are as deep as the one must go to leave the other; one as far as it is below the
+  // floor.
   const Depth depth = here.size() > 1 ? depth_of(here[0], here[1]) : depth_below_floor(here[0]);
   refusal.numbers.insert(refusal.numbers.end(), {{"depth", depth.metres},
                                                  {"x", depth.point.x()},

@@ -68,6 +68,7 @@ bool add_crossing(ObjectId id_a, const PlacedShape& a, ObjectId id_b, const Plac
 // With a vertex below a height.
 void add_low_faces(ObjectId id, const PlacedShape& placed, const PlacedBvh& tree, Index node,
                    double height, Collector& out) {
+  // The bound grows by rounding, so that no face is missed.
   const PlacedBvh::Box box = tree.box(node);
   const double rounding = placed.slack + 1e-14 * std::abs(box.centre.z());
   if (box.centre.z() - box.half.z() - rounding > height) return;
@@ -79,6 +80,7 @@ void add_low_faces(ObjectId id, const PlacedShape& placed, const PlacedBvh& tree
   }
   for (Index i = n.second_child; i < n.second_child + n.num_faces; ++i) {
     const Triangle t = world_triangle(placed, tree.bvh.faces[i]);
+    // The test itself is exact: coordinates are compared as they are.
     const double lowest = std::min({t[0].z(), t[1].z(), t[2].z()});
     if (lowest < height && out.may_go_on()) out.add(id, tree.bvh.faces[i]);
   }

@@ -152,12 +152,14 @@ PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool flo
 std::vector<Interpenetration> interpenetrations(const Scene& scene,
                                                 std::span<const Placement> moved, bool floats,
                                                 size_t limit) {
+  // Objects that moved together are one body: they are not tested among each other.
   std::vector<ObjectId> ids;
   for (const Placement& p : moved) ids.push_back(p.id);
   const Neighbourhood others(scene, ids);
   const Vec3 origin = origin_with(scene, moved);
   std::vector<Interpenetration> out;
   for (const Placement& p : moved) {
+    // A caller that wants one finding alone stops at it.
     if (out.size() >= limit) break;
     const ObjectInWorld here = in_world(scene.at(p.id), p.pose, origin);
     find_interpenetrations(scene, p.id, here, others.ids_near(here.box, here.floats.slack), floats,

@@ -149,11 +149,13 @@ LinearProgram::Answer LinearProgram::solve_now(bool scale, Method method,
   const size_t num_states = m_costs.size() + m_row_lower.size();
   const auto held = Solver::of(*this, scale);
   Solver& solver = *held;
+  // A start moves the first vertex alone; the optimum found from it is as good.
   if (!start.empty()) solver.copyinStatus(start.data());
   method == Method::Dual ? solver.dual() : solver.primal();
   Answer out;
   Solution& solution = out.solution;
   solution.optimal = solver.isProvenOptimal();
+  // A program that is not solved to optimality has no answer, rather than a half-way one.
   if (!solution.optimal) return out;
   out.basis.assign(solver.statusArray(), solver.statusArray() + num_states);
   const double *x = solver.primalColumnSolution(), *prices = solver.dualRowSolution();

@@ -59,6 +59,7 @@ DepthPicture::DepthPicture(const MotionDepths& depths) : m_depths(depths) {
 }
 
 size_t DepthPicture::pixel(int x, int y) const {
+  // Pictures count rows from above, z-lists from below.
   const ZListFrame& frame = m_depths.frame;
   const int from_below = m_height - 1 - y;
   int column = m_transposed ? from_below : x, row = m_transposed ? x : from_below;
