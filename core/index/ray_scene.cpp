@@ -114,6 +114,7 @@ RayScene::RayScene(const Mesh& mesh) : m_num_faces(static_cast<Index>(mesh.trian
     rtcSetGeometryIntersectFunction(geometry.get(), visit_face);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(m_scene.get(), geometry.get());
+    // Embree's threads read `faces` in between, which sanitizers are told.
     faces.order.give();
     rtcCommitScene(m_scene.get());
     faces.order.take();

@@ -4,8 +4,8 @@ import re
 # Folders whose comments, read alone, tell how the engine works.
 ALGORITHMS = ("core/candidates/", "core/contact/", "core/convex/", "core/exact/", "core/flex/", "core/index/", "core/mesh/",
               "core/motion/", "core/scene/", "gpu/zlist/", "ops/arrange/", "ops/check/", "ops/detect/", "ops/free_places/",
-              "ops/mend/", "ops/operations/", "ops/placement/", "ops/settle/", "ops/stability/", "raster/height_map/", "raster/path/",
-              "raster/zlist/")
+              "ops/mend/", "ops/operations/", "ops/placement/", "ops/settle/", "ops/stability/", "raster/height_map/",
+              "raster/path/", "raster/zlist/")
 # Strings, comments, characters and lines of the preprocessor: their braces mean nothing.
 SKIPPED = re.compile(r'R"([^(\s]*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])+\''
                      r'|^[ \t]*#(?:\\\n|[^\n])*', re.DOTALL | re.MULTILINE)
