@@ -47,6 +47,7 @@ bool chooses(const BackendOptions& options) {
 }
 
 GpuBrackets::Make brackets_maker(const BackendOptions& options) {
+  // An empty function means that this build has no GPU.
   if (!options.make_gpu_brackets) return {};
   return [make = options.make_gpu_brackets, allow_software = options.backend != Backend::Auto] {
     return make(allow_software);

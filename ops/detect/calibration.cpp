@@ -21,6 +21,7 @@ using Ask = std::function<void(const FirstContactQuery&)>;
 using Spheres = std::vector<std::shared_ptr<const Shape>>;
 
 double fastest_run_ms(const FirstContactQuery& query, const Ask& ask) {
+  // The first run builds trees and warms caches; it is not counted.
   ask(query);
   double out = kInfinity;
   for (int i = 0; i < kRepeats; ++i) {
@@ -55,6 +56,7 @@ void measure_both(const Spheres& spheres, CostGrowth growth, const Ask& ask, Sou
 
 // Builds its BVH.
 double ms_per_new_triangle(const Shape& shape) {
+  // The tree is built when it is first asked for.
   const Stopwatch stopwatch;
   shape.bvh();
   return stopwatch.milliseconds() / static_cast<double>(shape.mesh.triangles.size());
@@ -96,6 +98,7 @@ SourceCost measure_gpu(const GpuSource& source, const Spheres& spheres) {
 }  // namespace
 
 double SourceCost::ms(const QuerySize& size) const {
+  // A renderer on the processor is never faster than software, and is not asked.
   const bool is_gpu = name != Calibration::kBvh && name != Calibration::kSoftware;
   if (!failure.empty() || (is_gpu && on_cpu)) return kInfinity;
   return (size.kind == Motion::Kind::Rotation ? turn : drop).ms(size);
@@ -113,6 +116,7 @@ const SourceCost* Calibration::fastest(const QuerySize& size) const {
 
 std::string processor_name() {
   std::string model = "unknown processor";
+  // The name tells machines apart whose home folder is the same.
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
     if (line.starts_with("model name") && line.find(": ") != std::string::npos) {

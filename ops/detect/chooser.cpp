@@ -94,6 +94,7 @@ bool BackendChooser::make_ready(const SourceCost& source) {
 }
 
 void BackendChooser::give_up(const std::string& name, const Sentence& why) {
+  // The source is given up for the rest of the run, and the user is told once.
   m_given_up.insert(name);
   const Sentence text = say("%1; auto goes on without %2", why, name);
   if (name != Calibration::kSoftware)
@@ -120,9 +121,11 @@ CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
   // Calibration is measured when it is first needed.
   if (!m_calibration) m_calibration = m_machine->calibration();
   const Triangles triangles = triangles_of(query);
+  // A small query goes to BVHs at once if they are built already.
   if (triangles.new_ones == 0 && is_small(query.motion.kind, triangles.all))
     return use(Calibration::kBvh);
   const QuerySize size = size_of(query);
+  // A source that does not start is given up, and the next best is chosen.
   while (true) {
     const auto kept = m_calibration;  // `source` is in it
     const SourceCost* const source = choose(size, triangles.new_ones);

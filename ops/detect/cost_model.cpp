@@ -18,6 +18,7 @@ double num_triangles(std::span<const Body> bodies, const std::vector<Index>& whi
 }
 
 Terms terms_of(const QuerySize& size, CostGrowth growth) {
+  // BVHs cost about the root of the triangles: they look at a part of the surface alone.
   if (growth == CostGrowth::Root) return {1, std::sqrt(size.triangles), 0};
   return {1, size.triangles, size.pixels};
 }
@@ -37,6 +38,7 @@ struct Normal {
 // each other: fewer of them do as well.
 Terms solve(const Normal& normal, int mask) {
   Normal used = normal;
+  // A term that is left out has a row of its own: it is zero.
   for (int k = 0; k < kMostTerms; ++k) {
     if (mask >> k & 1) continue;
     used.matrix.row(k).setZero();

@@ -28,6 +28,7 @@ DetectorGroup::DetectorGroup(const BackendOptions& options) : m_confirmation(opt
 }
 
 DetectorGroup::Part::Part(DetectorGroup& group) {
+  // Without a shared GPU each thread works with a detector of its own.
   if (!group.gathers()) {
     m_loan = std::make_unique<DetectorPool::Loan>(*group.m_pool);
     return;

@@ -34,11 +34,13 @@ std::shared_ptr<const Calibration> Machine::calibration() {
 std::shared_ptr<const Calibration> Machine::recalibrate(
     const std::shared_ptr<const Calibration>& old) {
   const std::lock_guard lock(m_mutex);
+  // Another thread may have measured again already: its result serves both.
   if (!m_calibration || m_calibration == old) m_calibration = measure();
   return m_calibration;
 }
 
 std::string Machine::choice(const QuerySize& size) {
+  // Without hardware BVHs are always the choice, and nothing is measured.
   if (!has_hardware()) return Calibration::kBvh;
   const std::shared_ptr<const Calibration> known = calibration();
   const SourceCost* const found = known->fastest(size);
@@ -87,6 +89,7 @@ std::shared_ptr<const Calibration> Machine::read() const {
 
 std::shared_ptr<const Calibration> Machine::measure() const {
   auto found = std::make_shared<const Calibration>(calibrate(key(), m_options.gpu));
+  // A calibration that cannot be kept serves this run.
   if (!m_options.file.empty()) try {
       write_calibration(*found, m_options.file);
     } catch (const Error& error) {

@@ -14,6 +14,7 @@ double floor_time(const FirstContactQuery& query) {
 
 size_t num_not_ruled_out(const CandidatePairs& candidates, double time) {
   if (!candidates.usable) return 0;
+  // Pairs are sorted by the time before which they cannot meet.
   const auto end =
       std::partition_point(candidates.pairs.begin(), candidates.pairs.end(),
                            [&](const FacePair& pair) { return pair.not_before <= time; });
