@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 constexpr std::size_t kMostBytes = 1 << 20;
 constexpr std::size_t kMostSources = 64;
 
@@ -45,7 +45,6 @@ Json source_json(const SourceCost& source) {
           {"on_cpu", source.on_cpu},
           {"failure", source.failure},
           {"start_ms", source.start_ms},
-          {"ms_per_new_triangle", source.ms_per_new_triangle},
           {"drop", model_json(source.drop)},
           {"turn", model_json(source.turn)}};
 }
@@ -56,7 +55,6 @@ SourceCost source_from(const Json& json) {
           json.at("on_cpu"),
           json.at("failure"),
           number_of(json, "start_ms"),
-          number_of(json, "ms_per_new_triangle"),
           model_from(json.at("drop")),
           model_from(json.at("turn"))};
 }
@@ -97,7 +95,7 @@ Calibration calibration_from_json(const std::string& text) {
     const Json json = json_from_text<Json>(text, "backends.json");
     // Another format is refused as a whole: the caller measures again.
     if (json.at("format") != kFormat)
-      throw Error(Error::Kind::BadInput, "\"format\" is %1; accepted: 2", json.at("format").dump());
+      throw Error(Error::Kind::BadInput, "\"format\" is %1; accepted: 3", json.at("format").dump());
     Calibration out;
     out.key = {json.at("version"), json.at("build"), json.at("cpu"), json.at("hardware"),
                json.at("device")};

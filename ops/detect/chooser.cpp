@@ -10,19 +10,10 @@ namespace {
 
 constexpr int kMostFailures = 8;
 
-/// Triangles of all bodies, and of those that have no BVH yet.
-struct Triangles {
-  double all = 0, new_ones = 0;
-};
-
-Triangles triangles_of(const FirstContactQuery& query) {
-  Triangles out;
+double num_triangles(const FirstContactQuery& query) {
+  double out = 0;
   for (const std::span<const Body> bodies : {query.moving, query.fixed})
-    for (const Body& body : bodies) {
-      const auto count = static_cast<double>(body.shape->mesh.triangles.size());
-      out.all += count;
-      if (!body.shape->has_bvh()) out.new_ones += count;
-    }
+    for (const Body& body : bodies) out += static_cast<double>(body.shape->mesh.triangles.size());
   return out;
 }
 
@@ -33,7 +24,8 @@ BackendChooser::BackendChooser(std::shared_ptr<Machine> machine,
     : m_machine(std::move(machine)), m_note(std::move(note)), m_gpu_notes(std::move(gpu_notes)) {}
 
 double BackendChooser::ms(const SourceCost& source, const QuerySize& size) const {
-  return m_given_up.contains(source.name) ? kInfinity : source.ms(size);
+  const bool is_open = source.is_for_auto() && !m_given_up.contains(source.name);
+  return is_open ? source.ms(size) : kInfinity;
 }
 
 // Returns whether no source can be faster than BVHs, even if all bodies count for BVHs and none for
@@ -49,19 +41,17 @@ bool BackendChooser::is_small(Motion::Kind kind, double triangles) const {
   return bvh <= others;
 }
 
-double BackendChooser::to_pay_ms(const SourceCost& source, double new_triangles) const {
-  return (m_ready.contains(source.name) ? 0 : source.start_ms) +
-         source.ms_per_new_triangle * new_triangles;
+double BackendChooser::to_pay_ms(const SourceCost& source) const {
+  return m_ready.contains(source.name) ? 0 : source.start_ms;
 }
 
 // Null: BVHs, as nothing else can be used.
-const SourceCost* BackendChooser::choose(const QuerySize& size, double new_triangles) {
+const SourceCost* BackendChooser::choose(const QuerySize& size) {
   const SourceCost* best = nullptr;
   double best_ms = kInfinity;
-  // A source that has to start, or to build trees, pays that off by what it would have saved so
-  // far.
+  // A source that has to start pays that off by what it would have saved so far.
   for (const SourceCost& source : m_calibration->sources) {
-    const double owed = to_pay_ms(source, new_triangles) - m_saved_ms[source.name];
+    const double owed = to_pay_ms(source) - m_saved_ms[source.name];
     const double total = ms(source, size) + std::max(0.0, owed);
     if (total < best_ms) best_ms = total, best = &source;
   }
@@ -69,7 +59,7 @@ const SourceCost* BackendChooser::choose(const QuerySize& size, double new_trian
   m_saved_ms[best->name] = 0;
   // Others gain what they would have saved at this query.
   for (const SourceCost& source : m_calibration->sources)
-    if (to_pay_ms(source, new_triangles) > 0)
+    if (to_pay_ms(source) > 0)
       m_saved_ms[source.name] += std::max(0.0, ms(*best, size) - ms(source, size));
   return best;
 }
@@ -120,15 +110,13 @@ CandidateFinder* BackendChooser::use(const std::string& name) {
 CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
   // Calibration is measured when it is first needed.
   if (!m_calibration) m_calibration = m_machine->calibration();
-  const Triangles triangles = triangles_of(query);
-  // A small query goes to BVHs at once if they are built already.
-  if (triangles.new_ones == 0 && is_small(query.motion.kind, triangles.all))
-    return use(Calibration::kBvh);
+  // A small query goes to BVHs at once.
+  if (is_small(query.motion.kind, num_triangles(query))) return use(Calibration::kBvh);
   const QuerySize size = size_of(query);
   // A source that does not start is given up, and the next best is chosen.
   while (true) {
     const auto kept = m_calibration;  // `source` is in it
-    const SourceCost* const source = choose(size, triangles.new_ones);
+    const SourceCost* const source = choose(size);
     if (!source) return use(Calibration::kBvh);
     if (make_ready(*source)) return use(source->name);
   }
