@@ -13,7 +13,7 @@
 namespace trivet {
 namespace {
 
-// Of spheres: 1K, 13K, 97K and 720K triangles. Without large ones the costs of a GPU, whose draws
+// Spheres have 1K, 13K, 97K and 720K triangles. Without large ones the costs of a GPU, whose draws
 // hide the faces of small meshes, would be taken for constant.
 constexpr int kSizes[] = {11, 40, 110, 300};
 constexpr int kRepeats = 3;         // the fastest counts; a first run warms the caches
@@ -23,6 +23,7 @@ using Ask = std::function<void(const FirstContactQuery&)>;
 using Spheres = std::vector<std::shared_ptr<const Shape>>;
 
 double fastest_run_ms(const FirstContactQuery& query, const Ask& ask) {
+  // The first run builds trees and warms caches; it is not counted.
   ask(query);
   double out = kInfinity;
   for (int i = 0; i < kRepeats; ++i) {
@@ -36,6 +37,7 @@ double fastest_run_ms(const FirstContactQuery& query, const Ask& ask) {
 CostModel measure(const Spheres& spheres, Motion::Kind kind, CostGrowth growth, const Ask& ask) {
   std::vector<CostSample> samples;
   const Stopwatch stopwatch;
+  // Small queries always run, larger ones as long as the budget lasts.
   for (std::size_t size = 0; size < spheres.size(); ++size) {
     const std::vector<CalibrationQuery> queries = calibration_queries(spheres[size], kind);
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -69,12 +71,14 @@ SourceCost measure_gpu(const GpuSource& source, const Spheres& spheres) {
   SourceCost out;
   out.name = source.name;
   try {
+    // Starting is part of the cost, as a process pays it once.
     const Stopwatch stopwatch;
     const std::unique_ptr<CandidateFinder> stage = make_stage(source, out);
     out.device = stage->device();
     out.failure = self_test(*stage);
     out.start_ms = stopwatch.milliseconds();
     if (!out.failure.empty()) out.failure = "fails its self-test: " + out.failure;
+    // A renderer on the processor works, and is never faster than software.
     if (out.failure.empty() && !out.on_cpu)
       measure_both(
           spheres, CostGrowth::Linear,
@@ -88,6 +92,7 @@ SourceCost measure_gpu(const GpuSource& source, const Spheres& spheres) {
 }  // namespace
 
 double SourceCost::ms(const QuerySize& size) const {
+  // A renderer on the processor is never faster than software, and is not asked.
   const bool is_gpu = name != Calibration::kBvh && name != Calibration::kSoftware;
   if (!failure.empty() || (is_gpu && on_cpu)) return kInfinity;
   return (size.kind == Motion::Kind::Rotation ? turn : drop).ms(size);
@@ -107,6 +112,7 @@ const SourceCost* Calibration::fastest(const QuerySize& size) const {
 
 std::string processor_name() {
   std::string model = "unknown processor";
+  // The name tells machines apart whose home folder is the same.
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
     if (line.starts_with("model name") && line.find(": ") != std::string::npos) {
@@ -119,6 +125,7 @@ std::string processor_name() {
 
 Calibration calibrate(const MachineKey& key, const std::vector<GpuSource>& gpu) {
   const Stopwatch stopwatch;
+  // All sources answer the same queries, of spheres of growing size.
   Spheres spheres;
   for (const int n : kSizes) spheres.push_back(wavy_sphere(n));
   Calibration out{key, 0, {}};
@@ -126,6 +133,7 @@ Calibration calibrate(const MachineKey& key, const std::vector<GpuSource>& gpu) 
   measure_both(
       spheres, CostGrowth::Root, [](const FirstContactQuery& query) { first_contact(query); }, bvh);
   out.sources.push_back(bvh);
+  // z-lists cost in proportion to faces, BVHs about to the root of them: the fit assumes it.
   SoftwareZLists zlists(SoftwareZListOptions{0, 0});
   SourceCost software{Calibration::kSoftware, "cpu", true, "", 0, {}, {}};
   measure_both(

@@ -67,6 +67,7 @@ std::string folder_from(const char* variable) {
 }  // namespace
 
 std::string calibration_path() {
+  // The cache may be lost at any time: it is measured again.
   std::string folder = folder_from("XDG_CACHE_HOME");
   if (folder.empty()) {
     folder = folder_from("HOME");
@@ -92,6 +93,7 @@ std::string to_json(const Calibration& calibration) {
 Calibration calibration_from_json(const std::string& text) {
   try {
     const Json json = json_from_text<Json>(text, "backends.json");
+    // Another format is refused as a whole: the caller measures again.
     if (json.at("format") != kFormat)
       throw Error(Error::Kind::BadInput, "\"format\" is %1; accepted: 3", json.at("format").dump());
     Calibration out;
@@ -113,6 +115,7 @@ Calibration read_calibration(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, none))  // opening a pipe would wait
     throw Error(Error::Kind::Environment, "%1 is no regular file", path);
   std::ifstream file(path, std::ios::binary);
+  // The size is bounded: a damaged file costs no memory.
   std::string text(kMostBytes, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));

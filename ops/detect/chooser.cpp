@@ -31,6 +31,7 @@ double BackendChooser::ms(const SourceCost& source, const QuerySize& size) const
 // Returns whether no source can be faster than BVHs, even if all bodies count for BVHs and none for
 // the source.
 bool BackendChooser::is_small(Motion::Kind kind, double triangles) const {
+  // The bound is cheap to ask, and spares small queries the frame.
   double bvh = kInfinity, others = kInfinity;
   for (const SourceCost& source : m_calibration->sources)
     if (source.name == Calibration::kBvh)
@@ -48,6 +49,7 @@ double BackendChooser::to_pay_ms(const SourceCost& source) const {
 const SourceCost* BackendChooser::choose(const QuerySize& size) {
   const SourceCost* best = nullptr;
   double best_ms = kInfinity;
+  // A source that has to start pays that off by what it would have saved so far.
   for (const SourceCost& source : m_calibration->sources) {
     const double owed = to_pay_ms(source) - m_saved_ms[source.name];
     const double total = ms(source, size) + std::max(0.0, owed);
@@ -55,6 +57,7 @@ const SourceCost* BackendChooser::choose(const QuerySize& size) {
   }
   if (!best) return nullptr;
   m_saved_ms[best->name] = 0;
+  // Others gain what they would have saved at this query.
   for (const SourceCost& source : m_calibration->sources)
     if (to_pay_ms(source) > 0)
       m_saved_ms[source.name] += std::max(0.0, ms(*best, size) - ms(source, size));
@@ -63,9 +66,12 @@ const SourceCost* BackendChooser::choose(const QuerySize& size) {
 
 // False: it was given up, or the calibration is another one now.
 bool BackendChooser::make_ready(const SourceCost& source) {
+  // A source starts when it is chosen for the first time, not before.
   if (m_ready.contains(source.name)) return true;
   try {
     std::unique_ptr<CandidateFinder> stage = m_machine->make_stage(source.name, m_gpu_notes);
+    // Costs that were measured on another device say nothing about this one: they are measured once
+    // more.
     const bool is_other = stage && stage->device() != source.device && !m_recalibrated;
     m_ready[source.name] = std::move(stage);
     if (!is_other) return true;
@@ -78,6 +84,7 @@ bool BackendChooser::make_ready(const SourceCost& source) {
 }
 
 void BackendChooser::give_up(const std::string& name, const Sentence& why) {
+  // The source is given up for the rest of the run, and the user is told once.
   m_given_up.insert(name);
   const Sentence text = say("%1; auto goes on without %2", why, name);
   if (name != Calibration::kSoftware)
@@ -87,6 +94,7 @@ void BackendChooser::give_up(const std::string& name, const Sentence& why) {
 }
 
 CandidateFinder* BackendChooser::use(const std::string& name) {
+  // Failures count in a row, and for one source.
   if (name != m_current) m_failures = 0;
   m_current = name;
   m_used.insert(name);
@@ -100,9 +108,12 @@ CandidateFinder* BackendChooser::use(const std::string& name) {
 }
 
 CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
+  // Calibration is measured when it is first needed.
   if (!m_calibration) m_calibration = m_machine->calibration();
+  // A small query goes to BVHs at once.
   if (is_small(query.motion.kind, num_triangles(query))) return use(Calibration::kBvh);
   const QuerySize size = size_of(query);
+  // A source that does not start is given up, and the next best is chosen.
   while (true) {
     const auto kept = m_calibration;  // `source` is in it
     const SourceCost* const source = choose(size);
@@ -112,6 +123,7 @@ CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
 }
 
 void BackendChooser::answered(bool usable, const std::string& why) {
+  // A source that gives up again and again is not asked any more.
   m_failures = usable ? 0 : m_failures + 1;
   if (m_failures < kMostFailures || m_current == Calibration::kBvh) return;
   m_ready.erase(m_current);
