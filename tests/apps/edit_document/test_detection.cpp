@@ -84,8 +84,8 @@ TEST(EditorDetection, AutomaticTakesWhatIsMeasuredAsFaster) {
   const CostModel slow{10, 0, 0, 0}, fast{0.01, 0, 0, 0};
   const Calibration calibration{{},
                                 0,
-                                {{"bvh", "cpu", true, "", 0, 0, slow, slow},
-                                 {"gpu compute", "cpu", false, "", 0, 0, fast, fast}}};
+                                {{"bvh", "cpu", true, "", 0, slow, slow},
+                                 {"gpu compute", "cpu", false, "", 0, fast, fast}}};
   MachineOptions machine;
   machine.hardware = "a card";
   machine.gpu = {{"gpu compute", [&](bool, const GpuNotes&) -> std::unique_ptr<CandidateFinder> {
