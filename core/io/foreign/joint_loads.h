@@ -1,4 +1,4 @@
-// Whether gravity would move what hangs in a joint.
+// Tells whether gravity would move a body that hangs in a joint.
 #pragma once
 
 #include <span>
