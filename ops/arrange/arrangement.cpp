@@ -18,6 +18,7 @@ constexpr const char* kOfOne[] = {
 }  // namespace
 
 Sentence Relation::text() const {
+  // Each kind of relation has a sentence with and one without a second object.
   const Sentence to = b == "floor" ? Sentence("the floor") : Sentence(quoted(b));
   return std::visit(
       [&](const auto& k) {

@@ -11,6 +11,7 @@ std::vector<Field<Centred>> Centred::fields() {
 }
 
 double Centred::cost(const Terms& r, const Outline& a, const Outline* b) const {
+  // Offsets are along b's own axes: right, and away from its front.
   const Vec2 off = a.centre - b->centre;
   const double x = std::abs(off.dot(b->right()) - offset.x());
   const double y = std::abs(off.dot(-b->front) - offset.y());

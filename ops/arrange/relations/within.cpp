@@ -22,6 +22,7 @@ std::vector<Field<Within>> Within::fields() {
 
 double Within::cost(const Terms& r, const Outline& a, const Outline*) const {
   double out = 0;
+  // The region is convex: each side bounds the outline's extent across it.
   for (size_t i = 0; i < region.size(); ++i) {
     const Vec2 way = outwards(region, i);
     out = std::max(out, extent(a.hull, way) - way.dot(region[i]));
