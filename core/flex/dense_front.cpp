@@ -19,7 +19,6 @@ struct TileSums {
   // @param rows, columns  kTile numbers for each column of the panel.
   void run(const double* rows, const double* columns, int panel) {
     for (int k = 0; k < panel; ++k, rows += kTile, columns += kTile) {
-      // Four rows times four columns stay in registers while the panel runs past them.
       const Double2 upper{rows[0], rows[1]}, lower{rows[2], rows[3]};
       for (int j = 0; j < kTile; ++j) {
         const Double2 factor = both(columns[j]);
@@ -33,7 +32,6 @@ struct TileSums {
 
 // Rows from `first` on of a panel's columns, kTile rows together, zeros at the end.
 void pack(const double* a, int size, int first, int column, int panel, std::vector<double>& out) {
-  // Packed rows lie side by side as the tiles read them; zeros fill the last tile.
   const int num_tiles = (size - first + kTile - 1) / kTile;
   out.assign(static_cast<size_t>(num_tiles) * panel * kTile, 0);
   for (int t = 0; t < num_tiles; ++t)
@@ -56,7 +54,6 @@ void update_rest(double* a, int size, int column, int panel, std::vector<double>
   pack(a, size, first, column, panel, packed);
   const int num_tiles = (size - first + kTile - 1) / kTile;
   const auto tile = [&](int t) { return packed.data() + static_cast<size_t>(t) * panel * kTile; };
-  // Tiles below the diagonal suffice, as the matrix is symmetric.
   for (int j = 0; j < num_tiles; ++j)
     for (int i = j; i < num_tiles; ++i) {
       TileSums sums;
@@ -69,14 +66,11 @@ void update_rest(double* a, int size, int column, int panel, std::vector<double>
 bool factor_panel(double* a, int size, int column, int panel) {
   for (int j = column; j < column + panel; ++j) {
     double* const own = a + static_cast<size_t>(j) * size;
-    // The columns before it in the panel are taken off first.
     for (int k = column; k < j; ++k) {
       const double* const before = a + static_cast<size_t>(k) * size;
       const double factor = before[j];
       for (int i = j; i < size; ++i) own[i] -= factor * before[i];
     }
-    // A pivot that is not positive means that the matrix is not positive definite; the caller takes
-    // another one.
     if (!(own[j] > 0) || !std::isfinite(own[j])) return false;
     own[j] = std::sqrt(own[j]);
     const double inverse = 1 / own[j];
@@ -89,8 +83,6 @@ bool factor_panel(double* a, int size, int column, int panel) {
 
 bool factor_front(double* a, int size, int num_own) {
   std::vector<double> packed;
-  // Each panel is factored, and then subtracted from all that is behind it at once, which the
-  // caches like.
   for (int column = 0; column < num_own; column += kPanel) {
     const int panel = std::min(kPanel, num_own - column);
     if (!factor_panel(a, size, column, panel)) return false;
@@ -100,7 +92,6 @@ bool factor_front(double* a, int size, int num_own) {
 }
 
 void solve_forward(const double* a, int size, int num_own, double* x, double* below) {
-  // Column by column: the rows below wait for what is known above.
   for (int k = 0; k < num_own; ++k) {
     const double* const column = a + static_cast<size_t>(k) * size;
     x[k] /= column[k];

@@ -158,7 +158,6 @@ void Multifrontal::add_child(Front& front, Front& child, const std::vector<int>&
   const int size = front.size(), child_size = child.size();
   const int first = 3 * static_cast<int>(child.own.size());
   const auto place = [&](int row) { return 3 * local[child.below[row / 3]] + row % 3; };
-  // The child's rest is symmetric; its places in the parent may come in another order.
   for (int j = 0; j + first < child_size; ++j) {
     const int column = place(j);
     const double* const from = child.values.data() + static_cast<size_t>(j + first) * child_size;
