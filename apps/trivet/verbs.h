@@ -54,7 +54,7 @@ TRIVET_VERBS(TRIVET_DECLARE_VERB)
 
 extern const char* const kLayoutSchema;   // layout.schema.in.json of ops/files/layout
 extern const char* const kRecipeSchema;   // text of apps/farm/recipe/recipe.schema.json
-extern const char* const kArrangeSchema;  // text of ops/files/arrange/arrange.schema.json
+extern const char* const kArrangeSchema;  // arrange.schema.in.json of ops/files/arrange
 extern const char* const kViewerPage;     // text of apps/python/trivet/viewer.html
 
 }  // namespace trivet::apps

@@ -153,19 +153,20 @@ bool Multifrontal::covers(const BlockMatrix& a) const {
   return true;
 }
 
-// Adds what a child leaves to the vertices below it, which are among those of its parent.
+// Adds what a child leaves to the vertices below it, which are among those of its parent, in the
+// same order.
 void Multifrontal::add_child(Front& front, Front& child, const std::vector<int>& local) const {
-  const int size = front.size(), child_size = child.size();
-  const int first = 3 * static_cast<int>(child.own.size());
-  const auto place = [&](int row) { return 3 * local[child.below[row / 3]] + row % 3; };
-  for (int j = 0; j + first < child_size; ++j) {
-    const int column = place(j);
-    const double* const from = child.values.data() + static_cast<size_t>(j + first) * child_size;
-    for (int i = j; i + first < child_size; ++i) {
-      const auto [low, high] = std::minmax({column, place(i)});
-      front.values[static_cast<size_t>(low) * size + high] += from[i + first];
+  const int size = front.size(), child_size = child.size(), num_below = child_size / 3;
+  const int first = static_cast<int>(child.own.size());
+  const auto place = [&](int vertex) { return 3 * local[child.below[vertex - first]]; };
+  for (int j = first; j < num_below; ++j)
+    for (int c = 0; c < 3; ++c) {
+      double* const to = front.values.data() + static_cast<size_t>(place(j) + c) * size;
+      const double* const from = child.values.data() + static_cast<size_t>(3 * j + c) * child_size;
+      for (int r = c; r < 3; ++r) to[place(j) + r] += from[3 * j + r];
+      for (int i = j + 1; i < num_below; ++i)
+        for (int r = 0; r < 3; ++r) to[place(i) + r] += from[3 * i + r];
     }
-  }
 }
 
 bool Multifrontal::compute(const BlockMatrix& a, int id, std::vector<int>& local) {

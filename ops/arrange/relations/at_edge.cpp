@@ -16,7 +16,7 @@ double edge_gap(const Outline& a, const Outline& b, Side side) {
 }  // namespace
 
 std::vector<Field<AtEdge>> AtEdge::fields() {
-  return {{"side", &AtEdge::side}, {"gap", GapForm::Both}};
+  return {{"side", &AtEdge::side, "Side of b; default: any."}, {"gap", GapForm::Both}};
 }
 
 // At its side, or the nearest; inside all others.

@@ -6,7 +6,8 @@
 namespace trivet::relations {
 
 std::vector<Field<Centred>> Centred::fields() {
-  return {{"along", &Centred::along}, {"offset", &Centred::offset}};
+  return {{"along", &Centred::along, "Direction: b's right, b's back, or both (default)."},
+          {"offset", &Centred::offset}};
 }
 
 double Centred::cost(const Terms& r, const Outline& a, const Outline* b) const {

@@ -13,7 +13,12 @@ Vec2 outwards(const std::vector<Vec2>& region, size_t corner) {
 
 }  // namespace
 
-std::vector<Field<Within>> Within::fields() { return {{"region", &Within::region, true}}; }
+std::vector<Field<Within>> Within::fields() {
+  return {{"region", &Within::region,
+           "Two opposite corners of a rectangle, or the corners of a convex polygon, "
+           "counter-clockwise.",
+           true}};
+}
 
 double Within::cost(const Terms& r, const Outline& a, const Outline*) const {
   double out = 0;

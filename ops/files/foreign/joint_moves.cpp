@@ -61,6 +61,9 @@ double limit_of(const JointToMove& joint, bool upper) {
 
 JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,
                         NewPoses& poses) {
+  if (!joint.held.empty())
+    bad_file(opened.path, "the joint %1 cannot be moved: %2", trivet::quoted(joint.name),
+             joint.held);
   Scene driven = with_moving_links(opened.judged);
   update_contacts(driven, run.options.clearance, run.options);
   const Pose from = driven.at(joint.links[0]).pose;

@@ -102,6 +102,7 @@ def prepare(folder, page):
         for name in ("robot.urdf", "world.sdf"):
             program("export", "breakfast.glb", "-o", name)
         (folder / "dataset").mkdir()
+        shutil.copy(CASES / "drawer.urdf", "cabinet.urdf")
         kitchen = (CASES / "drawer.xml").read_text().replace('"in the drawer"', '"cube"').replace('name="slide"', 'name="drawer"')
         for name in ("kitchen.xml", "dataset/one.xml"):
             (folder / name).write_text(kitchen)
