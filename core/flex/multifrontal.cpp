@@ -158,11 +158,14 @@ bool Multifrontal::covers(const BlockMatrix& a) const {
 void Multifrontal::add_child(Front& front, Front& child, const std::vector<int>& local) const {
   const int size = front.size(), child_size = child.size(), num_below = child_size / 3;
   const int first = static_cast<int>(child.own.size());
+  // The child's vertices come in the order of the parent's: an element below the diagonal stays
+  // below it.
   const auto place = [&](int vertex) { return 3 * local[child.below[vertex - first]]; };
   for (int j = first; j < num_below; ++j)
     for (int c = 0; c < 3; ++c) {
       double* const to = front.values.data() + static_cast<size_t>(place(j) + c) * size;
       const double* const from = child.values.data() + static_cast<size_t>(3 * j + c) * child_size;
+      // The block on the diagonal is kept in its lower half alone.
       for (int r = c; r < 3; ++r) to[place(j) + r] += from[3 * j + r];
       for (int i = j + 1; i < num_below; ++i)
         for (int r = 0; r < 3; ++r) to[place(i) + r] += from[3 * i + r];
