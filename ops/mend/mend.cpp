@@ -21,7 +21,12 @@ constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
 constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
+// Another support at a height that the tolerance does not tell from that of the one that was meant;
+// what was meant to be level rests tilted by more than so much.
+constexpr double kDoubtfulSupport = 0.4, kTilted = 0.5, kTiltedDeg = 4;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
+constexpr double kNearNeighbour = 2;  // tolerances to the middle of what may hold it
+constexpr double kWiderSearch = 4;    // times the tolerance, where no place was found
 
 Vec3 local_middle(const Object& object) {
   return world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
@@ -85,15 +90,24 @@ class Mender {
   void place(Rearrangement& scene, ObjectId id) {
     if (!support_moved(scene) && scene.keep(id)) return;
     if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
+    m_downs = m_object->is_level ? downs_of(m_scene.at(id)) : std::vector<Vec3>{};
     const Pose nominal = nominal_pose(scene, id);
     Sentence why = "no place near is free";
+    const double tolerance = std::max(m_meant.tolerance, 0.002);
+    Landing best = best_landing(scene, id, nominal, tolerance, why);
+    if (best.cost == kInfinity && !scene.is_out_of_time())
+      best = best_landing(scene, id, nominal, kWiderSearch * tolerance, why);
+    if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
+  }
+
+  // The cheapest place found. @param why  what refused the last one.
+  Landing best_landing(Rearrangement& scene, ObjectId id, const Pose& nominal, double tolerance,
+                       Sentence& why) {
     Landing best;
     int tries = 0;
-    for (const Start& start : starts_around(scene, id, nominal)) {
-      const bool enough = best.as_meant && (start.cost > best.cost || tries > 12);
-      if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
-      if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
-        break;
+    for (const Start& start : starts_around(scene, id, nominal, tolerance)) {
+      if (start.cost > best.cost || (best.as_meant && tries > 12)) break;
+      if (tries >= m_options.most_tries || scene.is_out_of_time()) break;
       if (refuse_interpenetration(m_scene, id, start.pose, false)) continue;
       ++tries;
       const OperationResult result = scene.try_put(id, start.pose, [&](const Object& there) {
@@ -102,7 +116,7 @@ class Mender {
       });
       if (result.refusal) why = sentence_of(*result.refusal);
     }
-    if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
+    return best;
   }
 
   bool support_moved(const Rearrangement& scene) const {
@@ -140,9 +154,8 @@ class Mender {
   }
 
   // The nominal one freed by the shortest shifts, then lifts and rings around both; by cost.
-  std::vector<Start> starts_around(const Rearrangement& scene, ObjectId id,
-                                   const Pose& nominal) const {
-    const double tol = std::max(m_meant.tolerance, 0.002);
+  std::vector<Start> starts_around(const Rearrangement& scene, ObjectId id, const Pose& nominal,
+                                   double tol) const {
     std::vector<Start> out;
     std::vector<Pose> attitudes{nominal};
     const Pose given = scene.given(id);
@@ -155,6 +168,7 @@ class Mender {
       const double more = static_cast<double>(j) * 0.3 * tol;
       const Pose& base = attitudes[j];
       add(out, parted(id, base), base, more);
+      add_above_neighbours(out, id, base, tol, more);
       for (const double lift : kLiftsInTolerances)
         add(out, shifted(base, 0, 0, kLeastAir + lift * tol), base, more);
       for (const double ring : kRings)
@@ -167,6 +181,20 @@ class Mender {
     std::stable_sort(out.begin(), out.end(),
                      [](const Start& a, const Start& b) { return a.cost < b.cost; });
     return out;
+  }
+
+  // An egg beside its cup was meant to stand in it: above the middle of what is near.
+  void add_above_neighbours(std::vector<Start>& out, ObjectId id, const Pose& base, double tol,
+                            double more) const {
+    const Aabb box = body_of(m_scene.at(id), base).world_box;
+    for (const ObjectId other : m_scene.near(box, kNearNeighbour * tol)) {
+      const Object& there = m_scene.at(other);
+      if (other == id || !there.placed) continue;
+      const Vec3 way = middle_of(other, there.pose) - middle_of(id, base);
+      if (way.head<2>().norm() > kNearNeighbour * tol) continue;
+      const double lift = std::max(0.0, m_scene.world_box(other).upper.z() - box.lower.z());
+      add(out, shifted(base, way.x(), way.y(), kLeastAir + lift), base, more);
+    }
   }
 
   static Pose shifted(Pose pose, double x, double y, double z) {
@@ -210,21 +238,33 @@ class Mender {
     const double size = size_of(there), tol = m_meant.tolerance;
     const double moved = (middle_of(id, there.pose) - middle_of(id, nominal)).norm();
     const double turn = turn_between_deg(nominal.rotation, there.pose.rotation);
+    const double rise = std::abs((middle_of(id, there.pose) - middle_of(id, nominal)).z());
     double penalty = 0;
-    if (!carried_as_meant(there)) penalty += kLostSupport;
-    penalty += kExtraSupport * extra_supports(there);
+    if (!carried_as_meant(there)) penalty += rise <= tol ? kDoubtfulSupport : kLostSupport;
     const bool tipped =
         turn > (m_object->is_level ? std::max(kAttitudeDeg, m_meant.most_tilt_deg) : kLeaningDeg);
     if (tipped)
       penalty += kLostAttitude;
-    else if (std::abs(there.pose.translation.z() - nominal.translation.z()) > 2 * tol + 0.01)
+    else if (rests_tilted(there))
+      penalty += kTilted;
+    else if (rise > 2 * tol + 0.01)
       penalty += kLostTier;
     Landing out;
     out.cost = moved + 0.5 * size * turn * (3.14159265358979323846 / 180) +
-               penalty * std::max(size, 2 * tol);
+               (penalty + kExtraSupport * extra_supports(there)) * std::max(size, 2 * tol);
     out.start = start;
     out.as_meant = penalty == 0;
     return out;
+  }
+
+  // Though it was meant level, as what carries it was.
+  bool rests_tilted(const Object& there) const {
+    if (m_downs.empty() || nearest_down(m_downs, there.pose.rotation).second <= kTiltedDeg)
+      return false;
+    return std::all_of(m_object->on.begin(), m_object->on.end(), [&](const IntendedSupport& s) {
+      const ObjectIntent* const below = s.on.is_object() ? m_meant.find(s.on.object()) : nullptr;
+      return !below || below->is_level;
+    });
   }
 
   static std::vector<Support> supports_of(const Object& object) {
@@ -271,6 +311,7 @@ class Mender {
   const MendOptions& m_options;
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;   // that is being placed
+  std::vector<Vec3> m_downs;                // of it, if it was meant level
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };
 

@@ -12,7 +12,10 @@ OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& s
   PutOperation put;
   put.object = m_scene.at(id).name;
   put.start = start;
-  return perform(target, Operation(put), m_options.settle, m_options.context);
+  RunContext context = m_options.context;
+  if (m_options.seconds > 0)  // one that takes long ends with the whole
+    context.time_budget_s = std::max(m_options.seconds - 1e-3 * m_watch.milliseconds(), 1e-3);
+  return perform(target, Operation(put), m_options.settle, context);
 }
 template OperationResult Rearrangement::put_in(Scene&, ObjectId, const Pose&);
 template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pose&);
@@ -58,7 +61,7 @@ SettledScene Rearrangement::finish() {
     const double moved = (object.centre_of_mass() - was).norm();
     const double turned = turn_between_deg(it->second.rotation, object.pose.rotation);
     if (moved > 0 || turned > 0)
-      m_out.moved.push_back({id, it->second, object.pose, moved, turned});
+      m_out.moved.push_back({id, object.name, it->second, object.pose, moved, turned});
   }
   return std::move(m_out);
 }

@@ -32,7 +32,9 @@ class Rearrangement {
     if (result.ok()) judge(m_scene.at(id));
     return result;
   }
-  void give_up(ObjectId id, Sentence why) { m_out.unable.push_back({id, std::move(why)}); }
+  void give_up(ObjectId id, Sentence why) {
+    m_out.unable.push_back({id, m_scene.at(id).name, std::move(why)});
+  }
 
   /// Objects that were given up stand where they were; what has moved, and how far.
   SettledScene finish();
