@@ -99,9 +99,10 @@ int repair_layout(const RepairArguments& arguments, bool mends, const CommonOpti
 int repair_file(RepairArguments& arguments, bool mends, const CommonOptions& common) {
   const bool is_layout = lower_extension(arguments.file) == ".json";
   if (!is_layout && lower_extension(arguments.file) != ".glb" && !is_of_others(arguments.file))
-    throw Error(Error::Kind::BadInput,
-                "%1: is no scene; accepted: MJCF, URDF, SDF, glTF, .glb written by trivet, a layout",
-                arguments.file);
+    throw Error(
+        Error::Kind::BadInput,
+        "%1: is no scene; accepted: MJCF, URDF, SDF, glTF, .glb written by trivet, a layout",
+        arguments.file);
   if (is_layout || !is_of_others(arguments.file)) {
     if (arguments.how.seconds > 0) arguments.settle.operation_seconds = arguments.how.seconds;
     if (is_layout) return repair_layout(arguments, mends, common);

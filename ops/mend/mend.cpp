@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/io/foreign/scene.h"
@@ -21,12 +22,8 @@ constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
 constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
-// Another support at a height that the tolerance does not tell from that of the one that was meant;
-// what was meant to be level rests tilted by more than so much.
-constexpr double kDoubtfulSupport = 0.4, kTilted = 0.5, kTiltedDeg = 4;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
-constexpr double kNearNeighbour = 2;  // tolerances to the middle of what may hold it
-constexpr double kWiderSearch = 4;    // times the tolerance, where no place was found
+constexpr double kMostSpread = 2.5;  // tolerances that two side by side may be in each other
 
 Vec3 local_middle(const Object& object) {
   return world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
@@ -34,6 +31,7 @@ Vec3 local_middle(const Object& object) {
 
 // Pose `then`, carried along by what moves `from` to `to`.
 Pose carried(const Pose& from, const Pose& to, const Pose& then) {
+  // The pose keeps its place relative to the body that is moved.
   const Rotation turn = (to.rotation * inverse(from).rotation).normalized();
   return {(turn * then.rotation).normalized(),
           to.translation + turn.matrix() * (then.translation - from.translation)};
@@ -66,8 +64,11 @@ class Mender {
             scene, options.tolerance > 0 ? std::optional(options.tolerance) : std::nullopt)) {}
 
   MendedScene run() {
+    // Objects without findings stay; only the others leave the scene, and come back.
     const std::vector<ObjectId> moving = unsettled_objects(m_scene, m_options);
     Rearrangement rearrangement(m_scene, m_options, in_order(moving));
+    spread_rows(moving);
+    // Supports come before what they carry, so that each object sees where its support is now.
     for (const ObjectId id : in_order(moving)) {
       m_object = m_meant.find(id);
       place(rearrangement, id);
@@ -80,6 +81,26 @@ class Mender {
   }
 
  private:
+  // Objects that stand on one thing that stays are moved apart together: a row has no order in
+  // which each finds room for itself.
+  void spread_rows(const std::vector<ObjectId>& moving) {
+    std::map<std::pair<bool, std::uint32_t>, std::vector<Placement>> rows;  // by what carries them
+    for (const ObjectId id : moving) {
+      const ObjectIntent& meant = *m_meant.find(id);
+      if (!meant.is_level || meant.on.empty()) continue;
+      const Support& on = meant.on[0].on;
+      if (on.is_object() && !m_scene.at(on.object()).placed) continue;
+      Pose pose = meant.level;
+      pose.translation.z() += kLeastAir - meant.gap;
+      rows[{on.is_object(), on.is_object() ? on.object().index : 0}].push_back({id, pose});
+    }
+    for (const auto& [on, members] : rows) {
+      const std::vector<Vec3> shifts =
+          spread_shifts(m_scene, members, kMostSpread * m_meant.tolerance);
+      for (size_t i = 0; i < members.size(); ++i) m_spread[members[i].id.index] = shifts[i];
+    }
+  }
+
   std::vector<ObjectId> in_order(const std::vector<ObjectId>& ids) const {
     std::vector<ObjectId> out;
     for (const ObjectIntent& o : m_meant.objects)
@@ -88,38 +109,37 @@ class Mender {
   }
 
   void place(Rearrangement& scene, ObjectId id) {
-    if (!support_moved(scene) && scene.keep(id)) return;
+    // An object that stands well where it is, on supports that did not move, stays; but not where
+    // its row needs room.
+    const bool in_row = m_spread.count(id.index) && m_spread[id.index] != Vec3::Zero();
+    if (!in_row && !support_moved(scene) && scene.keep(id)) return;
     if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
-    m_downs = m_object->is_level ? downs_of(m_scene.at(id)) : std::vector<Vec3>{};
     const Pose nominal = nominal_pose(scene, id);
     Sentence why = "no place near is free";
-    const double tolerance = std::max(m_meant.tolerance, 0.002);
-    Landing best = best_landing(scene, id, nominal, tolerance, why);
-    if (best.cost == kInfinity && !scene.is_out_of_time())
-      best = best_landing(scene, id, nominal, kWiderSearch * tolerance, why);
-    if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
-  }
-
-  // The cheapest place found. @param why  what refused the last one.
-  Landing best_landing(Rearrangement& scene, ObjectId id, const Pose& nominal, double tolerance,
-                       Sentence& why) {
     Landing best;
     int tries = 0;
-    for (const Start& start : starts_around(scene, id, nominal, tolerance)) {
-      if (start.cost > best.cost || (best.as_meant && tries > 12)) break;
-      if (tries >= m_options.most_tries || scene.is_out_of_time()) break;
+    for (const Start& start : starts_around(scene, id, nominal)) {
+      // A landing as it was meant ends the search, unless a cheaper start is left; so do too many
+      // tries.
+      const bool enough = best.as_meant && (start.cost > best.cost || tries > 12);
+      if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
+      if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
+        break;
+      // A start that interpenetrates would be refused by PUT, which costs more.
       if (refuse_interpenetration(m_scene, id, start.pose, false)) continue;
       ++tries;
+      // Each start is tried in a transaction that is taken back; the best is put at the end.
       const OperationResult result = scene.try_put(id, start.pose, [&](const Object& there) {
         const Landing landing = judged(id, there, nominal, start.pose);
         if (landing.cost < best.cost) best = landing;
       });
       if (result.refusal) why = sentence_of(*result.refusal);
     }
-    return best;
+    if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
   }
 
   bool support_moved(const Rearrangement& scene) const {
+    // A support that has been moved takes along what it carries.
     return std::any_of(m_object->on.begin(), m_object->on.end(), [&](const IntendedSupport& s) {
       return s.on.is_object() && was_moved(scene, s.on.object());
     });
@@ -134,12 +154,16 @@ class Mender {
   Pose nominal_pose(const Rearrangement& scene, ObjectId id) {
     m_nominal_given.insert(id.index);
     Pose pose = m_object->level;
+    // The gap of the columns is closed: the object stands where it was meant to touch.
     pose.translation.z() -= m_object->gap;
+    if (const auto it = m_spread.find(id.index); it != m_spread.end())
+      pose.translation += it->second;
     if (m_object->on.empty() || !m_object->on[0].on.is_object()) return pose;
     const ObjectId support = m_object->on[0].on.object();
     const ObjectIntent* const below = m_meant.find(support);
     if (!below || !was_moved(scene, support)) return pose;
     const Pose now = m_scene.at(support).pose;
+    // A support that moved carries the nominal pose along.
     Pose from = below->level;
     // A level object is shifted; a turn of its support about the vertical does not concern it.
     if (m_object->is_level) {
@@ -154,9 +178,11 @@ class Mender {
   }
 
   // The nominal one freed by the shortest shifts, then lifts and rings around both; by cost.
-  std::vector<Start> starts_around(const Rearrangement& scene, ObjectId id, const Pose& nominal,
-                                   double tol) const {
+  std::vector<Start> starts_around(const Rearrangement& scene, ObjectId id,
+                                   const Pose& nominal) const {
+    const double tol = std::max(m_meant.tolerance, 0.002);
     std::vector<Start> out;
+    // The levelled attitude is tried first, then the given one, which costs a little more.
     std::vector<Pose> attitudes{nominal};
     const Pose given = scene.given(id);
     if (turn_between_deg(nominal.rotation, given.rotation) > 0.3) {
@@ -167,8 +193,8 @@ class Mender {
     for (size_t j = 0; j < attitudes.size(); ++j) {
       const double more = static_cast<double>(j) * 0.3 * tol;
       const Pose& base = attitudes[j];
+      // Starts: parted from what it crosses, lifted, and in rings around the place.
       add(out, parted(id, base), base, more);
-      add_above_neighbours(out, id, base, tol, more);
       for (const double lift : kLiftsInTolerances)
         add(out, shifted(base, 0, 0, kLeastAir + lift * tol), base, more);
       for (const double ring : kRings)
@@ -181,20 +207,6 @@ class Mender {
     std::stable_sort(out.begin(), out.end(),
                      [](const Start& a, const Start& b) { return a.cost < b.cost; });
     return out;
-  }
-
-  // An egg beside its cup was meant to stand in it: above the middle of what is near.
-  void add_above_neighbours(std::vector<Start>& out, ObjectId id, const Pose& base, double tol,
-                            double more) const {
-    const Aabb box = body_of(m_scene.at(id), base).world_box;
-    for (const ObjectId other : m_scene.near(box, kNearNeighbour * tol)) {
-      const Object& there = m_scene.at(other);
-      if (other == id || !there.placed) continue;
-      const Vec3 way = middle_of(other, there.pose) - middle_of(id, base);
-      if (way.head<2>().norm() > kNearNeighbour * tol) continue;
-      const double lift = std::max(0.0, m_scene.world_box(other).upper.z() - box.lower.z());
-      add(out, shifted(base, way.x(), way.y(), kLeastAir + lift), base, more);
-    }
   }
 
   static Pose shifted(Pose pose, double x, double y, double z) {
@@ -212,6 +224,7 @@ class Mender {
   // others.
   Pose parted(ObjectId id, Pose pose) const {
     pose.translation.z() += kLeastAir;
+    // Each round parts it from all that it crosses; it may then cross others.
     for (int round = 0; round < kPartings; ++round) {
       const Placement here{id, pose};
       const auto found = interpenetrations(m_scene, {&here, 1}, false, 8);
@@ -228,6 +241,7 @@ class Mender {
     const Object& other = m_scene.at(with.object());
     const Depth depth = depth_of(mine, in_world(other, other.pose, origin));
     Vec3 way = (depth.metres + kLeastAir) * depth.way;
+    // The way out of what does not carry it is sideways, unless it is steep.
     const bool carries = std::any_of(m_object->on.begin(), m_object->on.end(),
                                      [&](const IntendedSupport& s) { return s.on == with; });
     if (!carries && std::abs(way.z()) < way.head<2>().norm()) way.z() = 0;
@@ -238,33 +252,22 @@ class Mender {
     const double size = size_of(there), tol = m_meant.tolerance;
     const double moved = (middle_of(id, there.pose) - middle_of(id, nominal)).norm();
     const double turn = turn_between_deg(nominal.rotation, there.pose.rotation);
-    const double rise = std::abs((middle_of(id, there.pose) - middle_of(id, nominal)).z());
+    // The cost is the way that its points have gone; lost relations cost sizes of the object.
     double penalty = 0;
-    if (!carried_as_meant(there)) penalty += rise <= tol ? kDoubtfulSupport : kLostSupport;
+    if (!carried_as_meant(there)) penalty += kLostSupport;
+    penalty += kExtraSupport * extra_supports(there);
     const bool tipped =
         turn > (m_object->is_level ? std::max(kAttitudeDeg, m_meant.most_tilt_deg) : kLeaningDeg);
     if (tipped)
       penalty += kLostAttitude;
-    else if (rests_tilted(there))
-      penalty += kTilted;
-    else if (rise > 2 * tol + 0.01)
+    else if (std::abs(there.pose.translation.z() - nominal.translation.z()) > 2 * tol + 0.01)
       penalty += kLostTier;
     Landing out;
     out.cost = moved + 0.5 * size * turn * (3.14159265358979323846 / 180) +
-               (penalty + kExtraSupport * extra_supports(there)) * std::max(size, 2 * tol);
+               penalty * std::max(size, 2 * tol);
     out.start = start;
     out.as_meant = penalty == 0;
     return out;
-  }
-
-  // Though it was meant level, as what carries it was.
-  bool rests_tilted(const Object& there) const {
-    if (m_downs.empty() || nearest_down(m_downs, there.pose.rotation).second <= kTiltedDeg)
-      return false;
-    return std::all_of(m_object->on.begin(), m_object->on.end(), [&](const IntendedSupport& s) {
-      const ObjectIntent* const below = s.on.is_object() ? m_meant.find(s.on.object()) : nullptr;
-      return !below || below->is_level;
-    });
   }
 
   static std::vector<Support> supports_of(const Object& object) {
@@ -293,6 +296,7 @@ class Mender {
     const std::vector<Support> now = supports_of(object);
     ChangedRelation change{object.name, {}, {}};
     const auto name = [&](const Support& s) { return named(m_scene, s).name; };
+    // Relations that were meant and are kept, lost ones, and new ones are counted.
     for (const IntendedSupport& s : meant.on) {
       ++out.num_meant;
       if (std::find(now.begin(), now.end(), s.on) != now.end())
@@ -311,7 +315,7 @@ class Mender {
   const MendOptions& m_options;
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;   // that is being placed
-  std::vector<Vec3> m_downs;                // of it, if it was meant level
+  std::map<std::uint32_t, Vec3> m_spread;   // shifts of objects in rows, by slot
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };
 

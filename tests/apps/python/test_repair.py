@@ -54,7 +54,7 @@ def test_a_scene_that_has_shrunk_is_true_when_it_is_read_back(tmp_path):
     scene.add("wall", box(4, 0.1, 4), pose=at(0, 2, 4.1), fixed=True)
     scene.add("a", box()).put([0, 0, 1])
     assert scene.check()
-    scene.remove("wall")
+    scene["wall"].remove()
     assert scene.check()
     scene.save(tmp_path / "small.glb")
     again = trivet.Scene.load(tmp_path / "small.glb")

@@ -121,6 +121,44 @@ TEST(Mend, AStackThatSankRisesWithoutASidewaysMove) {
   EXPECT_TRUE(out.relations.empty());
 }
 
+// 12 books of 30 mm, each 0.5 mm in the next: 5.5 mm are missing, shared by both sides.
+TEST(Mend, ARowSpreadsAboutItsMiddle) {
+  Boxes s;
+  s.add("shelf", {0.5, 0.2, 0.2}, {0, 0, 0.2}, true);
+  std::vector<ObjectId> books;
+  for (int i = 0; i < 12; ++i)
+    books.push_back(
+        s.add("book " + std::to_string(i), {0.015, 0.08, 0.1}, {0.0295 * (i - 5.5), 0, 0.5}));
+  const Scene before = s.scene;
+  const MendedScene out = mend_scene(s.scene, {});
+  EXPECT_TRUE(out.unable.empty());
+  EXPECT_TRUE(is_true(s.scene));
+  EXPECT_EQ(out.num_kept, 12u);
+  for (int i = 0; i < 12; ++i) {
+    EXPECT_LT((s.at(books[i]) - before.at(books[i]).pose.translation).norm(), 0.0035) << i;
+    EXPECT_NEAR(s.at(books[i]).z(), 0.5, kClose);
+    if (i > 0) {
+      EXPECT_GT(s.at(books[i]).x() - s.at(books[i - 1]).x(), 0.03);
+    }
+  }
+}
+
+TEST(Mend, ARowAtAWallGivesWayToTheOtherSide) {
+  Boxes s;
+  s.add("shelf", {0.5, 0.2, 0.2}, {0, 0, 0.2}, true);
+  s.add("wall", {0.01, 0.2, 0.2}, {0.2, 0, 0.6}, true);  // to 0.19
+  std::vector<ObjectId> books;
+  for (int i = 0; i < 3; ++i)
+    books.push_back(s.add("book " + std::to_string(i), {0.015, 0.08, 0.1},
+                          {0.176 - 0.029 * (2 - i), 0, 0.5}));  // 1 mm in the wall and each other
+  const MendedScene out = mend_scene(s.scene, {});
+  EXPECT_TRUE(out.unable.empty());
+  EXPECT_TRUE(is_true(s.scene));
+  EXPECT_NEAR(s.at(books[2]).x(), 0.175, 5e-4);
+  EXPECT_NEAR(s.at(books[1]).x(), 0.145, 5e-4);
+  EXPECT_NEAR(s.at(books[0]).x(), 0.115, 5e-4);
+}
+
 TEST(Mend, MendedAgainNothingMoves) {
   Boxes s;
   s.add("a", {0.05, 0.05, 0.05}, {0, 0, 0.04});

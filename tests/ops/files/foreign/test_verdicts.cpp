@@ -143,7 +143,7 @@ TEST(Verdicts, TellTheThreeClassesOfPairs) {
   EXPECT_EQ(v.pairs.num_apart, 3u);
   EXPECT_EQ(v.num_flush(), 1u);
   EXPECT_NE(
-      verdict_text(v).find("pairs: 1 passes through, 2 touch or are closer than 5.8 um, 3 are "
+      verdict_text(v).find("pairs: 1 passes through, 2 touch or are closer than 4 um, 3 are "
                            "apart"),
       std::string::npos)
       << verdict_text(v);
