@@ -1,4 +1,4 @@
-// What was done to a scene that was brought to rest.
+// Report of a scene that was brought to rest.
 #pragma once
 
 #include <string>

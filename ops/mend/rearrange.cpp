@@ -48,7 +48,7 @@ class Spreader {
     return moved;
   }
 
-  // What is in the scene stays.
+  // The objects of the scene stay.
   bool leave_the_scene(size_t i) {
     bool moved = false;
     for (const Interpenetration& x : interpenetrations(m_scene, {&m_members[i], 1}, false, 8)) {

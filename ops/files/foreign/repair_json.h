@@ -1,4 +1,4 @@
-// What poses mean, and moves of joints, as JSON.
+// Meanings of poses, and moves of joints, as JSON.
 #pragma once
 
 #include "core/io/json.h"

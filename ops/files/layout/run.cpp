@@ -243,7 +243,7 @@ bool stands_as_given(const Layout& layout) {
 
 namespace {
 
-// Whether they may or not.
+// Objects stand where the layout has them, whether they may or not.
 void stand_as_given(const Layout& layout, const RunOptions& options, LayoutRun& run) {
   Transaction transaction(run.scene);
   for (const LayoutObject& wanted : layout.objects) {

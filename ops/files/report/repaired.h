@@ -1,4 +1,4 @@
-// What mending and settling did, as JSON and in words.
+// Reports of mending and settling, as JSON and in words.
 #pragma once
 
 #include <string>

@@ -150,7 +150,7 @@ void expect_partial_answer(const Repair& repair) {
     EXPECT_FALSE(o.why.empty());
     given_up.insert(o.name);
   }
-  // Those that were moved are true, whatever the others are.
+  // The moved ones are true, whatever the others are.
   const SceneCheck check = check_scene(s.scene);
   for (const auto* const findings : {&check.crossings, &check.contained})
     for (const auto& f : *findings)
