@@ -11,7 +11,10 @@
 #include "core/io/process/sandboxed_import.h"
 #include "core/io/staged_files.h"
 #include "core/mesh/part_masses.h"
+#include "ops/files/foreign/findings.h"
+#include "ops/files/report/repaired.h"
 #include "ops/files/report/verdict.h"
+#include "ops/placement/clearance.h"
 #include "ops/simulation/scene_formats.h"
 
 namespace trivet::apps {
@@ -48,6 +51,7 @@ std::string end_of(const OperationRecord& record) {
     out += "; below it " + quoted_list(r.unsound) + (r.unsound.size() > 1 ? " are" : " is") +
            " held, unsupported or invalid";
   if (!r.unsupported.empty()) out += "; leaves unsupported: " + quoted_list(r.unsupported);
+  if (r.repaired) return record.op + ": " + mended_text(*r.repaired);
   return out.empty() ? "" : record.op + " \"" + record.object + "\"" + out + "\n";
 }
 
@@ -90,6 +94,13 @@ std::string lists_summary(const Detector& detector) {
          detector.lists() + ")\n    " + std::to_string(work.draws) + " draws, " +
          std::to_string(work.read_backs) + " read-backs; " + std::to_string(detector.work().early) +
          " queries asked together with others, early\n";
+}
+
+std::string pairs_summary(const LayoutRun& run) {
+  const PairClasses pairs = pair_classes(run.scene, run.check);
+  if (pairs.num_judged() == 0) return "";
+  const double given = run.settle.clearance;
+  return pairs_text(pairs, given > 0 ? given : default_clearance(run.scene)) + "\n";
 }
 
 // Statistics of the paper's three stages and of the narrow phase, for display.
@@ -221,7 +232,7 @@ std::string summary(const LayoutRun& run) {
   for (const ObjectId id : ids) num_placed += run.scene.at(id).placed;
   out << count_of(ids.size(), "object") << ", " << num_placed << " in the scene; "
       << count_of(run.operations.size(), "operation") << ", " << num_refused << " refused\n"
-      << check_summary(run.check) << verdict_text(run.scene, run.stability);
+      << check_summary(run.check) << pairs_summary(run) << verdict_text(run.scene, run.stability);
   return out.str();
 }
 

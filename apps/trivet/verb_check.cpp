@@ -58,7 +58,8 @@ LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& com
   const ModelSource models = models_in_folder(folder_of(arguments.file), common.limits());
   const auto stands = [](const LayoutObject& o) { return o.pose.has_value(); };
   if (layout.operations.empty() ||
-      std::any_of(layout.objects.begin(), layout.objects.end(), stands)) {
+      (!stands_as_given(layout) &&
+       std::any_of(layout.objects.begin(), layout.objects.end(), stands))) {
     LayoutRun start = run_start_only(layout, models, options);
     if (layout.operations.empty() || !start.ok()) return start;
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/io/foreign/scene.h"
@@ -22,6 +23,7 @@ constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
+constexpr double kMostSpread = 2.5;  // tolerances that two side by side may be in each other
 
 Vec3 local_middle(const Object& object) {
   return world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
@@ -65,6 +67,7 @@ class Mender {
     // Objects without findings stay; only the others leave the scene, and come back.
     const std::vector<ObjectId> moving = unsettled_objects(m_scene, m_options);
     Rearrangement rearrangement(m_scene, m_options, in_order(moving));
+    spread_rows(moving);
     // Supports come before what they carry, so that each object sees where its support is now.
     for (const ObjectId id : in_order(moving)) {
       m_object = m_meant.find(id);
@@ -78,6 +81,26 @@ class Mender {
   }
 
  private:
+  // Objects that stand on one thing that stays are moved apart together: a row has no order in
+  // which each finds room for itself.
+  void spread_rows(const std::vector<ObjectId>& moving) {
+    std::map<std::pair<bool, std::uint32_t>, std::vector<Placement>> rows;  // by what carries them
+    for (const ObjectId id : moving) {
+      const ObjectIntent& meant = *m_meant.find(id);
+      if (!meant.is_level || meant.on.empty()) continue;
+      const Support& on = meant.on[0].on;
+      if (on.is_object() && !m_scene.at(on.object()).placed) continue;
+      Pose pose = meant.level;
+      pose.translation.z() += kLeastAir - meant.gap;
+      rows[{on.is_object(), on.is_object() ? on.object().index : 0}].push_back({id, pose});
+    }
+    for (const auto& [on, members] : rows) {
+      const std::vector<Vec3> shifts =
+          spread_shifts(m_scene, members, kMostSpread * m_meant.tolerance);
+      for (size_t i = 0; i < members.size(); ++i) m_spread[members[i].id.index] = shifts[i];
+    }
+  }
+
   std::vector<ObjectId> in_order(const std::vector<ObjectId>& ids) const {
     std::vector<ObjectId> out;
     for (const ObjectIntent& o : m_meant.objects)
@@ -86,8 +109,10 @@ class Mender {
   }
 
   void place(Rearrangement& scene, ObjectId id) {
-    // An object that stands well where it is, on supports that did not move, stays.
-    if (!support_moved(scene) && scene.keep(id)) return;
+    // An object that stands well where it is, on supports that did not move, stays; but not where
+    // its row needs room.
+    const bool in_row = m_spread.count(id.index) && m_spread[id.index] != Vec3::Zero();
+    if (!in_row && !support_moved(scene) && scene.keep(id)) return;
     if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
     const Pose nominal = nominal_pose(scene, id);
     Sentence why = "no place near is free";
@@ -131,6 +156,8 @@ class Mender {
     Pose pose = m_object->level;
     // The gap of the columns is closed: the object stands where it was meant to touch.
     pose.translation.z() -= m_object->gap;
+    if (const auto it = m_spread.find(id.index); it != m_spread.end())
+      pose.translation += it->second;
     if (m_object->on.empty() || !m_object->on[0].on.is_object()) return pose;
     const ObjectId support = m_object->on[0].on.object();
     const ObjectIntent* const below = m_meant.find(support);
@@ -288,6 +315,7 @@ class Mender {
   const MendOptions& m_options;
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;   // that is being placed
+  std::map<std::uint32_t, Vec3> m_spread;   // shifts of objects in rows, by slot
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };
 

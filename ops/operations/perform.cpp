@@ -88,6 +88,8 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
   const Named name = named(transaction.scene(), o.object);
   if constexpr (std::is_same_v<Any, ArrangeOperation>) {
     return o.problem->solve(transaction, run.options, context);
+  } else if constexpr (std::is_same_v<Any, RepairOperation>) {
+    return repair(transaction, o, run.options, context);
   } else if constexpr (Plannable<Any>) {
     const ContactMemory memory;  // what was tried is committed; what stays is judged again
     const ProgramMemory programs;
@@ -142,6 +144,7 @@ OperationResult perform(Transaction& outer, const Operation& operation,
   const std::optional<ObjectId> object = outer.scene().find(name);
   const bool names_one = !std::holds_alternative<AppendOperation>(operation) &&
                          !std::holds_alternative<ArrangeOperation>(operation) &&
+                         !std::holds_alternative<RepairOperation>(operation) &&
                          !std::holds_alternative<DrapeOperation>(operation);
   if (!object && names_one) return refused(unknown_object(outer.scene(), name));
   OperationRun run(options, context);

@@ -259,6 +259,14 @@
         <source>drape</source>
         <translation>drapieren</translation>
     </message>
+    <message>
+        <source>mend</source>
+        <translation>in Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>zur Ruhe bringen</translation>
+    </message>
 </context>
 <context>
     <name>refusal</name>

@@ -237,6 +237,52 @@ class Scene(Files, History, Pictures, Pours, Questions):
         given = _arrays.mapping("problem", problem, "a dict, as trivet schema arrange has it")
         return self.perform([{"op": "arrange", **given}], budget=budget)
 
+    def mend(self, only: Iterable[Union[Object, str]] = (), tolerance: float = 0.0, *,
+             budget: float = 0.0) -> dict[str, Any]:
+        """Finds the nearest scene in which nothing interpenetrates, everything rests, and what stood on what still does.
+
+        One step of history. What is at rest stays, to the bit; what finds no place stays where it was, and is named.
+
+        Parameters
+        ----------
+        only : objects or names
+            Objects that may move; none: all that are free.
+        tolerance : float
+            Metres by which poses may be off; 0: found from the poses.
+        budget : float
+            Seconds for all; 0: those of `time_budget`. What is left then stays where it was.
+
+        Returns
+        -------
+        dict
+            "moved", each with "object", "from", "to" (metres), "metres", "degrees"; "unable", each with "object" and
+            "why"; "tolerance", "supports_meant", "supports_kept", "relations" (names lost and gained).
+        """
+        return self._repaired({"op": "mend", "only": only, "tolerance": tolerance}, budget)
+
+    def settle_all(self, only: Iterable[Union[Object, str]] = (), lift: float = 0.2, *,
+                   budget: float = 0.0) -> dict[str, Any]:
+        """Lets what floats or is sunk come to rest, the lowest first; one step of history.
+
+        Parameters
+        ----------
+        only, budget
+            As for `mend`.
+        lift : float
+            Largest height, metres, to lift an object before it is let go.
+
+        Returns
+        -------
+        dict
+            "moved" and "unable", as of `mend`.
+        """
+        return self._repaired({"op": "settle", "only": only, "lift": lift}, budget)
+
+    def _repaired(self, operation: dict[str, Any], budget: float) -> dict[str, Any]:
+        only = [operation["only"]] if isinstance(operation["only"], (str, Object)) else list(operation["only"])
+        result = self.perform([{**operation, "only": only}], budget=budget)
+        return result.repaired or {}
+
     def drape(self, name: str, *, size: Optional[ArrayLike] = None, path: Optional[ArrayLike] = None,
               of: Optional[Union[Object, str]] = None, position: Optional[ArrayLike] = None,
               wxyz: Optional[ArrayLike] = None, pins: Optional[ArrayLike] = None, budget: float = 0.0,
