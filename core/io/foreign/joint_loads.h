@@ -1,4 +1,4 @@
-// Tells whether gravity would move a body that hangs in a joint.
+// Tells which links gravity would move in their joints.
 #pragma once
 
 #include <span>
