@@ -9,7 +9,7 @@
 namespace trivet::flex {
 namespace {
 
-constexpr int kBlock = 96;        // rows and columns that one thread updates together
+constexpr int kBlock = 96;         // rows and columns that one thread updates together
 constexpr int kManyThreads = 400;  // rows from which several threads pay
 
 constexpr size_t square(int i) { return static_cast<size_t>(i) * i; }
