@@ -8,7 +8,7 @@
 
 namespace trivet::flex {
 
-/// Those that this processor has, the fastest first.
+/// Kernels that this processor has, the fastest first.
 const std::vector<const DenseKernels*>& usable_kernels();
 
 /// Factors the first `num_own` columns of a symmetric matrix and subtracts their product from the
