@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 #include "ops/stability/force_program.h"
 #include "ops/stability/unbalanced.h"
@@ -12,12 +11,14 @@ namespace {
 
 constexpr double kJoinGain = 1e-6;        // of a force that joins; CLP knows 1e-7
 constexpr int kJoinAtOnce = 4;            // touches of a pair
+constexpr double kMissing = 1e-6;         // of a body's weight: rounding below this
 constexpr double kNearlyWorst = 1e-4;     // of a margin: other orders of pivots differ by less
 constexpr double kClearlyMissing = 1e-2;  // weights: more than CLP's rounding
 
 // Takes the best candidate of each pair that would lower the cost. @return whether there are any.
 template <class Gain>
 bool join_best(FreeBodies& part, const Gain& gain) {
+  // Gains are worked out before anything joins, so that the order of candidates does not matter.
   std::vector<double> gains;
   for (const BodyContact& t : part.more) gains.push_back(gain(t));
   std::vector<char> joins(part.more.size(), 0);
@@ -47,12 +48,12 @@ bool join_best(FreeBodies& part, const Gain& gain) {
 }  // namespace
 
 bool PartForces::balanced() const {
-  return std::all_of(missing.begin(), missing.end(),
-                     [](double m) { return m <= ForceProgram::kMissing; });
+  return std::all_of(missing.begin(), missing.end(), [](double m) { return m <= kMissing; });
 }
 
 PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
   while (true) {
+    // The program grows by contacts until the forces balance or no contact would help.
     ForceProgram program(part, clearance, factor);
     program.add_missing(1, kInfinity);
     const LinearProgram::Solution solution = program.solve();
@@ -67,7 +68,7 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
 std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
                                      std::span<const MayCarry> may) {
   ForceProgram program(part, clearance, 1, may);
-  program.add_missing(0, ForceProgram::kMissing);
+  program.add_missing(0, kMissing);
   const LinearProgram::Solution solution = program.solve();
   return solution.optimal ? program.forces_of(solution).forces : std::vector<Vec3>{};
 }
@@ -75,6 +76,7 @@ std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
 bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {
   ForceProgram program(part, clearance, factor);
   program.add_missing(1, kInfinity);
+  // The dual simplex usually answers at once; contacts that were left out do not join here.
   const LinearProgram::Solution solution = program.solve_by_dual();
   return solution.optimal && program.forces_of(solution).balanced();
 }
@@ -96,7 +98,7 @@ double shift_margin(const FreeBodies& part, double clearance) {
   double largest = 0, margin = kInfinity;
   for (const FreeBody& body : part.bodies) largest = std::max(largest, body.size);
   ForceProgram program(part, clearance);
-  program.add_missing(0, ForceProgram::kMissing);
+  program.add_missing(0, kMissing);
   // Eight ways, seen from above, to shift all centres of mass: the margin is the least shift that
   // no forces balance.
   std::vector<LinearProgram::Column> shifts;

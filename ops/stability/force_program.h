@@ -1,9 +1,11 @@
-// The linear program of contact forces. Private.
+// The linear program of contact forces that balance free bodies. Private to contact_forces.cpp.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,12 +15,8 @@
 
 namespace trivet {
 
-/// Rows of a body, all in parts of what it carries: force x y z, torque x y z, friction, pushes,
-/// what is missing beyond the tolerance.
 class ForceProgram {
  public:
-  static constexpr double kMissing = 1e-6;  // of a body's weight: rounding below this
-
   ForceProgram(const FreeBodies& part, double clearance, double factor = 1,
                std::span<const MayCarry> may = {})
       : m_part(part), m_clearance(clearance), m_factor(factor), m_carried(carried_weights(part)) {
@@ -47,6 +45,7 @@ class ForceProgram {
 
   // All weights shifted along `d` by parts of `largest`, of which all are worth -1.
   LinearProgram::Column shift(const Vec3& d, double largest) const {
+    // Moving a weight sideways adds a torque and no force.
     LinearProgram::Column out{{}, -1, 1};
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       const FreeBody& body = m_part.bodies[i];
@@ -79,16 +78,16 @@ class ForceProgram {
     return best;
   }
 
-  /// What is missing at least, by weak duality, if the prices of force and torque are these motions
-  /// turned round. As far as a force of a touch gains then, pushes have their price, too.
+  // The least that is missing if prices of force and torque are these motions turned round, by weak
+  // duality. As far as a force of a touch gains then, pushes have their price, too.
   double least_missing(const std::vector<VirtualMotion>& motions) const {
-    const LinearProgram::Solution prices = prices_of(motions);
+    const LinearProgram::Solution solution = priced_by(motions);
+    const std::vector<double>& prices = solution.prices;
     double sum = 0;
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       const auto [force, torque] = balance_of(i);
       for (int k = 0; k < 3; ++k)
-        sum +=
-            prices.prices[row_of(i) + k] * force[k] + prices.prices[row_of(i) + 3 + k] * torque[k];
+        sum += prices[row_of(i) + k] * force[k] + prices[row_of(i) + 3 + k] * torque[k];
     }
     std::vector<double> of_push(m_part.bodies.size(), 0.0);
     for (const auto* touches : {&m_part.touches, &m_part.more})
@@ -96,7 +95,7 @@ class ForceProgram {
         // A push counts in full at the body that carries less, see unit_of().
         const bool is_on = t.from == BodyContact::kGround || m_carried[t.on] <= m_carried[t.from];
         double& price = of_push[is_on ? t.on : t.from];
-        price = std::max(price, gain(t, prices));
+        price = std::max(price, gain(t, solution));
       }
     for (const double price : of_push) sum -= price * kPushLimit;
     return sum;
@@ -106,6 +105,7 @@ class ForceProgram {
     PartForces out;
     out.solved = true;
     out.residual = solution.objective;
+    // Columns hold parts of what the body carries; users want parts of its own weight.
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       const double own = m_part.bodies[i].weight / m_carried[i];
       // This column holds what is missing beyond the tolerance.
@@ -129,9 +129,12 @@ class ForceProgram {
 
  private:
   using Entry = LinearProgram::Entry;
+
   static constexpr double kFrictionLimit = 10;  // at one body, in weights that it carries
   static constexpr double kPushLimit = 20;      // the same, of the parts along the normals
   static constexpr double kMoves = 1e-6;  // virtual velocities, at most 1: rounding below this
+  // Rows of a body, all in parts of what it carries: force x y z, torque x y z, friction, pushes,
+  // what is missing beyond the tolerance.
   static constexpr int kRowsPerBody = 9;
   static constexpr int kFrictionRow = 6, kPushRow = 7, kMissingRow = 8;
   static constexpr int kMissingColumns = 13;  // of a body: 6 rows with both signs; beyond
@@ -147,6 +150,8 @@ class ForceProgram {
         out[i].velocity[k] = -solution.prices[row_of(i) + k] / m_carried[i];
         out[i].spin[k] = -solution.prices[row_of(i) + 3 + k] / (m_carried[i] * body.size);
       }
+      // The speed of the fastest point scales the motion; the power tells which way gravity drives
+      // it.
       fastest = std::max(fastest, out[i].velocity.norm() + out[i].spin.norm() * body.size / 2);
       power -= body.weight * out[i].velocity.z() - body.load.dot(out[i].velocity) -
                body.load_torque.dot(out[i].spin);
@@ -159,8 +164,8 @@ class ForceProgram {
     return out;
   }
 
-  // Such that no column of what is missing gains.
-  LinearProgram::Solution prices_of(const std::vector<VirtualMotion>& motions) const {
+  // Prices alone, such that no column of what is missing gains.
+  LinearProgram::Solution priced_by(const std::vector<VirtualMotion>& motions) const {
     LinearProgram::Solution out;
     out.prices.assign(m_part.bodies.size() * kRowsPerBody, 0.0);
     double most = 0;
@@ -173,6 +178,7 @@ class ForceProgram {
         prices[3 + k] = -motions[i].spin[k] * body.size * m_carried[i];
         largest = std::max({largest, std::abs(prices[k]), std::abs(prices[3 + k])});
       }
+      // Missing force within the tolerance costs nothing; beyond it a weight costs one.
       prices[kMissingRow] = -largest;
       most = std::max(most, largest * body.weight / m_carried[i]);
     }
@@ -193,6 +199,7 @@ class ForceProgram {
   // Each body's weight with all that lies on it, directly or not.
   static std::vector<double> carried_weights(const FreeBodies& part) {
     const size_t n = part.bodies.size();
+    // Contacts that face up or down tell who lies on whom.
     std::vector<std::vector<Index>> loads(n);
     for (const BodyContact& t : part.touches) {
       if (t.from == BodyContact::kGround) continue;
@@ -257,6 +264,8 @@ class ForceProgram {
   }
 
   double unit_of(const BodyContact& t) const {
+    // A touch's forces are counted in the smaller weight of both, so that entries are near one for
+    // light bodies, too.
     return t.from == BodyContact::kGround ? m_carried[t.on]
                                           : std::min(m_carried[t.on], m_carried[t.from]);
   }

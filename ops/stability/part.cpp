@@ -17,8 +17,10 @@ constexpr size_t kManyBodies = 24;  // for which it pays to look for balance alo
 
 // False if a body has no contact that could push it up, but by what is tolerated.
 bool may_all_be_held_up(const FreeBodies& part) {
+  // A body that is pushed up by certified ones has a support already.
   std::vector<char> held;
   for (const FreeBody& body : part.bodies) held.push_back(body.load.z() > 0);
+  // Friction may lift even where the normal leans down a little.
   const auto note = [&](Index body, double normal_z, double friction) {
     if (body != BodyContact::kGround && normal_z > -friction) held[body] = 1;
   };
@@ -43,6 +45,7 @@ class Judgement {
         m_certificate(vertical_certificate(m_all)) {}
 
   PartVerdict run() {
+    // Contacts join bodies to parts; only parts with an open body need the program.
     const std::vector<Index> part_of = connected_parts(m_all);
     std::vector<Members> parts(
         part_of.empty() ? 0 : 1 + *std::max_element(part_of.begin(), part_of.end()));
@@ -77,11 +80,14 @@ class Judgement {
         return judge_together(part, std::move(whole), mostly_open);
     }
     if (mostly_open && stands_alone(part, {})) return;
+    // A part that is too large is judged near the change alone, and the verdict says that it does
+    // not know the rest.
     m_out.known = false;
     const std::vector<Index> nearest = nearest_to_change(part.open);
     FreeBodies chosen = loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
       return is_fixed_or_held(id, object) || !is_certified(id);
     });
+    // Many bodies mostly stand: the quick proof spares the search for contacts.
     if (chosen.bodies.size() > kManyBodies && quickly_balanced(chosen, m_clearance)) return;
     note(chosen, contact_forces(chosen, m_clearance));
   }
@@ -118,6 +124,7 @@ class Judgement {
     if (!forces.solved) m_out.known = false;
     if (!forces.solved || forces.balanced()) return;
     m_out.stands = false;
+    // Bodies that the proof moves are those that topple.
     for (size_t k = 0; k < part.bodies.size(); ++k)
       if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
   }
