@@ -22,6 +22,12 @@ double margin(const FirstContactQuery& query, double spread) {
   return query.clearance.largest_stop() * 1.002 + 1e-14 * spread;
 }
 
+// The second child of a node is elsewhere in memory.
+void prefetch(const Bvh& bvh, Index node) {
+  __builtin_prefetch(&bvh.nodes[node]);
+  __builtin_prefetch(&bvh.slabs[node]);
+}
+
 }  // namespace
 
 LeafInMotion::LeafInMotion(const Body& body, const BvhNode& leaf, const Motion& motion)
@@ -95,13 +101,20 @@ void PairTraversal::resume(const Waiting& pair) {
 // The bound of a pair of nodes.
 PairTraversal::Next PairTraversal::next(Index a, Index b) {
   ++m_best.work.node_pairs;
-  const PlacedNode &in_a = node_a(a), &in_b = node_b(b);
-  const double until = m_nodes.apart_until(in_a, in_b, horizon());
-  // The gap of the spheres breaks ties between children whose bounds are equal, which at time 0
-  // many are.
-  const double gap =
-      (in_a.centre_in(kFixed) - in_b.centre_in(kFixed)).norm() - in_a.radius - in_b.radius;
-  return {until, gap, a, b};
+  return {m_nodes.apart_until(node_a(a), node_b(b), horizon()), a, b};
+}
+
+// The boxes' spheres are so far apart, at time 0.
+double PairTraversal::gap(const Next& pair) {
+  const PlacedNode &a = node_a(pair.a), &b = node_b(pair.b);
+  return (a.centre_in(kFixed) - b.centre_in(kFixed)).norm() - a.radius - b.radius;
+}
+
+// The one that may touch first goes first; of equals the nearer one. What it finds bounds the
+// other.
+bool PairTraversal::goes_first(const Next& x, const Next& y) {
+  if (x.bound != y.bound) return x.bound < y.bound;
+  return !hopeless(x.bound) && gap(x) < gap(y);
 }
 
 void PairTraversal::visit(Index ia, Index ib) {
@@ -109,11 +122,10 @@ void PairTraversal::visit(Index ia, Index ib) {
   if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
   // The larger node is opened.
   const bool open_a = !a.is_leaf() && (b.is_leaf() || node_a(ia).radius > node_b(ib).radius);
+  open_a ? prefetch(m_a.bvh(), a.second_child) : prefetch(m_b.bvh(), b.second_child);
   Next x = open_a ? next(ia + 1, ib) : next(ia, ib + 1);
   Next y = open_a ? next(a.second_child, ib) : next(ia, b.second_child);
-  // The child that may touch first goes first; of equals the nearer one. What it finds bounds the
-  // other.
-  if (y.bound < x.bound || (y.bound == x.bound && y.gap < x.gap)) std::swap(x, y);
+  if (goes_first(y, x)) std::swap(x, y);
   for (const Next& n : {x, y})
     if (hopeless(n.bound))
       wait({n.bound, n.a, n.b, false});

@@ -1,16 +1,19 @@
 #include "ops/stability/contact_forces.h"
 
 #include <algorithm>
+#include <map>
 
 #include "ops/stability/force_program.h"
+#include "ops/stability/unbalanced.h"
 
 namespace trivet {
 namespace {
 
-constexpr double kJoinGain = 1e-6;     // of a force that joins; CLP knows 1e-7
-constexpr int kJoinAtOnce = 4;         // touches of a pair
-constexpr double kMissing = 1e-6;      // of a body's weight: rounding below this
-constexpr double kNearlyWorst = 1e-4;  // of a margin: other orders of pivots differ by less
+constexpr double kJoinGain = 1e-6;        // of a force that joins; CLP knows 1e-7
+constexpr int kJoinAtOnce = 4;            // touches of a pair
+constexpr double kMissing = 1e-6;         // of a body's weight: rounding below this
+constexpr double kNearlyWorst = 1e-4;     // of a margin: other orders of pivots differ by less
+constexpr double kClearlyMissing = 1e-2;  // weights: more than CLP's rounding
 
 // Takes the best candidate of each pair that would lower the cost. @return whether there are any.
 template <class Gain>
@@ -76,6 +79,18 @@ bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {
   // The dual simplex usually answers at once; contacts that were left out do not join here.
   const LinearProgram::Solution solution = program.solve_by_dual();
   return solution.optimal && program.forces_of(solution).balanced();
+}
+
+bool clearly_unbalanced(const FreeBodies& part, double clearance, const FreeBodies& larger,
+                        const PartForces& forces_of_larger) {
+  if (!forces_of_larger.solved) return false;
+  std::map<std::uint32_t, VirtualMotion> known;  // by slot
+  for (size_t i = 0; i < larger.bodies.size(); ++i)
+    known[larger.bodies[i].id.index] = forces_of_larger.motions[i];
+  std::vector<VirtualMotion> motions;
+  motions.reserve(part.bodies.size());
+  for (const FreeBody& body : part.bodies) motions.push_back(known[body.id.index]);
+  return ForceProgram(part, clearance).least_missing(motions) > kClearlyMissing;
 }
 
 double shift_margin(const FreeBodies& part, double clearance) {

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -76,6 +78,29 @@ class ForceProgram {
     return best;
   }
 
+  // The least that is missing if prices of force and torque are these motions turned round, by weak
+  // duality. As far as a force of a touch gains then, pushes have their price, too.
+  double least_missing(const std::vector<VirtualMotion>& motions) const {
+    const LinearProgram::Solution solution = priced_by(motions);
+    const std::vector<double>& prices = solution.prices;
+    double sum = 0;
+    for (size_t i = 0; i < m_part.bodies.size(); ++i) {
+      const auto [force, torque] = balance_of(i);
+      for (int k = 0; k < 3; ++k)
+        sum += prices[row_of(i) + k] * force[k] + prices[row_of(i) + 3 + k] * torque[k];
+    }
+    std::vector<double> of_push(m_part.bodies.size(), 0.0);
+    for (const auto* touches : {&m_part.touches, &m_part.more})
+      for (const BodyContact& t : *touches) {
+        // A push counts in full at the body that carries less, see unit_of().
+        const bool is_on = t.from == BodyContact::kGround || m_carried[t.on] <= m_carried[t.from];
+        double& price = of_push[is_on ? t.on : t.from];
+        price = std::max(price, gain(t, solution));
+      }
+    for (const double price : of_push) sum -= price * kPushLimit;
+    return sum;
+  }
+
   PartForces forces_of(const LinearProgram::Solution& solution) const {
     PartForces out;
     out.solved = true;
@@ -139,6 +164,29 @@ class ForceProgram {
     return out;
   }
 
+  // Prices alone, such that no column of what is missing gains.
+  LinearProgram::Solution priced_by(const std::vector<VirtualMotion>& motions) const {
+    LinearProgram::Solution out;
+    out.prices.assign(m_part.bodies.size() * kRowsPerBody, 0.0);
+    double most = 0;
+    for (size_t i = 0; i < motions.size(); ++i) {
+      const FreeBody& body = m_part.bodies[i];
+      double* const prices = &out.prices[row_of(i)];
+      double largest = 0;
+      for (int k = 0; k < 3; ++k) {
+        prices[k] = -motions[i].velocity[k] * m_carried[i];
+        prices[3 + k] = -motions[i].spin[k] * body.size * m_carried[i];
+        largest = std::max({largest, std::abs(prices[k]), std::abs(prices[3 + k])});
+      }
+      // Missing force within the tolerance costs nothing; beyond it a weight costs one.
+      prices[kMissingRow] = -largest;
+      most = std::max(most, largest * body.weight / m_carried[i]);
+    }
+    for (double& price : out.prices)
+      if (most > 0) price /= most;
+    return out;
+  }
+
   // A touch's forces are sums of these edges, in `unit` newtons.
   struct Spanned {
     int first_column;
@@ -175,14 +223,17 @@ class ForceProgram {
     return out;
   }
 
+  // Force and torque: contacts have to balance the weight and what certified bodies press with.
+  std::array<Vec3, 2> balance_of(size_t i) const {
+    const FreeBody& body = m_part.bodies[i];
+    return {(Vec3(0, 0, body.weight) - body.load) / m_carried[i],
+            -body.load_torque / (m_carried[i] * body.size)};
+  }
+
   void add_rows() {
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
-      const FreeBody& body = m_part.bodies[i];
-      // Contacts have to balance the weight and what certified bodies press with.
-      const Vec3 force = (Vec3(0, 0, body.weight) - body.load) / m_carried[i];
-      const Vec3 torque = -body.load_torque / (m_carried[i] * body.size);
       // Force and torque are equations; friction, pushes and what is missing have limits.
-      for (const Vec3& balance : {force, torque})
+      for (const Vec3& balance : balance_of(i))
         for (int k = 0; k < 3; ++k) m_program.add_row(balance[k], balance[k]);
       m_program.add_row(0, kFrictionLimit);
       m_program.add_row(0, kPushLimit);
@@ -194,8 +245,10 @@ class ForceProgram {
   template <class F>
   void for_each_force(const BodyContact& t, double unit, const F& f) const {
     const double friction = m_factor * t.friction;
+    std::vector<Entry> entries;
+    entries.reserve(2 * kRowsPerBody);
     const auto column = [&](const Vec3& edge, double across) {
-      std::vector<Entry> entries;
+      entries.clear();
       // The force pushes one body and, reversed, the other.
       append_force(t.on, t.contact.point, unit * edge, unit, across, entries);
       if (t.from != BodyContact::kGround)

@@ -1,12 +1,14 @@
 #include "ops/stability/part.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "ops/placement/slot_order.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
+#include "ops/stability/unbalanced.h"
 
 namespace trivet {
 namespace {
@@ -65,35 +67,60 @@ class Judgement {
     std::vector<Index> all, open;  // open: not certified
   };
 
+  // Open bodies may stand by their own contacts and what certified ones press on them, or with
+  // these: where most are open, that is asked first, as the motion that it gives if they do not
+  // mostly tells of the open ones alone, too.
   void judge(const Members& part) {
-    // The open bodies alone are tried first, with certified ones as their ground: that is the
-    // smaller program.
-    if (part.open.size() <= m_limit && part.open.size() < part.all.size()) {
-      FreeBodies open = loaded_bodies(part.open, is_fixed_or_held);
-      if (part.all.size() > m_limit || may_all_be_held_up(open)) {
-        const PartForces forces = contact_forces(open, m_clearance);
-        if (forces.solved && forces.balanced()) return;
-      }
-    }
-    // Without success the whole part is judged, with everything that near contacts add.
+    const bool mostly_open = 2 * part.open.size() >= part.all.size();
+    if (!mostly_open && stands_alone(part, {})) return;
     if (part.all.size() <= m_limit) {
       FreeBodies whole =
           near_part(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, std::nullopt);
-      if (whole.bodies.size() <= m_limit) return note(std::move(whole));
+      if (whole.bodies.size() <= m_limit)
+        return judge_together(part, std::move(whole), mostly_open);
     }
+    if (mostly_open && stands_alone(part, {})) return;
     // A part that is too large is judged near the change alone, and the verdict says that it does
     // not know the rest.
     m_out.known = false;
     const std::vector<Index> nearest = nearest_to_change(part.open);
-    note(loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
+    FreeBodies chosen = loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
       return is_fixed_or_held(id, object) || !is_certified(id);
-    }));
+    });
+    // Many bodies mostly stand: the quick proof spares the search for contacts.
+    if (chosen.bodies.size() > kManyBodies && quickly_balanced(chosen, m_clearance)) return;
+    note(chosen, contact_forces(chosen, m_clearance));
   }
 
-  void note(FreeBodies part) {
-    // Many bodies mostly stand: the quick proof spares the search for contacts.
-    if (part.bodies.size() > kManyBodies && quickly_balanced(part, m_clearance)) return;
-    const PartForces forces = contact_forces(part, m_clearance);
+  // Bodies of which some are certified and others do not stand alone are seldom balanced: no quick
+  // look then.
+  void judge_together(const Members& part, FreeBodies whole, bool may_stand_alone) {
+    const bool quick = part.open.size() == part.all.size() && whole.bodies.size() > kManyBodies;
+    if (quick && quickly_balanced(whole, m_clearance)) return;
+    const PartForces forces = contact_forces(whole, m_clearance);
+    if (forces.solved && forces.balanced()) return;
+    const Larger larger{whole, forces};
+    if (may_stand_alone && stands_alone(part, larger)) return;
+    note(whole, forces);
+  }
+
+  /// A part with others, which does not stand.
+  struct Larger {
+    const FreeBodies& bodies;
+    const PartForces& forces;
+  };
+
+  bool stands_alone(const Members& part, const std::optional<Larger>& larger) const {
+    if (part.open.size() > m_limit || part.open.size() == part.all.size()) return false;
+    FreeBodies open = loaded_bodies(part.open, is_fixed_or_held);
+    if (part.all.size() <= m_limit && !may_all_be_held_up(open)) return false;
+    if (larger && clearly_unbalanced(open, m_clearance, larger->bodies, larger->forces))
+      return false;
+    const PartForces forces = contact_forces(open, m_clearance);
+    return forces.solved && forces.balanced();
+  }
+
+  void note(const FreeBodies& part, const PartForces& forces) {
     if (!forces.solved) m_out.known = false;
     if (!forces.solved || forces.balanced()) return;
     m_out.stands = false;
