@@ -3,12 +3,14 @@
 
 #include "apps/trivet/change_scene.h"
 #include "apps/trivet/check_many.h"
+#include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/bad_input.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
 #include "core/base/quoted.h"
 #include "ops/files/layout/named_objects.h"
+#include "ops/files/layout/watched_run.h"
 #include "ops/files/report/repaired.h"
 #include "ops/mend/mend.h"
 
