@@ -10,13 +10,16 @@
 namespace trivet {
 namespace {
 
-constexpr double kFrictionLimit = 10;  // at one body, in weights that it carries
-constexpr double kPushLimit = 20;      // the same, of the parts along the normals
-constexpr double kJoinGain = 1e-6;     // of a force that joins; CLP knows 1e-7
-constexpr int kJoinAtOnce = 4;         // touches of a pair
-constexpr double kMissing = 1e-6;      // of a body's weight: rounding below this
-constexpr double kNearlyWorst = 1e-4;  // of a margin: other orders of pivots differ by less
-constexpr double kMoves = 1e-6;        // virtual velocities, at most 1: rounding below this
+constexpr double kFrictionLimit = 10;   // at one body, in weights that it carries
+constexpr double kPushLimit = 20;       // the same, of the parts along the normals
+constexpr double kJoinGain = 1e-6;      // of a force that joins; CLP knows 1e-7
+constexpr int kJoinAtOnce = 4;          // touches of a pair
+constexpr double kMissing = 1e-6;       // of a body's weight: rounding below this
+constexpr double kNearlyWorst = 1e-4;   // of a margin: other orders of pivots differ by less
+constexpr double kRoomOfBalance = 100;  // of a limit of the objective: for rounding and scaling
+// In forces that tell who carries: against a push by who is not meant to, and of a body's weight.
+constexpr double kPriceOfMissing = 100, kMissingAsTold = 1e-4;
+constexpr double kMoves = 1e-6;  // virtual velocities, at most 1: rounding below this
 
 using Entry = LinearProgram::Entry;
 
@@ -74,7 +77,9 @@ class ForceProgram {
   }
 
   LinearProgram::Solution solve() const { return m_program.solve(true); }
-  LinearProgram::Solution solve_by_dual() const { return m_program.solve_by_dual(true); }
+  LinearProgram::Solution solve_by_dual(double most) const {
+    return m_program.solve_by_dual(true, most);
+  }
 
   // Rate at which a force of this touch would lower the cost.
   double gain(const BodyContact& t, const LinearProgram::Solution& solution) const {
@@ -311,7 +316,8 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
 std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
                                      std::span<const MayCarry> may) {
   ForceProgram program(part, clearance, 1, may);
-  program.add_missing(0, kMissing);
+  // A limit at rounding would leave some programs without a solution.
+  program.add_missing(kPriceOfMissing, kMissingAsTold);
   const LinearProgram::Solution solution = program.solve();
   return solution.optimal ? program.forces_of(solution).forces : std::vector<Vec3>{};
 }
@@ -319,7 +325,9 @@ std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
 bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {
   ForceProgram program(part, clearance, factor);
   program.add_missing(1, kInfinity);
-  const LinearProgram::Solution solution = program.solve_by_dual();
+  // The objective only grows: beyond what is missing at most, no balance is to be found.
+  const double most = kRoomOfBalance * kMissing * static_cast<double>(part.bodies.size());
+  const LinearProgram::Solution solution = program.solve_by_dual(most);
   return solution.optimal && program.forces_of(solution).balanced();
 }
 

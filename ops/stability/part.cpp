@@ -31,12 +31,13 @@ bool may_all_be_held_up(const FreeBodies& part) {
 class Judgement {
  public:
   Judgement(const Scene& scene, std::span<const ObjectId> ids, std::span<const ObjectId> changed,
-            double clearance, int max_program_objects)
+            double clearance, int max_program_objects, Proof proof)
       : m_scene(scene),
         m_ids(ids),
         m_changed(changed),
         m_clearance(clearance),
         m_limit(static_cast<size_t>(max_program_objects)),
+        m_proof(proof),
         m_all(linked_bodies(scene, ids, std::nullopt)),
         m_certificate(vertical_certificate(m_all)) {}
 
@@ -83,13 +84,21 @@ class Judgement {
   }
 
   void note(FreeBodies part) {
-    if (part.bodies.size() > kManyBodies && quickly_balanced(part, m_clearance)) return;
+    if (part.bodies.size() > kManyBodies) {
+      if (quickly_balanced(part, m_clearance)) return;
+      if (m_proof == Proof::Quickest) return note_all(part);
+    }
     const PartForces forces = contact_forces(part, m_clearance);
     if (!forces.solved) m_out.known = false;
     if (!forces.solved || forces.balanced()) return;
     m_out.stands = false;
     for (size_t k = 0; k < part.bodies.size(); ++k)
       if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
+  }
+
+  void note_all(const FreeBodies& part) {
+    m_out.stands = false;
+    for (const FreeBody& body : part.bodies) m_out.topples.push_back(body.id);
   }
 
   std::vector<ObjectId> ids_of(const std::vector<Index>& members) const {
@@ -137,6 +146,7 @@ class Judgement {
   const std::span<const ObjectId> m_ids, m_changed;
   const double m_clearance;
   const size_t m_limit;
+  const Proof m_proof;
   const FreeBodies m_all;
   const Certificate m_certificate;
   PartVerdict m_out;
@@ -182,8 +192,8 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
 
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects) {
-  return Judgement(scene, ids, changed, clearance, max_program_objects).run();
+                        int max_program_objects, Proof proof) {
+  return Judgement(scene, ids, changed, clearance, max_program_objects, proof).run();
 }
 
 }  // namespace trivet
