@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How full containers and heaps get: PUT with one start each, and with several.
+"""Measures how full containers and heaps get: PUT with one start each, and with several.
 
     perf/fill_rates.py --trivet build/release/apps/trivet [--tries 1,12] [--seeds 5] [--count 40] [--kinds balls]
         [--shared ../shared [--part 0.2]] [--referee PATH/referee] [--out DIR]

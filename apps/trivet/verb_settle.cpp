@@ -3,7 +3,6 @@
 #include <iostream>
 
 #include "apps/trivet/check_many.h"
-#include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/count_of.h"
 #include "core/base/error.h"
@@ -67,7 +66,6 @@ OpenedScene opened_for_repair(const RepairArguments& arguments, const CommonOpti
     throw Error(Error::Kind::BadInput,
                 "%1: is not a scene of another program; accepted: MJCF, URDF, SDF, glTF",
                 arguments.file);
-  check_files({arguments.out}, {arguments.file});
   return open_scene(arguments.file, open_options(arguments.foreign, common));
 }
 
@@ -122,6 +120,18 @@ void add_repair_options(CLI::App& verb, RepairArguments& arguments) {
   add_settle_options(verb, arguments.settle);
 }
 
+// @param verb  has its own option already. @param repair  changes the scene, and tells.
+template <class Repair>
+Verb repair_verb(CLI::App* verb, const std::shared_ptr<RepairArguments>& arguments,
+                 const CommonOptions& common, const Repair& repair, const char* examples) {
+  add_repair_options(*verb, *arguments);
+  return {verb, [arguments, repair, &common] { return repair_file(*arguments, common, repair); },
+          examples, true,
+          [arguments] {
+            return VerbFiles{{}, {arguments->out}, {arguments->file}};
+          }};
+}
+
 }  // namespace
 
 std::vector<Verb> add_settle(CLI::App& app, const CommonOptions& common) {
@@ -133,15 +143,10 @@ std::vector<Verb> add_settle(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--lift", arguments->how.most_lift,
                    "Largest height, metres, to lift an object before it is let go")
       ->check(number_from(0, 1));
-  add_repair_options(*verb, *arguments);
-  return {{verb,
-           [arguments, &common] {
-             return repair_file(*arguments, common, [](Scene& scene, const MendOptions& how) {
-               return settle_scene(scene, how);
-             });
-           },
-           "trivet settle kitchen.xml -o settled.xml\n"
-           "trivet settle kitchen.xml -o settled.xml --only pan --lift 0.05\n"}};
+  const auto repair = [](Scene& scene, const MendOptions& how) { return settle_scene(scene, how); };
+  return {repair_verb(verb, arguments, common, repair,
+                      "trivet settle kitchen.xml -o settled.xml\n"
+                      "trivet settle kitchen.xml -o settled.xml --only pan --lift 0.05\n")};
 }
 
 std::vector<Verb> add_mend(CLI::App& app, const CommonOptions& common) {
@@ -153,15 +158,10 @@ std::vector<Verb> add_mend(CLI::App& app, const CommonOptions& common) {
   verb->add_option("--tolerance", arguments->how.tolerance,
                    "Largest error of the poses (metres); 0: found from the poses")
       ->check(number_from(0, 1));
-  add_repair_options(*verb, *arguments);
-  return {{verb,
-           [arguments, &common] {
-             return repair_file(*arguments, common, [](Scene& scene, const MendOptions& how) {
-               return mend_scene(scene, how);
-             });
-           },
-           "trivet mend kitchen.xml -o mended.xml\n"
-           "trivet mend kitchen.xml -o mended.xml --tolerance 0.005\n"}};
+  const auto repair = [](Scene& scene, const MendOptions& how) { return mend_scene(scene, how); };
+  return {repair_verb(verb, arguments, common, repair,
+                      "trivet mend kitchen.xml -o mended.xml\n"
+                      "trivet mend kitchen.xml -o mended.xml --tolerance 0.005\n")};
 }
 
 }  // namespace trivet::apps

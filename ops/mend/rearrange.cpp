@@ -21,6 +21,7 @@ Rearrangement::Rearrangement(Scene& scene, const SettleSceneOptions& options,
                              const std::vector<ObjectId>& ids)
     : m_scene(scene), m_options(options) {
   for (const ObjectId id : ids) m_given[id.index] = scene.at(id).pose;
+  // All leave the scene at once, so that none is in the way of another's place.
   for (const ObjectId id : ids) edit_object(scene, id, [](Object& o) { o.placed = false; });
   update_contacts(scene, options.settle.clearance, options.settle);
 }
@@ -30,6 +31,7 @@ bool Rearrangement::is_out_of_time() const {
 }
 
 bool Rearrangement::keep(ObjectId id) {
+  // The object is kept only if it stands there and is stable.
   Transaction transaction(m_scene);
   StandOperation there;
   there.object = m_scene.at(id).name;
@@ -42,6 +44,7 @@ bool Rearrangement::keep(ObjectId id) {
 }
 
 SettledScene Rearrangement::finish() {
+  // Objects that found no place go back to where they were, marked invalid.
   for (const UnsettledObject& u : m_out.unable)
     edit_object(m_scene, u.id, [&](Object& o) {
       o.pose = given(u.id);
@@ -50,6 +53,7 @@ SettledScene Rearrangement::finish() {
     });
   update_contacts(m_scene, m_options.settle.clearance, m_options.settle);
   for (const ObjectId id : m_scene.ids()) {
+    // Ways and turns are measured from the given poses.
     const auto it = m_given.find(id.index);
     if (it == m_given.end()) continue;
     const Object& object = m_scene.at(id);

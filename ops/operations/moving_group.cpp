@@ -36,6 +36,7 @@ class IdList {
 };
 
 void append_loads(const Scene& scene, ObjectId id, IdList& ids) {
+  // Free bodies whose weight rests on the object come along.
   for (const ObjectContact& entry : scene.at(id).contacts)
     if (entry.with.is_object() && weighs_on(entry) && !scene.at(entry.with.object()).fixed)
       ids.add(entry.with.object());
@@ -68,6 +69,7 @@ std::vector<ObjectId> driven_with(const Scene& scene, ObjectId object,
                                   std::span<const ObjectId> together) {
   IdList ids(object);
   for (const ObjectId id : together) ids.add(id);
+  // Members of groups bring their groups, transitively.
   for (size_t i = 0; i < ids.size(); ++i) append_group_members(scene, ids[i], ids);
   return ids.take();
 }
@@ -79,11 +81,13 @@ std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
   if (!scene.at(object).placed) return found.take();
   for (const auto& more : {together, more_loads})
     for (const ObjectId id : more) found.add(id);
+  // Loads bring their loads, and group members theirs, until none is new.
   for (size_t i = 0; i < found.size(); ++i) {
     append_loads(scene, found[i], found);
     append_group_members(scene, found[i], found);
   }
   std::vector<ObjectId> ids = found.take();
+  // The object stays first; the others are ordered by slot, so that results repeat.
   std::sort(ids.begin() + 1, ids.end(), [](ObjectId a, ObjectId b) { return a.index < b.index; });
   return ids;
 }
@@ -96,6 +100,7 @@ std::vector<ObjectId> loads_by_forces(const Scene& scene, ObjectId object,
   StabilityOptions of_part;
   of_part.clearance = options.clearance;
   const std::vector<CarriedBy> carried = carried_by_part(scene, object, of_part);
+  // What such a load carries may press on further ones: until none is new.
   for (size_t num = 0; num != group.size();) {
     num = group.size();
     for (const CarriedBy& c : carried)
@@ -107,6 +112,7 @@ std::vector<ObjectId> loads_by_forces(const Scene& scene, ObjectId object,
 }
 
 std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids) {
+  // A fixed or locked member holds the whole group.
   for (const ObjectId id : ids) {
     const Object& object = scene.at(id);
     if (!object.fixed && !object.locked) continue;
@@ -134,6 +140,7 @@ MovingGroup::MovingGroup(const Scene& scene, ObjectId object, std::span<const Ob
 }
 
 void MovingGroup::update() {
+  // Translations add up in one offset, so that long drags do not gather rounding.
   m_poses = m_origins;
   m_bodies.clear();
   m_contacts.assign(m_ids.size(), std::nullopt);
@@ -161,6 +168,7 @@ Vec3 MovingGroup::centre() const {
 
 void MovingGroup::place(const Pose& pose) {
   const Pose from = m_poses[0];
+  // All members turn about the first one, which goes exactly to the pose.
   const Rotation& r = from.rotation;
   const Rotation turn = (pose.rotation * Rotation{r.w, -r.x, -r.y, -r.z}).normalized();
   const Mat3 matrix = turn.matrix();
@@ -173,6 +181,7 @@ void MovingGroup::place(const Pose& pose) {
 }
 
 void MovingGroup::advance(const Motion& motion, double time) {
+  // A rotation rounds poses anyway, and takes the offset into them.
   if (motion.kind == Motion::Kind::Translation) {
     m_offset += time * motion.axis;
   } else {
@@ -190,6 +199,7 @@ void MovingGroup::go_back(const Place& place) {
 
 bool MovingGroup::has_moved() const {
   for (size_t i = 0; i < m_ids.size(); ++i) {
+    // The comparison is exact: any change of a bit counts.
     const Pose &a = m_poses[i], &b = m_scene->at(m_ids[i]).pose;
     const Rotation &p = a.rotation, &q = b.rotation;
     if (a.translation != b.translation || p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z)
@@ -225,6 +235,7 @@ std::vector<GroupContact> MovingGroup::group_contacts() const {
 
 std::optional<Vec3> MovingGroup::separating_motion_for_sliding(
     const std::vector<ContactPoint>& points, double part) const {
+  // The motion has to open every gap far enough, or it is none.
   const Vec3 d = smallest_separating_motion(points, part * kSlideGap * m_clearance);
   if (!(d.norm() > 0) || d.norm() > kLargestSeparatingMotion * m_clearance) return std::nullopt;
   const bool opens_all = std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
@@ -234,6 +245,7 @@ std::optional<Vec3> MovingGroup::separating_motion_for_sliding(
 }
 
 bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
+  // Usually gaps are wide enough, or can be made so.
   m_motion_clearance = m_clearance;
   std::vector<ContactPoint> points;
   for (const GroupContact& t : group_contacts) points.push_back(t.point);
@@ -244,6 +256,7 @@ bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
   };
   if (is_open(1)) return false;
   std::optional<Vec3> d = separating_motion_for_sliding(points, 1);
+  // Opposite contacts may leave less room: then a smaller clearance is kept for this motion.
   for (const double part : kTightParts) {
     if (d) break;
     m_motion_clearance = part * m_clearance;
@@ -257,6 +270,7 @@ bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
   const double length = d->norm();
   const Motion motion = Motion::translation(*d / length, length);
   const double time = std::min(first_contact(motion).time, length);
+  // A motion that is stopped at once would be repeated for ever.
   if (time < 0.1 * length) return false;
   advance(motion, time);
   return true;
@@ -271,18 +285,21 @@ SettleOutcome MovingGroup::settle(Interrupt* interrupt) {
 
 SettleOutcome MovingGroup::give_way(Interrupt* interrupt, double longest_turn,
                                     std::int64_t max_queries) {
+  // Giving way follows the materials, whatever the object itself settles by.
   SettleProblem problem;
   problem.options = m_options;
   problem.options.perfect_friction = false;
   problem.interrupt = interrupt;
   problem.max_queries = max_queries;
   const bool alone = m_ids.size() == 1;
+  // A group with loads moves only once: its loads would slide on the way.
   problem.options.max_motions = alone ? std::min(m_options.max_motions, kMotionsOfGivingWay) : 0;
   if (!alone) problem.longest_turn = longest_turn;
   return settle(std::move(problem), true);
 }
 
 SettleOutcome MovingGroup::settle(SettleProblem problem, bool loads_weigh) {
+  // Loads are carried shapes, with weight where they may tip the object.
   std::vector<CarriedShape> carried;
   const double weight = weight_of(object());
   for (size_t i = 1; i < m_ids.size(); ++i) {
@@ -299,8 +316,10 @@ SettleOutcome MovingGroup::settle(SettleProblem problem, bool loads_weigh) {
   problem.clearance = m_clearance;
   problem.detector = m_detector;
   problem.carried = carried;
+  // Contacts at the start are known from planning.
   problem.contacts_at_start = &contacts(0);
   SettleOutcome outcome = trivet::settle(problem);
+  // Without a step nothing has changed, not even the offset.
   if (!outcome.steps.empty()) {
     m_origins = {outcome.pose};
     m_origins.insert(m_origins.end(), outcome.carried.begin(), outcome.carried.end());

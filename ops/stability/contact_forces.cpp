@@ -59,6 +59,7 @@ class ForceProgram {
 
   // All weights shifted along `d` by parts of `largest`, of which all are worth -1.
   LinearProgram::Column shift(const Vec3& d, double largest) const {
+    // Moving a weight sideways adds a torque and no force.
     LinearProgram::Column out{{}, -1, 1};
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       const FreeBody& body = m_part.bodies[i];
@@ -97,6 +98,7 @@ class ForceProgram {
     PartForces out;
     out.solved = true;
     out.residual = solution.objective;
+    // Columns hold parts of what the body carries; users want parts of its own weight.
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {
       const double own = m_part.bodies[i].weight / m_carried[i];
       // This column holds what is missing beyond the tolerance.
@@ -130,6 +132,8 @@ class ForceProgram {
         out[i].velocity[k] = -solution.prices[row_of(i) + k] / m_carried[i];
         out[i].spin[k] = -solution.prices[row_of(i) + 3 + k] / (m_carried[i] * body.size);
       }
+      // The speed of the fastest point scales the motion; the power tells which way gravity drives
+      // it.
       fastest = std::max(fastest, out[i].velocity.norm() + out[i].spin.norm() * body.size / 2);
       power -= body.weight * out[i].velocity.z() - body.load.dot(out[i].velocity) -
                body.load_torque.dot(out[i].spin);
@@ -154,6 +158,7 @@ class ForceProgram {
   // Each body's weight with all that lies on it, directly or not.
   static std::vector<double> carried_weights(const FreeBodies& part) {
     const size_t n = part.bodies.size();
+    // Contacts that face up or down tell who lies on whom.
     std::vector<std::vector<Index>> loads(n);
     for (const BodyContact& t : part.touches) {
       if (t.from == BodyContact::kGround) continue;
@@ -213,6 +218,8 @@ class ForceProgram {
   }
 
   double unit_of(const BodyContact& t) const {
+    // A touch's forces are counted in the smaller weight of both, so that entries are near one for
+    // light bodies, too.
     return t.from == BodyContact::kGround ? m_carried[t.on]
                                           : std::min(m_carried[t.on], m_carried[t.from]);
   }
@@ -268,6 +275,7 @@ namespace {
 // Takes the best candidate of each pair that would lower the cost. @return whether there are any.
 template <class Gain>
 bool join_best(FreeBodies& part, const Gain& gain) {
+  // Gains are worked out before anything joins, so that the order of candidates does not matter.
   std::vector<double> gains;
   for (const BodyContact& t : part.more) gains.push_back(gain(t));
   std::vector<char> joins(part.more.size(), 0);
@@ -302,6 +310,7 @@ bool PartForces::balanced() const {
 
 PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
   while (true) {
+    // The program grows by contacts until the forces balance or no contact would help.
     ForceProgram program(part, clearance, factor);
     program.add_missing(1, kInfinity);
     const LinearProgram::Solution solution = program.solve();
@@ -325,7 +334,8 @@ std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
 bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {
   ForceProgram program(part, clearance, factor);
   program.add_missing(1, kInfinity);
-  // The objective only grows: beyond what is missing at most, no balance is to be found.
+  // The dual simplex usually answers at once; contacts that were left out do not join here. Its
+  // objective only grows: beyond what may be missing no balance is to be found.
   const double most = kRoomOfBalance * kMissing * static_cast<double>(part.bodies.size());
   const LinearProgram::Solution solution = program.solve_by_dual(most);
   return solution.optimal && program.forces_of(solution).balanced();

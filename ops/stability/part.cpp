@@ -15,8 +15,10 @@ constexpr size_t kManyBodies = 24;  // for which it pays to look for balance alo
 
 // False if a body has no contact that could push it up, but by what is tolerated.
 bool may_all_be_held_up(const FreeBodies& part) {
+  // A body that is pushed up by certified ones has a support already.
   std::vector<char> held;
   for (const FreeBody& body : part.bodies) held.push_back(body.load.z() > 0);
+  // Friction may lift even where the normal leans down a little.
   const auto note = [&](Index body, double normal_z, double friction) {
     if (body != BodyContact::kGround && normal_z > -friction) held[body] = 1;
   };
@@ -42,6 +44,7 @@ class Judgement {
         m_certificate(vertical_certificate(m_all)) {}
 
   PartVerdict run() {
+    // Contacts join bodies to parts; only parts with an open body need the program.
     const std::vector<Index> part_of = connected_parts(m_all);
     std::vector<Members> parts(
         part_of.empty() ? 0 : 1 + *std::max_element(part_of.begin(), part_of.end()));
@@ -64,6 +67,8 @@ class Judgement {
   };
 
   void judge(const Members& part) {
+    // The open bodies alone are tried first, with certified ones as their ground: that is the
+    // smaller program.
     if (part.open.size() <= m_limit && part.open.size() < part.all.size()) {
       FreeBodies open = loaded_bodies(part.open, is_fixed_or_held);
       if (part.all.size() > m_limit || may_all_be_held_up(open)) {
@@ -71,11 +76,14 @@ class Judgement {
         if (forces.solved && forces.balanced()) return;
       }
     }
+    // Without success the whole part is judged, with everything that near contacts add.
     if (part.all.size() <= m_limit) {
       FreeBodies whole =
           near_part(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, std::nullopt);
       if (whole.bodies.size() <= m_limit) return note(std::move(whole));
     }
+    // A part that is too large is judged near the change alone, and the verdict says that it does
+    // not know the rest.
     m_out.known = false;
     const std::vector<Index> nearest = nearest_to_change(part.open);
     note(loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
@@ -85,6 +93,7 @@ class Judgement {
 
   void note(FreeBodies part) {
     if (part.bodies.size() > kManyBodies) {
+      // Many bodies mostly stand: the quick proof spares the search for contacts.
       if (quickly_balanced(part, m_clearance)) return;
       if (m_proof == Proof::Quickest) return note_all(part);
     }
@@ -92,6 +101,7 @@ class Judgement {
     if (!forces.solved) m_out.known = false;
     if (!forces.solved || forces.balanced()) return;
     m_out.stands = false;
+    // Bodies that the proof moves are those that topple.
     for (size_t k = 0; k < part.bodies.size(); ++k)
       if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
   }

@@ -22,6 +22,7 @@ double clearance_of(const Scene& scene, const StabilityOptions& options) {
 
 // Free objects that contacts connect with these, in the scene's order.
 std::vector<ObjectId> linked_with(const Scene& scene, std::vector<ObjectId> ids) {
+  // Contacts are followed until no more objects come.
   std::set<std::uint32_t> seen;
   for (const ObjectId id : ids) seen.insert(id.index);
   for (size_t i = 0; i < ids.size(); ++i)
@@ -199,6 +200,7 @@ class StabilityCheck {
     }
     if (is_rated) judge_reserve(part);
     const std::vector<Vec3> forces = balanced ? told_forces(part) : std::vector<Vec3>{};
+    // Forces that the scene's links explain are preferred to others that balance as well.
     for (size_t k = 0; k < part.touches.size(); ++k)
       add_force(part, part.touches[k], forces.empty() ? found.forces[k] : forces[k]);
   }
@@ -298,6 +300,7 @@ std::vector<CarriedBy> carried_by_part(const Scene& scene, ObjectId object,
   if (!of.placed || of.fixed) return {};
   std::vector<ObjectId> ids = linked_with(scene, {object});
   if (ids.size() > kMostAskedForCarriers) return {};
+  // Vertical forces through the links name all carriers: the usual case, which costs little.
   const auto is_certified = [](const Certificate::Body& body) { return body.certified; };
   const FreeBodies linked = linked_bodies(scene, ids, options.friction);
   const Certificate certificate = vertical_certificate(linked);
@@ -334,12 +337,14 @@ double wall_thickness(const Object& object) {
 }
 
 double weight_of(const Object& object, double density) {
+  // A mass that is known wins; otherwise volume and density tell, and an open mesh is a sheet.
   if (object.given_mass) return kGravity * object.given_mass->kilograms;
   const MassProperties& mass = object.shape->mass;
   double wall = kWallThickness * object.shape->box.diagonal();
   if (const auto sheet = sheet_thickness(object.material))
     wall = std::min(wall, *sheet / object.scale);
   const double volume = mass.volume != 0 ? std::abs(mass.volume) : mass.area * wall;
+  // A mesh of lines and points weighs as a cube of its wall, so that the weight is never zero.
   const double least = wall * wall * wall;  // lines and points
   const double scale = object.scale;
   return kGravity * density * scale * scale * scale * std::max(volume, least);

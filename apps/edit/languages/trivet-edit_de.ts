@@ -3255,8 +3255,8 @@
         <translation>„to“ oder „by“</translation>
     </message>
     <message>
-        <source>a joint of a scene in MJCF: this scene has none</source>
-        <translation>ein Gelenk einer Szene in MJCF: diese Szene hat keines</translation>
+        <source>a joint of a scene in MJCF, URDF or SDF: this scene has none</source>
+        <translation>ein Gelenk einer Szene in MJCF, URDF oder SDF: diese Szene hat keines</translation>
     </message>
     <message>
         <source>a number, &quot;lower&quot;, &quot;upper&quot;</source>

@@ -10,6 +10,7 @@ from . import _arrays, _trivet
 from ._drag import Drag
 from ._errors import NoSuchObject
 from ._files import Files
+from ._history import History
 from ._named import name_of
 from ._object import Object
 from ._pictures import Pictures
@@ -23,7 +24,7 @@ from ._snapshot import Snapshot
 from ._transaction import Transaction
 
 
-class Scene(Files, Pictures, Pours, Questions):
+class Scene(Files, History, Pictures, Pours, Questions):
     """Objects that never interpenetrate and lie at rest; gravity along -z.
 
     A mapping of names to objects, in the order of their addition. Any number of threads may use one scene: one at a time
@@ -308,52 +309,6 @@ class Scene(Files, Pictures, Pours, Questions):
             For a ``with`` block.
         """
         return Drag(self, name_of("what", what, self), op, options)
-
-    # History.
-
-    def undo(self) -> bool:
-        """Take back the last step, to the bit; False when there is none."""
-        return self._scene.undo()
-
-    def redo(self) -> bool:
-        """Do again what was undone; False when there is nothing."""
-        return self._scene.redo()
-
-    @property
-    def can_undo(self) -> bool:
-        """True if there is a step to take back."""
-        return self._scene.can_undo
-
-    @property
-    def can_redo(self) -> bool:
-        """True if there is a step to do again."""
-        return self._scene.can_redo
-
-    @property
-    def steps(self) -> list[str]:
-        """Names of the operations that are done."""
-        return self._scene.steps()
-
-    def snapshot(self) -> Snapshot:
-        """The scene as it is now."""
-        return Snapshot(self._scene.snapshot())
-
-    def restore(self, snapshot: Snapshot) -> None:
-        """As it was then, to the bit; its history begins anew.
-
-        Parameters
-        ----------
-        snapshot : Snapshot
-            Of this scene or of another one.
-        """
-        if not isinstance(snapshot, Snapshot):
-            raise _arrays.refuse("snapshot", repr(snapshot), "a trivet.Snapshot")
-        self._scene.restore(snapshot._snapshot)
-
-    @property
-    def fingerprint(self) -> int:
-        """64 bits: the same for scenes of the same bits, their shapes apart."""
-        return self._scene.fingerprint()
 
     def __reduce__(self) -> Any:
         settle = self._scene.settle

@@ -67,18 +67,20 @@ Json intent_json(const Scene& scene, const Intent& intent) {
   return json;
 }
 
-Json joint_json(const Scene& scene, const JointToMove& joint) {
+Json joint_json(const Scene& scene, const SceneJoint& joint) {
   Json links = Json::array();
   for (const ObjectId id : joint.links) links.push_back(scene.at(id).name);
-  return {{"joint", joint.name},
-          {"kind", joint.turns ? "hinge" : "slide"},
-          {"value", joint.value},
-          {"lower", limit_json(joint.lower)},
-          {"upper", limit_json(joint.upper)},
-          {"links", links}};
+  Json json = {{"joint", joint.name},
+               {"kind", joint.turns ? "hinge" : "slide"},
+               {"value", joint.value},
+               {"lower", limit_json(joint.lower)},
+               {"upper", limit_json(joint.upper)},
+               {"links", links}};
+  if (!joint.held.empty()) json["held"] = in_english(joint.held);
+  return json;
 }
 
-Json joint_move_json(const Scene& scene, double lift, const JointToMove& joint,
+Json joint_move_json(const Scene& scene, double lift, const SceneJoint& joint,
                      const JointMove& move) {
   Json json = joint_json(scene, joint);
   json["end"] = end_text(move.end);

@@ -18,9 +18,9 @@ nlohmann::ordered_json mended_json(const Scene& scene, double lift, const Mended
 nlohmann::ordered_json intent_json(const Scene& scene, const Intent& intent);
 
 /// {"joint", "kind", "value", "lower", "upper", "links"}; limits that are not there are null.
-nlohmann::ordered_json joint_json(const Scene& scene, const JointToMove& joint);
+nlohmann::ordered_json joint_json(const Scene& scene, const SceneJoint& joint);
 /// The same with "end", "carried" and, where it was blocked, "blocked_by" and "blocked_at".
-nlohmann::ordered_json joint_move_json(const Scene& scene, double lift, const JointToMove& joint,
+nlohmann::ordered_json joint_move_json(const Scene& scene, double lift, const SceneJoint& joint,
                                        const JointMove& move);
 
 }  // namespace trivet
