@@ -8,8 +8,8 @@
 //   leans across a gap       tried at three more; taken if none of these does better
 //   else                     an operation of its own, proved as any other; the first that is done
 //                            and ends in the container is taken. From starts 2 to 4 the whole has
-//                            to stand at once, then after motions of few objects, from the last
-//                            after whatever motions it takes
+//                            to stand at once, from the next ones after few motions, from the last
+//                            after more
 #pragma once
 
 #include <functional>
