@@ -100,7 +100,7 @@ std::vector<ObjectId> loads_by_forces(const Scene& scene, ObjectId object,
   StabilityOptions of_part;
   of_part.clearance = options.clearance;
   const std::vector<CarriedBy> carried = carried_by_part(scene, object, of_part);
-  // What such a load carries may press on further ones: until none is new.
+  // A load may carry further ones: they join until none is new.
   for (size_t num = 0; num != group.size();) {
     num = group.size();
     for (const CarriedBy& c : carried)

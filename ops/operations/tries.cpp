@@ -17,8 +17,8 @@ constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
 constexpr int kTriesToTouch = 3;  // more of them, where it came to rest across a gap
 constexpr int kStartsOfTry = 2;   // looked at for each try: some interpenetrate
-/// How the whole may come to rest: at the first tries at once, then by motions, at the last by many.
-/// From most other starts it stands at once, in a tenth of the time.
+/// The whole has to stand at once at the first tries, may move at the next, most at the last. From
+/// most other starts it stands at once, in a tenth of the time.
 constexpr int kTriesToStand = 4;
 constexpr Budget kBudgetToStand{40, 0}, kBudgetOfTry{40}, kBudgetOfLast{600};
 
