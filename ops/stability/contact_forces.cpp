@@ -17,9 +17,7 @@ constexpr int kJoinAtOnce = 4;          // touches of a pair
 constexpr double kMissing = 1e-6;       // of a body's weight: rounding below this
 constexpr double kNearlyWorst = 1e-4;   // of a margin: other orders of pivots differ by less
 constexpr double kRoomOfBalance = 100;  // of a limit of the objective: for rounding and scaling
-// In forces that tell who carries: against a push by who is not meant to, and of a body's weight.
-constexpr double kPriceOfMissing = 100, kMissingAsTold = 1e-4;
-constexpr double kMoves = 1e-6;  // virtual velocities, at most 1: rounding below this
+constexpr double kMoves = 1e-6;         // virtual velocities, at most 1: rounding below this
 
 using Entry = LinearProgram::Entry;
 
@@ -325,8 +323,7 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
 std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
                                      std::span<const MayCarry> may) {
   ForceProgram program(part, clearance, 1, may);
-  // A limit at rounding would leave some programs without a solution.
-  program.add_missing(kPriceOfMissing, kMissingAsTold);
+  program.add_missing(0, kMissing);
   const LinearProgram::Solution solution = program.solve();
   return solution.optimal ? program.forces_of(solution).forces : std::vector<Vec3>{};
 }

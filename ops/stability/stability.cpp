@@ -289,6 +289,15 @@ Stability stability_of_part(const Scene& scene, ObjectId object, const Stability
   return StabilityCheck(scene, options, linked_bodies(scene, ids, options.friction)).run();
 }
 
+namespace {
+
+bool is_linked(const Object& object, const Support& with) {
+  return std::any_of(object.contacts.begin(), object.contacts.end(),
+                     [&](const ObjectContact& entry) { return entry.with == with; });
+}
+
+}  // namespace
+
 bool is_carried_across_gap(const Object& object) {
   return std::any_of(object.contacts.begin(), object.contacts.end(),
                      [](const ObjectContact& entry) { return entry.across_gap && entry.carries; });
@@ -325,8 +334,10 @@ std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& st
       if (at == upward.end()) at = upward.insert(at, {f->from, 0});
       at->second += f->force.z();
     }
+    // Without a link nothing touches: such a force is one of several solutions.
     for (const auto& [from, force] : upward)
-      if (force > kCarriedPart * weight_of(scene.at(on))) out.push_back({on, from});
+      if (force > kCarriedPart * weight_of(scene.at(on)) && is_linked(scene.at(on), from))
+        out.push_back({on, from});
   }
   return out;
 }
