@@ -10,8 +10,6 @@ import sys
 
 ROOT = pathlib.Path(sys.argv[1])
 TOP = ("include", "core", "raster", "gpu", "ops", "apps")
-ALGORITHMS = ("core/contact", "core/exact", "core/mesh", "core/index", "core/flex", "core/candidates", "raster/zlist", "raster/height_map",
-              "ops/settle", "ops/stability", "ops/placement", "ops/free_places", "ops/arrange", "ops/operations", "ops/mend")
 OPENING = re.compile(r"\s*///?<?\s(Of|Those|What|Whether|That|Nothing|Beside|How)\b")
 
 
@@ -72,10 +70,7 @@ def main():
     row("files over 350 lines", sum(size > 350 for size in sizes))
     row("functions; their median, 95 %, longest", len(spans), int(statistics.median(spans)), spans[95 * len(spans) // 100], spans[-1])
     row("comment lines per 100 of code: headers", comments_per_hundred(files(".h")))
-    bodies = files(".cpp")
-    row("the same: bodies", comments_per_hundred(bodies))
-    row("the same: bodies of algorithms",
-        comments_per_hundred([p for p in bodies if str(p.relative_to(ROOT)).startswith(ALGORITHMS)]))
+    row("the same: bodies", comments_per_hundred(files(".cpp")))
     row("comments that open without a subject", openings())
     row("product files naming step_up", naming("step_up"))
 

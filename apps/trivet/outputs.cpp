@@ -8,7 +8,6 @@
 
 #include "core/base/count_of.h"
 #include "core/base/extension.h"
-#include "core/io/export.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/io/staged_files.h"
 #include "core/mesh/part_masses.h"

@@ -10,8 +10,8 @@
 
 #include "core/base/error.h"
 #include "core/base/extension.h"
+#include "core/io/export.h"
 #include "core/io/overwrites.h"
-#include "core/io/staged_files.h"
 #include "ops/simulation/scene_formats.h"
 
 namespace trivet::apps {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ops/operations/commit_at_rest.h"
 #include "ops/operations/move_parts.h"
 #include "ops/operations/push_events.h"
-#include "ops/operations/whole.h"
 #include "ops/placement/contacts.h"
 
 namespace trivet {

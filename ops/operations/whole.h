@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <optional>
+#include <vector>
 
 #include "core/scene/transaction.h"
 #include "ops/operations/move_plan.h"
@@ -41,24 +41,11 @@ enum class Purpose { Commit, Trial };
 /// Settles the parts of the scene that were touched within `transaction`; adds to result.gave_way,
 /// and refuses when they do not come to rest: the transaction is then to be rolled back. Objects
 /// held by a hand count as fixed. Every motion is exact and lowers the energy of all.
-/// @param object  of the operation.
+/// @param object  of the operation. @param in_hand  moved by a hand, which does not let go of them
+/// where they would not rest.
 /// @return what is left of the budget.
 Budget settle_whole(Transaction& transaction, const Named& object, double clearance,
                     OperationRun& run, OperationResult& result, Budget budget = {},
-                    Purpose purpose = Purpose::Commit);
-
-/// commit(), and settle_whole() if the options ask for it.
-OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, OperationRun& run,
-                               const Named& object, Budget budget = {});
-
-/// Verdict of commit_at_rest() on a plan, and the cost of the trial.
-struct CommitVerdict {
-  std::optional<Refusal> refusal;  // nullopt: the plan can be committed
-  std::int64_t first_contacts = 0;
-};
-
-/// Commits a plan within `trial`, which the caller then rolls back.
-CommitVerdict try_commit(Transaction& trial, MovePlan plan, OperationRun& run, const Named& object,
-                         Budget budget);
+                    Purpose purpose = Purpose::Commit, std::vector<ObjectId> in_hand = {});
 
 }  // namespace trivet

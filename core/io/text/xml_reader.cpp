@@ -10,7 +10,7 @@
 namespace trivet {
 namespace {
 
-constexpr size_t kPiece = size_t{1} << 22;  // Expat copies each
+constexpr size_t kXmlPiece = size_t{1} << 22;  // Expat copies each
 
 std::string_view local_name(std::string_view name) {
   const size_t colon = name.find(':');
@@ -74,7 +74,7 @@ void set_handlers(Reading& reading) {
 XML_Status parse(XML_Parser parser, std::string_view text) {
   XML_Status status = XML_STATUS_OK;
   do {
-    const size_t length = std::min(text.size(), kPiece);
+    const size_t length = std::min(text.size(), kXmlPiece);
     const bool last = length == text.size();
     status = XML_Parse(parser, text.data(), static_cast<int>(length), last);
     text.remove_prefix(length);

@@ -18,8 +18,8 @@ class TestHour : public QObject, AtDesk {
   TestHour(const Screen& screen, bool only_hour) : m_screen(screen), m_only_hour(only_hour) {}
 
  private Q_SLOTS:
-  void initTestCase();
-  void cleanupTestCase();
+  void initTestCase();     // NOLINT(readability-identifier-naming): Qt's
+  void cleanupTestCase();  // NOLINT(readability-identifier-naming): Qt's
   void helps_without_a_display();
   void keeps_thumbnails();
   void forgets_errors();
