@@ -119,21 +119,12 @@ void expect_lift_takes_along(const Scene& scene, ObjectId support, ObjectId load
       << object.name << " leaves " << scene.at(load).name << " behind";
 }
 
-// The same of whom the forces that prove the whole at rest have it carry.
-void expect_carriers_take_along(const Scene& scene, SettleOptions settle) {
-  StabilityOptions options;
-  options.clearance = settle.clearance = kSequenceClearance;
-  for (const CarriedBy& c : carried_by_forces(scene, stability(scene, options)))
-    if (c.by.is_object()) expect_lift_takes_along(scene, c.by.object(), c.object, settle);
-}
-
 // One set of contacts and one verdict: who is at rest is held at its material's friction, by
 // somebody; who carries it by the forces of the whole is listed, if it leans; and lifted supports
 // take it along.
 void expect_told_supports(const Scene& scene, const SettleOptions& settle) {
   if (settle.perfect_friction) return;
   const LoadSupport list = load_support(scene);
-  expect_carriers_take_along(scene, settle);
   for (const ObjectId id : scene.ids()) {
     const Object& o = scene.at(id);
     if (!o.placed || o.fixed || o.state != ObjectState::Stable || !o.group.empty()) continue;
