@@ -82,7 +82,8 @@ void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
   const ClearanceRange range = clearance_range_near(
       m_scene, m_is_put ? started.front().box : box_of(m_scene, id, together), started);
   const double clearance = options().clearance > 0 ? options().clearance : range.usual;
-  m_group.emplace(m_scene, id, together, clearance, options(), m_run.detector);
+  m_group.emplace(m_scene, id, together, clearance, options(), m_run.detector,
+                  loads_by_forces(m_scene, id, together, options()));
   m_joint = !together.empty() && m_group->driven().size() > 1;
   // A fixed object comes in once, and then stays there.
   const bool comes_in = m_is_put && object.fixed && !object.placed;

@@ -7,7 +7,7 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "ops/settle/separation.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/carried.h"
 
 namespace trivet {
 namespace {
@@ -42,6 +42,22 @@ void append_loads(const Scene& scene, ObjectId id, IdList& ids) {
       ids.add(entry.with.object());
 }
 
+bool has_id(const std::vector<ObjectId>& ids, ObjectId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+// Free objects outside the group, which may be its loads.
+bool touches_others(const Scene& scene, const std::vector<ObjectId>& group) {
+  const auto is_outside = [&](const ObjectContact& entry) {
+    return entry.with.is_object() && !scene.at(entry.with.object()).fixed &&
+           !has_id(group, entry.with.object());
+  };
+  return std::any_of(group.begin(), group.end(), [&](ObjectId id) {
+    const auto& contacts = scene.at(id).contacts;
+    return std::any_of(contacts.begin(), contacts.end(), is_outside);
+  });
+}
+
 void append_group_members(const Scene& scene, ObjectId id, IdList& ids) {
   for (const ObjectId other : scene.group_members(scene.at(id).group))
     if (scene.at(other).placed) ids.add(other);
@@ -59,10 +75,12 @@ std::vector<ObjectId> driven_with(const Scene& scene, ObjectId object,
 }
 
 std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
-                                   std::span<const ObjectId> together) {
+                                   std::span<const ObjectId> together,
+                                   std::span<const ObjectId> more_loads) {
   IdList found(object);
   if (!scene.at(object).placed) return found.take();
-  for (const ObjectId id : together) found.add(id);
+  for (const auto& more : {together, more_loads})
+    for (const ObjectId id : more) found.add(id);
   // Loads bring their loads, and group members theirs, until none is new.
   for (size_t i = 0; i < found.size(); ++i) {
     append_loads(scene, found[i], found);
@@ -72,6 +90,25 @@ std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
   // The object stays first; the others are ordered by slot, so that results repeat.
   std::sort(ids.begin() + 1, ids.end(), [](ObjectId a, ObjectId b) { return a.index < b.index; });
   return ids;
+}
+
+std::vector<ObjectId> loads_by_forces(const Scene& scene, ObjectId object,
+                                      std::span<const ObjectId> together,
+                                      const SettleOptions& options) {
+  std::vector<ObjectId> out, group = carried_with(scene, object, together);
+  if (!has_finite_friction(options) || !touches_others(scene, group)) return out;
+  StabilityOptions of_part;
+  of_part.clearance = options.clearance;
+  const std::vector<CarriedBy> carried = carried_by_part(scene, object, of_part);
+  // A load may carry further ones: they join until none is new.
+  for (size_t num = 0; num != group.size();) {
+    num = group.size();
+    for (const CarriedBy& c : carried)
+      if (c.by.is_object() && has_id(group, c.by.object()) && !has_id(group, c.object))
+        out.push_back(c.object);
+    group = carried_with(scene, object, together, out);
+  }
+  return out;
 }
 
 std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids) {
@@ -88,9 +125,10 @@ std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const Obje
 }
 
 MovingGroup::MovingGroup(const Scene& scene, ObjectId object, std::span<const ObjectId> together,
-                         double clearance, const SettleOptions& options, Detector* detector)
+                         double clearance, const SettleOptions& options, Detector* detector,
+                         std::span<const ObjectId> more_loads)
     : m_scene(&scene),
-      m_ids(carried_with(scene, object, together)),
+      m_ids(carried_with(scene, object, together, more_loads)),
       m_driven(driven_with(scene, object, together)),
       m_outside(scene, m_ids),
       m_clearance(clearance),

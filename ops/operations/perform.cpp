@@ -32,6 +32,8 @@ bool unbalances(const FixOperation& o) { return !o.fixed; }
 /// costs less to put something elsewhere. With 300, bins of ten hold 1 to 2 %, heaps of 30 3 %
 /// more.
 constexpr Budget kBudgetOfPut{120};
+/// The same where other starts may be tried: a joint motion of many costs more than some of them.
+constexpr Budget kBudgetOfFirstStart{120, 4};
 /// The same at the places that a PUT tries, all together.
 constexpr Budget kBudgetOfTrials{2400};
 
@@ -77,7 +79,7 @@ OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOper
   };
   // A start that was asked for exactly, or a place that is searched for, has no other tries.
   const bool is_exact = o.tries == 1 || o.place || run.options.literal_paper_rules;
-  if (!is_exact) return put_by_tries(transaction, id, o, put_from, kBudgetOfPut);
+  if (!is_exact) return put_by_tries(transaction, id, o, put_from, kBudgetOfFirstStart);
   return put_from(transaction, o, kBudgetOfPut);
 }
 

@@ -7,6 +7,7 @@
 #include "core/motion/motion.h"
 #include "ops/operations/container.h"
 #include "ops/operations/moving_group.h"
+#include "ops/stability/carried.h"
 
 namespace trivet {
 namespace {
@@ -16,9 +17,10 @@ constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
 constexpr int kTriesToTouch = 3;  // more of them, where it came to rest across a gap
 constexpr int kStartsOfTry = 2;   // looked at for each try: some interpenetrate
-/// First contacts by which the whole may come to rest in a try, and in the last; see whole.h. More
-/// are seldom worth the time that another start takes.
-constexpr Budget kBudgetOfTry{40}, kBudgetOfLast{600};
+/// The whole has to stand at once at the first tries, may move at the next, most at the last. From
+/// most other starts it stands at once, in a tenth of the time.
+constexpr int kTriesToStand = 4;
+constexpr Budget kBudgetToStand{40, 0}, kBudgetOfTry{40}, kBudgetOfLast{600};
 
 // Between half a turn either way.
 double wrapped_deg(double deg) { return std::remainder(deg, 360); }
@@ -44,12 +46,6 @@ bool starts_blocked(const OperationResult& result) {
          result.refusal->at == Refusal::At::Start;
 }
 
-// Carried by what is more than the tolerance of contacts away.
-bool rests_across_gap(const Object& object) {
-  return std::any_of(object.contacts.begin(), object.contacts.end(),
-                     [](const ObjectContact& entry) { return entry.across_gap && entry.carries; });
-}
-
 /// The starts after the first.
 class Tries {
  public:
@@ -69,9 +65,7 @@ class Tries {
     // Blocked starts cost little and do not count as tries; their number is bounded, too.
     for (int n = 2; n <= kStartsOfTry * m_operation.tries && num_tries < m_operation.tries; ++n) {
       if (m_gap && m_gap->tries_left-- <= 0) break;
-      // The last try may work longest.
-      const bool is_last = num_tries + 1 == m_operation.tries;
-      const auto result = try_number(n, is_last ? kBudgetOfLast : kBudgetOfTry);
+      const auto result = try_number(n, budget_of(num_tries + 1));
       if (!result) continue;
       const bool is_over = result->ok() || result->status != OperationResult::Status::Refused;
       if (is_over) return *result;
@@ -87,6 +81,11 @@ class Tries {
   }
 
  private:
+  Budget budget_of(int try_number) const {
+    if (try_number == m_operation.tries) return kBudgetOfLast;
+    return try_number <= kTriesToStand ? kBudgetToStand : kBudgetOfTry;
+  }
+
   const Object& object() const { return m_transaction.scene().at(m_id); }
   Vec3 centre(const Pose& pose) const { return centre_at(object(), pose); }
 
@@ -128,7 +127,7 @@ class Tries {
     // The object may roll out of its container: then the try fails.
     if (start.number > 1 && !m_container.holds(inner.scene().at(m_id).centre_of_mass()))
       return refused({Refusal::Cause::LeavesRegion, {named(inner.scene(), Support(m_id))}});
-    if (!m_accepts_gap && rests_across_gap(inner.scene().at(m_id))) {
+    if (!m_accepts_gap && is_carried_across_gap(inner.scene().at(m_id))) {
       note_gap(start, budget);
       return refused({Refusal::Cause::Topples, {named(inner.scene(), Support(m_id))}});
     }
@@ -171,7 +170,7 @@ OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOpe
   {
     Transaction inner(transaction);
     first = put(inner, o, budget);
-    const bool touches = first.ok() && !rests_across_gap(inner.scene().at(id));
+    const bool touches = first.ok() && !is_carried_across_gap(inner.scene().at(id));
     if (touches) inner.commit();
     if (touches || !(first.ok() || may_do_better_nearby(first))) return first;
   }

@@ -36,12 +36,13 @@ class Whole {
         m_result(result),
         m_rules(rest_rules(run.options, clearance)),
         m_queries_left(budget.first_contacts),
+        m_most_movers(budget.most_movers),
         m_is_trial(purpose == Purpose::Trial) {}
 
   /// @param ids  what a hand has moved and still holds where it does not rest.
   void keep_in_hand(std::vector<ObjectId> ids) { m_in_hand = std::move(ids); }
 
-  Budget budget_left() const { return {m_queries_left}; }
+  Budget budget_left() const { return {m_queries_left, m_most_movers}; }
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
@@ -51,7 +52,7 @@ class Whole {
     PartVerdict verdict = judge();
     // A hand holds what it has moved: it does not topple.
     if (!verdict.stands && hold(verdict.topples)) verdict = judge();
-    for (int round = 0; !verdict.stands && round < kMaxRounds && m_queries_left > 0; ++round) {
+    for (int round = 0; !verdict.stands && round < kMaxRounds && may_go_on(verdict); ++round) {
       [[maybe_unused]] const double before = energy_gained().sum;
       if (stopped() || !give_way(verdict)) break;
       assert(energy_gained().sum <= before + energy_gained().rounding);
@@ -64,6 +65,10 @@ class Whole {
   }
 
  private:
+  bool may_go_on(const PartVerdict& verdict) const {
+    return m_queries_left > 0 && verdict.topples.size() <= m_most_movers;
+  }
+
   bool stopped() const { return m_run.interrupt.reason().has_value(); }
 
   // The hand does not let go of what would rest alone, pinched by others, but not with them.
@@ -83,7 +88,7 @@ class Whole {
     // Only parts connected with what changed can have lost their balance.
     const std::vector<ObjectId> changed = touched();
     PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
-                                      m_clearance, kMaxProgramObjects);
+                                      m_clearance, kMaxProgramObjects, proof());
     if (!verdict.stands || m_is_trial) return verdict;
     judge_each();
     // Names are sorted, so that the order in which they were found does not matter.
@@ -94,6 +99,8 @@ class Whole {
     verdict.stands = verdict.topples.empty();
     return verdict;
   }
+
+  Proof proof() const { return m_most_movers == 0 ? Proof::Quickest : Proof::Whole; }
 
   std::vector<ObjectId> parts() const { return connected_with(m_scene, touched()); }
 
@@ -298,6 +305,7 @@ class Whole {
   const ContactMemory m_memory;  // what stays where it is, is judged again and again
   const ProgramMemory m_programs;
   std::int64_t m_queries_left;
+  const size_t m_most_movers;
   const bool m_is_trial;
   std::vector<ObjectId> m_in_hand;
   std::map<std::uint32_t, Placement> m_before;  // by slot

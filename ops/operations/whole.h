@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/scene/transaction.h"
@@ -18,14 +19,18 @@
 
 namespace trivet {
 
-/// First contacts by which the whole may come to rest: a bound of time that is the same on every
-/// machine.
+/// Work by which the whole may come to rest: a bound of time that is the same on every machine.
 struct Budget {
   std::int64_t first_contacts = 300;
+  /// Objects that may be about to move at a time: where more are, it is refused at once, as their
+  /// joint motion costs more than another start. 0: all have to stand as they are; in large parts
+  /// the quickest proof that they do is the only one.
+  size_t most_movers = std::numeric_limits<size_t>::max();
 
   /// The smaller of both.
   Budget within(const Budget& other) const {
-    return {std::min(first_contacts, other.first_contacts)};
+    return {std::min(first_contacts, other.first_contacts),
+            std::min(most_movers, other.most_movers)};
   }
 };
 

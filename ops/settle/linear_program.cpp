@@ -102,40 +102,40 @@ int LinearProgram::add_column(std::span<const Entry> entries, double cost, doubl
 }
 
 LinearProgram::Solution LinearProgram::solve(bool scale, Basis* basis) const {
-  return solve(scale, Method::Primal, basis);
+  return solve({scale, Method::Primal}, basis);
 }
 
-LinearProgram::Solution LinearProgram::solve_by_dual(bool scale) const {
-  return solve(scale, Method::Dual, nullptr);
+LinearProgram::Solution LinearProgram::solve_by_dual(bool scale, double most) const {
+  return solve({scale, Method::Dual, most}, nullptr);
 }
 
-LinearProgram::Solution LinearProgram::solve(bool scale, Method method, Basis* basis) const {
+LinearProgram::Solution LinearProgram::solve(const Way& way, Basis* basis) const {
   // A basis of another shape cannot be a start.
   const bool is_start = basis && basis->size() == m_costs.size() + m_row_lower.size();
   const Basis start = is_start ? *basis : Basis();
   ProgramMemory* const memory = ProgramMemory::current();
   // The same question often comes again while operations are tried: its answer is remembered to the
   // bit.
-  Answer answer = memory && m_values.size() <= kMostRemembered
-                      ? solve_once(*memory, scale, method, start)
-                      : solve_now(scale, method, start);
+  Answer answer = memory && m_values.size() <= kMostRemembered ? solve_once(*memory, way, start)
+                                                               : solve_now(way, start);
   // The basis of the optimum starts the next program of the same shape.
   if (basis && answer.solution.optimal) *basis = std::move(answer.basis);
   return std::move(answer.solution);
 }
 
-LinearProgram::Answer LinearProgram::solve_once(ProgramMemory& memory, bool scale, Method method,
+LinearProgram::Answer LinearProgram::solve_once(ProgramMemory& memory, const Way& way,
                                                 const Basis& start) const {
-  std::string question = this->question(scale, method, start);
+  std::string question = this->question(way, start);
   if (const Answer* const known = memory.find(question)) return *known;
-  Answer out = solve_now(scale, method, start);
+  Answer out = solve_now(way, start);
   memory.remember(std::move(question), out);
   return out;
 }
 
-std::string LinearProgram::question(bool scale, Method method, const Basis& start) const {
+std::string LinearProgram::question(const Way& way, const Basis& start) const {
   // Everything that the answer depends on is part of the question, bit by bit.
-  std::string out{scale ? 's' : '-', method == Method::Dual ? 'd' : 'p'};
+  std::string out{way.scale ? 's' : '-', way.method == Method::Dual ? 'd' : 'p'};
+  append_bytes(std::vector{way.most}, out);
   append_bytes(start, out);
   append_bytes(m_starts, out);
   append_bytes(m_rows, out);
@@ -144,14 +144,14 @@ std::string LinearProgram::question(bool scale, Method method, const Basis& star
   return out;
 }
 
-LinearProgram::Answer LinearProgram::solve_now(bool scale, Method method,
-                                               const Basis& start) const {
+LinearProgram::Answer LinearProgram::solve_now(const Way& way, const Basis& start) const {
   const size_t num_states = m_costs.size() + m_row_lower.size();
-  const auto held = Solver::of(*this, scale);
+  const auto held = Solver::of(*this, way.scale);
   Solver& solver = *held;
   // A start moves the first vertex alone; the optimum found from it is as good.
   if (!start.empty()) solver.copyinStatus(start.data());
-  method == Method::Dual ? solver.dual() : solver.primal();
+  if (way.most < kInfinity) solver.setDualObjectiveLimit(way.most);
+  way.method == Method::Dual ? solver.dual() : solver.primal();
   Answer out;
   Solution& solution = out.solution;
   solution.optimal = solver.isProvenOptimal();

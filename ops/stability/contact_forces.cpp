@@ -12,6 +12,7 @@ namespace {
 constexpr double kJoinGain = 1e-6;        // of a force that joins; CLP knows 1e-7
 constexpr int kJoinAtOnce = 4;            // touches of a pair
 constexpr double kMissing = 1e-6;         // of a body's weight: rounding below this
+constexpr double kRoomOfBalance = 100;    // of a limit of the objective: for rounding and scaling
 constexpr double kNearlyWorst = 1e-4;     // of a margin: other orders of pivots differ by less
 constexpr double kClearlyMissing = 1e-2;  // weights: more than CLP's rounding
 
@@ -77,7 +78,9 @@ bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {
   ForceProgram program(part, clearance, factor);
   program.add_missing(1, kInfinity);
   // The dual simplex usually answers at once; contacts that were left out do not join here.
-  const LinearProgram::Solution solution = program.solve_by_dual();
+  // Its objective only grows: beyond what may be missing no balance is to be found.
+  const double most = kRoomOfBalance * kMissing * static_cast<double>(part.bodies.size());
+  const LinearProgram::Solution solution = program.solve_by_dual(most);
   return solution.optimal && program.forces_of(solution).balanced();
 }
 

@@ -64,7 +64,9 @@ class ForceProgram {
   }
 
   LinearProgram::Solution solve() const { return m_program.solve(true); }
-  LinearProgram::Solution solve_by_dual() const { return m_program.solve_by_dual(true); }
+  LinearProgram::Solution solve_by_dual(double most) const {
+    return m_program.solve_by_dual(true, most);
+  }
 
   // Rate at which a force of this touch would lower the cost.
   double gain(const BodyContact& t, const LinearProgram::Solution& solution) const {

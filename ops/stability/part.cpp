@@ -35,12 +35,13 @@ bool may_all_be_held_up(const FreeBodies& part) {
 class Judgement {
  public:
   Judgement(const Scene& scene, std::span<const ObjectId> ids, std::span<const ObjectId> changed,
-            double clearance, int max_program_objects)
+            double clearance, int max_program_objects, Proof proof)
       : m_scene(scene),
         m_ids(ids),
         m_changed(changed),
         m_clearance(clearance),
         m_limit(static_cast<size_t>(max_program_objects)),
+        m_proof(proof),
         m_all(linked_bodies(scene, ids, std::nullopt)),
         m_certificate(vertical_certificate(m_all)) {}
 
@@ -87,16 +88,26 @@ class Judgement {
     FreeBodies chosen = loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
       return is_fixed_or_held(id, object) || !is_certified(id);
     });
-    // Many bodies mostly stand: the quick proof spares the search for contacts.
-    if (chosen.bodies.size() > kManyBodies && quickly_balanced(chosen, m_clearance)) return;
+    if (chosen.bodies.size() > kManyBodies) {
+      // Many bodies mostly stand: the quick proof spares the search for contacts.
+      if (quickly_balanced(chosen, m_clearance)) return;
+      if (m_proof == Proof::Quickest) return note_all(chosen);
+    }
     note(chosen, contact_forces(chosen, m_clearance));
   }
 
   // Bodies of which some are certified and others do not stand alone are seldom balanced: no quick
   // look then.
   void judge_together(const Members& part, FreeBodies whole, bool may_stand_alone) {
-    const bool quick = part.open.size() == part.all.size() && whole.bodies.size() > kManyBodies;
-    if (quick && quickly_balanced(whole, m_clearance)) return;
+    const bool is_large = whole.bodies.size() > kManyBodies;
+    if (is_large && m_proof == Proof::Quickest) {
+      const bool stands =
+          (may_stand_alone && stands_alone(part, {})) || quickly_balanced(whole, m_clearance);
+      if (!stands) note_all(whole);
+      return;
+    }
+    const bool is_quick = is_large && part.open.size() == part.all.size();
+    if (is_quick && quickly_balanced(whole, m_clearance)) return;
     const PartForces forces = contact_forces(whole, m_clearance);
     if (forces.solved && forces.balanced()) return;
     const Larger larger{whole, forces};
@@ -127,6 +138,11 @@ class Judgement {
     // Bodies that the proof moves are those that topple.
     for (size_t k = 0; k < part.bodies.size(); ++k)
       if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
+  }
+
+  void note_all(const FreeBodies& part) {
+    m_out.stands = false;
+    for (const FreeBody& body : part.bodies) m_out.topples.push_back(body.id);
   }
 
   std::vector<ObjectId> ids_of(const std::vector<Index>& members) const {
@@ -174,6 +190,7 @@ class Judgement {
   const std::span<const ObjectId> m_ids, m_changed;
   const double m_clearance;
   const size_t m_limit;
+  const Proof m_proof;
   const FreeBodies m_all;
   const Certificate m_certificate;
   PartVerdict m_out;
@@ -219,8 +236,8 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
 
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects) {
-  return Judgement(scene, ids, changed, clearance, max_program_objects).run();
+                        int max_program_objects, Proof proof) {
+  return Judgement(scene, ids, changed, clearance, max_program_objects, proof).run();
 }
 
 }  // namespace trivet
