@@ -142,10 +142,9 @@ TEST(Verdicts, TellTheThreeClassesOfPairs) {
   EXPECT_EQ(v.pairs.touching.size(), 2u);
   EXPECT_EQ(v.pairs.num_apart, 3u);
   EXPECT_EQ(v.num_flush(), 1u);
-  EXPECT_NE(
-      verdict_text(v).find("pairs: 1 passes through, 2 touch or are closer than 4 um, 3 are "
-                           "apart"),
-      std::string::npos)
+  EXPECT_NE(verdict_text(v).find("pairs: 1 passes through, 2 touch or are closer than 4 um, 3 are "
+                                 "apart"),
+            std::string::npos)
       << verdict_text(v);
   EXPECT_NE(
       verdict_json(v).find("\"pairs\":{\"passing_through\":1,\"touching\":2,\"apart\":3},"
