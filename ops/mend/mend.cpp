@@ -67,7 +67,7 @@ class Mender {
     // Objects without findings stay; only the others leave the scene, and come back.
     const std::vector<ObjectId> moving = unsettled_objects(m_scene, m_options);
     Rearrangement rearrangement(m_scene, m_options, in_order(moving));
-    spread_rows(moving);
+    m_moving = moving;
     // Supports come before what they carry, so that each object sees where its support is now.
     for (const ObjectId id : in_order(moving)) {
       m_object = m_meant.find(id);
@@ -81,24 +81,21 @@ class Mender {
   }
 
  private:
-  // Objects that stand on one thing that stays are moved apart together: a row has no order in
-  // which each finds room for itself.
-  void spread_rows(const std::vector<ObjectId>& moving) {
-    std::map<std::pair<bool, std::uint32_t>, std::vector<Placement>> rows;  // by what carries them
-    for (const ObjectId id : moving) {
+  // Objects that stand level on one thing are moved apart together, when the first of them comes
+  // back: a row has no order in which each finds room for itself.
+  void spread_row_of(const Rearrangement& scene, const ObjectIntent& first) {
+    if (!first.is_level || first.on.empty() || m_spread.count(first.id.index)) return;
+    std::vector<Placement> row;
+    for (const ObjectId id : m_moving) {
       const ObjectIntent& meant = *m_meant.find(id);
-      if (!meant.is_level || meant.on.empty()) continue;
-      const Support& on = meant.on[0].on;
-      if (on.is_object() && !m_scene.at(on.object()).placed) continue;
-      Pose pose = meant.level;
-      pose.translation.z() += kLeastAir - meant.gap;
-      rows[{on.is_object(), on.is_object() ? on.object().index : 0}].push_back({id, pose});
+      if (!meant.is_level || meant.on.empty() || meant.on[0].on != first.on[0].on) continue;
+      if (m_scene.at(id).placed) continue;
+      Pose pose = pose_meant(scene, meant);
+      pose.translation.z() += kLeastAir;
+      row.push_back({id, pose});
     }
-    for (const auto& [on, members] : rows) {
-      const std::vector<Vec3> shifts =
-          spread_shifts(m_scene, members, kMostSpread * m_meant.tolerance);
-      for (size_t i = 0; i < members.size(); ++i) m_spread[members[i].id.index] = shifts[i];
-    }
+    const std::vector<Vec3> shifts = spread_shifts(m_scene, row, kMostSpread * m_meant.tolerance);
+    for (size_t i = 0; i < row.size(); ++i) m_spread[row[i].id.index] = shifts[i];
   }
 
   std::vector<ObjectId> in_order(const std::vector<ObjectId>& ids) const {
@@ -111,6 +108,7 @@ class Mender {
   void place(Rearrangement& scene, ObjectId id) {
     // An object that stands well where it is, on supports that did not move, stays; but not where
     // its row needs room.
+    spread_row_of(scene, *m_object);
     const bool in_row = m_spread.count(id.index) && m_spread[id.index] != Vec3::Zero();
     if (!in_row && !support_moved(scene) && scene.keep(id)) return;
     if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
@@ -150,23 +148,26 @@ class Mender {
            !same_pose(scene.given(id), m_scene.at(id).pose);
   }
 
-  // Level, lowered or lifted by its gap, and along with its main support.
   Pose nominal_pose(const Rearrangement& scene, ObjectId id) {
     m_nominal_given.insert(id.index);
-    Pose pose = m_object->level;
-    // The gap of the columns is closed: the object stands where it was meant to touch.
-    pose.translation.z() -= m_object->gap;
+    Pose pose = pose_meant(scene, *m_object);
     if (const auto it = m_spread.find(id.index); it != m_spread.end())
       pose.translation += it->second;
-    if (m_object->on.empty() || !m_object->on[0].on.is_object()) return pose;
-    const ObjectId support = m_object->on[0].on.object();
+    return pose;
+  }
+
+  // Level, lowered or lifted by its gap, and along with its main support.
+  Pose pose_meant(const Rearrangement& scene, const ObjectIntent& meant) const {
+    Pose pose = meant.level;
+    pose.translation.z() -= meant.gap;
+    if (meant.on.empty() || !meant.on[0].on.is_object()) return pose;
+    const ObjectId support = meant.on[0].on.object();
     const ObjectIntent* const below = m_meant.find(support);
     if (!below || !was_moved(scene, support)) return pose;
     const Pose now = m_scene.at(support).pose;
-    // A support that moved carries the nominal pose along.
-    Pose from = below->level;
+    const Pose from = below->level;
     // A level object is shifted; a turn of its support about the vertical does not concern it.
-    if (m_object->is_level) {
+    if (meant.is_level) {
       pose.translation += middle_of(support, now) - middle_of(support, from);
       return pose;
     }
@@ -314,7 +315,8 @@ class Mender {
   Scene& m_scene;
   const MendOptions& m_options;
   Intent m_meant;
-  const ObjectIntent* m_object = nullptr;   // that is being placed
+  const ObjectIntent* m_object = nullptr;  // that is being placed
+  std::vector<ObjectId> m_moving;
   std::map<std::uint32_t, Vec3> m_spread;   // shifts of objects in rows, by slot
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };
