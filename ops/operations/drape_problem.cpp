@@ -131,11 +131,14 @@ void add_object(const Object& object, const Aabb& reach, flex::Obstacles& out) {
   out.add(x, triangles, object.material.friction);
 }
 
+// One triangle, whose edges are out of reach: an edge in a plane would push, too, and elsewhere for
+// another reach.
 void add_floor(double friction, const Aabb& reach, flex::Obstacles& out) {
-  flex::Points corners;
-  for (const double x : {reach.lower.x(), reach.upper.x()})
-    for (const double y : {reach.lower.y(), reach.upper.y()}) corners.emplace_back(x, y, 0);
-  const std::vector<Index3> triangles{{0, 2, 1}, {1, 2, 3}};
+  const double x = reach.lower.x(), y = reach.lower.y();
+  const double size = reach.upper.x() - x + reach.upper.y() - y;
+  const flex::Points corners{
+      {x - size, y - size, 0}, {x + 4 * size, y - size, 0}, {x - size, y + 4 * size, 0}};
+  const std::vector<Index3> triangles{{0, 1, 2}};
   out.add(corners, triangles, friction);
 }
 
