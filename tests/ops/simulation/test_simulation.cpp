@@ -460,7 +460,7 @@ TEST(Simulation, WritesAnInertiaThatABodyCanHave) {
   ASSERT_LT(given.eigenvalues()[0], 0) << "the case is none";
   const SimulationExport done = simulation_of(scene, "s", {});
   const Eigen::SelfAdjointEigenSolver<Mat3> written(done.scene.bodies[0].inertia);
-  const Vec3 i = written.eigenvalues();
+  const Vec3& i = written.eigenvalues();
   EXPECT_GT(i[0], 0);
   EXPECT_GT(i[0] + i[1], i[2]);
   ASSERT_EQ(done.notes.size(), 1u);
