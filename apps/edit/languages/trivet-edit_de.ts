@@ -299,6 +299,10 @@
         <translation>ein Radiance-Bild mit einer Belichtung von %1</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; has parts that are turned inside out: its inertia is that of no body, and the nearest one is written</source>
+        <translation>„%1“ hat Teile, deren Innenseite außen liegt: Seine Trägheit hat kein Körper; die nächste wird geschrieben</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; encloses nothing: it weighs as a sheet of %2 metres, %3 kg</source>
         <translation>„%1“ umschließt nichts: Es wiegt wie ein Blatt von %2 Metern, %3 kg</translation>
     </message>
