@@ -259,6 +259,14 @@
         <source>drape</source>
         <translation>drapieren</translation>
     </message>
+    <message>
+        <source>mend</source>
+        <translation>in Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>zur Ruhe bringen</translation>
+    </message>
 </context>
 <context>
     <name>refusal</name>
@@ -1419,8 +1427,8 @@
         <translation>&quot;floor&quot; oder der Name eines von /objects%1</translation>
     </message>
     <message>
-        <source>&quot;format&quot; is %1; accepted: 2</source>
-        <translation>„format“ ist %1; erlaubt: 2</translation>
+        <source>&quot;format&quot; is %1; accepted: 3</source>
+        <translation>„format“ ist %1; erlaubt: 3</translation>
     </message>
     <message>
         <source>&quot;front&quot;, &quot;back&quot;, &quot;left&quot; or &quot;right&quot;</source>
@@ -3259,8 +3267,8 @@
         <translation>„to“ oder „by“</translation>
     </message>
     <message>
-        <source>a joint of a scene in MJCF: this scene has none</source>
-        <translation>ein Gelenk einer Szene in MJCF: diese Szene hat keines</translation>
+        <source>a joint of a scene in MJCF, URDF or SDF: this scene has none</source>
+        <translation>ein Gelenk einer Szene in MJCF, URDF oder SDF: diese Szene hat keines</translation>
     </message>
     <message>
         <source>a number, &quot;lower&quot;, &quot;upper&quot;</source>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What rests in which simulator: exported scenes, for some seconds, in each engine.
+"""Tells which scenes rest in which simulator: exported scenes, for some seconds, in each engine.
 
     matrix.py --trivet TRIVET --work DIR --engines mujoco2,mujoco,rapier,jolt,bullet
               [--programs DIR] [--scenes DIR | --demos NAME,...] [--seconds 5] [--csv FILE] [--bars]

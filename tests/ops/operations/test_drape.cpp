@@ -231,5 +231,17 @@ TEST(Drape, UnfixedItIsStiff) {
   EXPECT_FALSE(s.at("cloth").flexible);
 }
 
+// The floor has no edge that presses: what lies on it is at rest wherever it slid to.
+TEST(Drape, RestsOnTheFloorForTheCheckToo) {
+  for (int i = 0; i < 4; ++i) {
+    Stage s;
+    s.fix("edge", box_triangles(Vec3(0.05, 0.2, 0.1)), {0, 0, 0.1 + 1e-5});
+    const double end = 0.25 + 0.1 * i;
+    const OperationResult result = s.run(lead({{-0.1, -0.3 * i, 0.25}, {end, 0.1 * i, 0.25}}));
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_TRUE(check_scene(s.scene, 1, 0, s.options).ok()) << i;
+  }
+}
+
 }  // namespace
 }  // namespace trivet::test
