@@ -57,7 +57,7 @@ void add_copy(const fs::path& from, const fs::path& to, StagedFiles& staged) {
   staged.add(to.string(), bytes);
 }
 
-// Whoever has other files of these names there keeps them, as scenes may name them.
+// Other files of these names that are there are kept, as scenes may name them.
 void export_files(const DemoFolder& made, const std::string& folder) {
   if (folder.empty()) return;
   std::error_code error;

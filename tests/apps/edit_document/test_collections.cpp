@@ -110,7 +110,7 @@ TEST_F(Collecting, IsSavedWithTheScene) {
   }
 }
 
-// Whatever the order of a file, its defaults, and names that mean nothing.
+// Files may have any order, defaults, and names that mean nothing.
 TEST_F(Collecting, LeavesAFileThatIsOpenedUnmodified) {
   std::ofstream(folder.file("others.json")) << R"({"trivet": 1,
     "objects": [{"name": "a", "model": "box.obj"}, {"name": "b", "model": "box.obj"}],
