@@ -86,6 +86,7 @@ std::vector<std::string> exported_files(const std::vector<std::string>& layouts,
                                         const std::string& folder) {
   if (folder.empty()) return {};
   std::vector<std::string> out;
+  out.reserve(layouts.size() + models.size());
   for (const std::string& layout : layouts) out.push_back((fs::path(folder) / layout).string());
   for (const DemoModel& made : models) out.push_back((fs::path(folder) / made.file).string());
   return out;

@@ -23,6 +23,7 @@ class Collecting : public testing::Test {
 
   std::vector<ObjectId> ids(const std::vector<std::string>& names) {
     std::vector<ObjectId> out;
+    out.reserve(names.size());
     for (const std::string& name : names) out.push_back(document.id(name));
     return out;
   }
