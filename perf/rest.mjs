@@ -1,10 +1,11 @@
 // node rest.mjs SECONDS SCENE...: how far MuJoCo moves the free bodies of each scene from its start state.
-// Needs @mujoco/mujoco of npm. Prints a line of JSON for each: {"file", "version", "moved": {body: metres}} or "error".
+// Needs @mujoco/mujoco of npm. Prints a line of JSON for each: {"file", "version", "moved": {body: metres},
+// "joints": {joint: by how much its value changed, metres or radians}} or "error".
 import load from '@mujoco/mujoco';
 import fs from 'fs';
 import path from 'path';
 
-const FREE = 0;  // mjJNT_FREE
+const FREE = 0, SLIDE = 2;  // mjJNT_FREE, mjJNT_SLIDE; mjJNT_HINGE is the next
 const MOST_BYTES = 500e6;
 
 function filesBelow(folder) {
@@ -43,18 +44,22 @@ function movedBodies(mj, model, seconds) {
   const data = new mj.MjData(model);
   if (model.nkey > 0) mj.mj_resetDataKeyframe(model, data, 0);
   mj.mj_forward(model, data);
-  const from = Array.from(data.xipos);
+  const from = Array.from(data.xipos), values = Array.from(data.qpos);
   const steps = Math.round(seconds / model.opt.timestep);
   for (let i = 0; i < steps; ++i) mj.mj_step(model, data);
-  const moved = {};
+  const moved = {}, joints = {};
   for (let j = 0; j < model.njnt; ++j) {
+    if (model.jnt_type[j] >= SLIDE) {
+      const at = model.jnt_qposadr[j];
+      joints[nameAt(model, model.name_jntadr[j]) || `joint ${j}`] = data.qpos[at] - values[at];
+    }
     if (model.jnt_type[j] !== FREE) continue;
     const body = model.jnt_bodyid[j];
     const away = [0, 1, 2].map(k => data.xipos[3 * body + k] - from[3 * body + k]);
     moved[nameAt(model, model.name_bodyadr[body]) || `body ${body}`] = Math.hypot(...away);
   }
   data.delete?.();
-  return moved;
+  return {moved, joints};
 }
 
 const mj = await load({print: () => {}, printErr: () => {}});
@@ -66,7 +71,7 @@ for (const file of scenes) {
     names = copyIn(mj.FS, path.dirname(path.resolve(file)));
     const main = '/scene/' + path.basename(file);
     const model = mj.MjModel.mj_loadXML ? mj.MjModel.mj_loadXML(main) : mj.MjModel.loadFromXML(main);
-    answer.moved = movedBodies(mj, model, Number(seconds));
+    Object.assign(answer, movedBodies(mj, model, Number(seconds)));
     model.delete?.();
   } catch (error) {
     answer = {file, error: String(error.message ?? error)};

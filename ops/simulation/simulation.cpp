@@ -16,6 +16,7 @@
 #include "ops/files/json/text.h"
 #include "ops/files/report/models_of_shapes.h"
 #include "ops/simulation/fitted_parts.h"
+#include "ops/simulation/joints_of_scene.h"
 #include "ops/simulation/looks.h"
 #include "ops/simulation/overlaps.h"
 #include "ops/simulation/part_cache.h"
@@ -64,6 +65,7 @@ class SceneMaker {
   SimulationExport make() {
     for (const ObjectId id : m_scene.ids())
       if (m_scene.at(id).placed) add(id);
+    if (m_options.joints) add_joints();
     if (m_options.collision == CollisionRule::Mesh) return std::move(m_out);
     if (m_options.collision == CollisionRule::Fitted)
       add_fitted_parts();
@@ -100,8 +102,15 @@ class SceneMaker {
     body.friction = m_options.friction.value_or(object.material.friction);
     body.restitution = object.material.restitution;
     m_sizes.push_back(object.scale * object.shape->box.diagonal());
+    m_body_of[id] = m_out.scene.bodies.size();
     m_out.scene.bodies.push_back(std::move(body));
     add_notes(id);
+  }
+
+  void add_joints() {
+    SimulationJoints made = simulation_joints(*m_options.joints, m_body_of, m_out.scene.bodies);
+    m_out.scene.joints = std::move(made.joints);
+    m_out.notes.insert(m_out.notes.end(), made.notes.begin(), made.notes.end());
   }
 
   void add_notes(ObjectId id) {
@@ -141,7 +150,8 @@ class SceneMaker {
 
   void add_model(const Object& object) {
     SimulationModel model;
-    model.name = std::filesystem::path(object.model->path).stem().string();
+    const std::string& path = object.model->path;  // scenes of others have none
+    model.name = path.empty() ? object.name : std::filesystem::path(path).stem().string();
     model.model = object.model;
     model.scale = m_options.files.for_many_scenes ? object.scale : 1;
     model.link_from_object = link_axes(object, object.scale);
@@ -214,6 +224,7 @@ class SceneMaker {
   const Scene& m_scene;
   const SimulationOptions& m_options;
   SimulationExport m_out;
+  std::map<ObjectId, size_t, SlotOrder> m_body_of;
   std::map<std::tuple<const Model*, const ShapeIndex*, UpAxis, double>, size_t> m_models;
   std::vector<Vec3> m_shifts;                      // of the models: from the pose to the link frame
   std::vector<const Shape*> m_shapes;              // of the models
