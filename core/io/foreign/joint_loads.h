@@ -1,4 +1,4 @@
-// Whether gravity would move what hangs in a joint.
+// Tells which links gravity would move in their joints.
 #pragma once
 
 #include <span>

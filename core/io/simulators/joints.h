@@ -13,7 +13,7 @@ class JointsOfBodies {
   explicit JointsOfBodies(const SimulationScene& scene);
   /// The one that the body hangs in; null: none.
   const SimulationJoint* of(size_t body) const { return m_of[body]; }
-  /// Those of the bodies that hang in it.
+  /// Joints of the bodies that hang in it.
   const std::vector<const SimulationJoint*>& below(size_t body) const { return m_below[body]; }
   /// The body and all that hang in it, those above first.
   std::vector<size_t> tree(size_t body) const;

@@ -14,7 +14,8 @@ using Element = tinyxml2::XMLElement;
 
 constexpr double kCornerRadius = 1e-5;  // metres
 constexpr size_t kContactsOfPair = 5, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 2000;
-constexpr const char *kSolref = "0.004 1", *kSolimp = "0.95 0.99 0.0001";
+constexpr const char *kSolref = "0.004 1", *kSolimp = "0.95 0.99 0.0001",
+                     *kSolimpFriction = "0.9999 0.9999 0.001";
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
 
@@ -191,10 +192,15 @@ class MjcfWriter {
                                         {"pos", vector_text(joint.anchor)},
                                         {"axis", vector_text(joint.axis)},
                                         {"ref", number_text(joint.value)}});
-    if (joint.friction > 0)
+    if (joint.friction > 0) {
       element->SetAttribute("frictionloss", number_text(joint.friction).c_str());
+      element->SetAttribute("solreffriction", kSolref);  // else it creeps by degrees a second
+      element->SetAttribute("solimpfriction", kSolimpFriction);
+    }
     if (joint.lower == -kInfinity && joint.upper == kInfinity) return;
     element->SetAttribute("limited", "true");
+    element->SetAttribute("solreflimit", kSolref);
+    element->SetAttribute("solimplimit", kSolimp);
     element->SetAttribute(
         "range", numbers_text({finite_limit(joint.lower), finite_limit(joint.upper)}).c_str());
   }

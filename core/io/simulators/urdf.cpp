@@ -11,6 +11,7 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
+constexpr double kOnAxis = 1e-9;                                    // metres
 constexpr const char *kMostEffort = "1000", *kMostVelocity = "10";  // URDF wants some
 constexpr double kFloorSize = 100, kFloorThickness = 1;             // metres; URDF has no planes
 
@@ -84,7 +85,7 @@ void add_joint(Element* robot, const SimulationScene& scene, const SimulationJoi
                                                        : "revolute";
   Pose pose = child.world_from_link;
   if (joint.parent) pose = relative_pose(scene.bodies[*joint.parent].world_from_link, pose);
-  const bool apart = joint.kind == Kind::Hinge && !joint.anchor.isZero(0);
+  const bool apart = joint.kind == Kind::Hinge && !joint.anchor.isZero(kOnAxis);
   const std::string link = apart ? name_of_hinge(scene, child) : child.file_name;
   if (apart) {
     pose.translation += pose.rotation.matrix() * joint.anchor;

@@ -102,7 +102,7 @@ TEST(KnownPoses, UrdfIsClosed) {
   EXPECT_EQ(scene.num_joints, 3u);
 }
 
-// What MuJoCo has for its door at 1 and its drawer at 0.2; "second" mimics the door.
+// MuJoCo has these poses for the door at 1 and the drawer at 0.2; "second" mimics the door.
 TEST(KnownPoses, UrdfIsOpenByAFileOfValues) {
   const TemporaryFolder folder;
   std::filesystem::copy(case_file("cabinet.urdf"), folder.file("cabinet.urdf"));
