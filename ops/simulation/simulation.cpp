@@ -1,6 +1,7 @@
 #include "ops/simulation/simulation.h"
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -20,6 +21,7 @@
 #include "ops/simulation/looks.h"
 #include "ops/simulation/overlaps.h"
 #include "ops/simulation/part_cache.h"
+#include "ops/simulation/shells.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -190,11 +192,18 @@ class SceneMaker {
       model.parts.push_back(clearance > 0 ? shrunk(part, clearance) : std::move(part));
   }
 
+  // Colliders of scenes of others touch each other, but are one hull each.
+  Mesh in_shells(Mesh mesh) const { return m_options.joints ? shells_apart(mesh) : mesh; }
+  const Adjacency& adjacency_of(size_t model, const Mesh& mesh) {
+    if (!m_options.joints) return m_shapes[model]->adjacency;
+    return m_of_shells.emplace_back(make_adjacency(mesh));
+  }
+
   void add_parts() {
     for (size_t i = 0; i < m_out.scene.models.size(); ++i) {
       SimulationModel& model = m_out.scene.models[i];
-      ConvexParts parts = convex_parts(in_frame(m_shapes[i]->mesh, model.link_from_object),
-                                       m_shapes[i]->adjacency, part_rule(m_options.collision));
+      const Mesh mesh = in_shells(in_frame(m_shapes[i]->mesh, model.link_from_object));
+      ConvexParts parts = convex_parts(mesh, adjacency_of(i, mesh), part_rule(m_options.collision));
       for (const Sentence& note : parts.notes)
         m_out.notes.push_back(say("\"%1\": %2", model.model->path, note));
       set_parts(model, std::move(parts.parts), 1);
@@ -206,11 +215,11 @@ class SceneMaker {
     // In units of the files: hulls are the same then whatever the scale is.
     std::vector<Mesh> meshes;
     for (size_t i = 0; i < models.size(); ++i)
-      meshes.push_back(in_frame(m_shapes[i]->mesh, m_unscaled[i]));
+      meshes.push_back(in_shells(in_frame(m_shapes[i]->mesh, m_unscaled[i])));
     std::vector<HullTree> trees;
     trees.reserve(models.size());
     for (size_t i = 0; i < models.size(); ++i)
-      trees.emplace_back(meshes[i], m_shapes[i]->adjacency,
+      trees.emplace_back(meshes[i], adjacency_of(i, meshes[i]),
                          kWallThickness * meshes[i].box().diagonal(), m_memos[i].get());
     std::vector<FittedBody> bodies;
     for (const SimulationBody& body : m_out.scene.bodies)
@@ -232,6 +241,7 @@ class SceneMaker {
   std::vector<double> m_scales;                    // of the models, metres per unit
   std::vector<Affine> m_unscaled;                  // of the models: axes of the link, their unit
   std::vector<double> m_sizes;                     // of the bodies
+  std::deque<Adjacency> m_of_shells;
 };
 
 bool is_too_deep(const PartOverlap& overlap) { return overlap.depth > overlap.allowed; }
