@@ -1,6 +1,6 @@
 // node rest.mjs SECONDS SCENE...: how far MuJoCo moves the free bodies of each scene from its start state.
 // Needs @mujoco/mujoco of npm. Prints a line of JSON for each: {"file", "version", "moved": {body: metres},
-// "joints": {joint: by how much its value changed, metres or radians}} or "error".
+// "end": {body: [x, y, z, qw, qx, qy, qz]}, "joints": {joint: by how much its value changed, metres or radians}} or "error".
 import load from '@mujoco/mujoco';
 import fs from 'fs';
 import path from 'path';
@@ -47,7 +47,7 @@ function movedBodies(mj, model, seconds) {
   const from = Array.from(data.xipos), values = Array.from(data.qpos);
   const steps = Math.round(seconds / model.opt.timestep);
   for (let i = 0; i < steps; ++i) mj.mj_step(model, data);
-  const moved = {}, joints = {};
+  const moved = {}, end = {}, joints = {};
   for (let j = 0; j < model.njnt; ++j) {
     if (model.jnt_type[j] >= SLIDE) {
       const at = model.jnt_qposadr[j];
@@ -56,10 +56,12 @@ function movedBodies(mj, model, seconds) {
     if (model.jnt_type[j] !== FREE) continue;
     const body = model.jnt_bodyid[j];
     const away = [0, 1, 2].map(k => data.xipos[3 * body + k] - from[3 * body + k]);
-    moved[nameAt(model, model.name_bodyadr[body]) || `body ${body}`] = Math.hypot(...away);
+    const name = nameAt(model, model.name_bodyadr[body]) || `body ${body}`;
+    moved[name] = Math.hypot(...away);
+    end[name] = [...[0, 1, 2].map(k => data.xpos[3 * body + k]), ...[0, 1, 2, 3].map(k => data.xquat[4 * body + k])];
   }
   data.delete?.();
-  return {moved, joints};
+  return {moved, end, joints};
 }
 
 const mj = await load({print: () => {}, printErr: () => {}});

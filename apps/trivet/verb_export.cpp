@@ -37,7 +37,7 @@ bool is_foreign(const std::string& path) {
 
 SceneToExport foreign_scene(const ExportArguments& arguments, const CommonOptions& common) {
   OpenedScene opened = open_scene(arguments.scene, open_options(arguments.foreign, common));
-  check_not_inputs({arguments.output, arguments.report, ""}, opened.files);
+  check_not_inputs({arguments.output, arguments.report}, opened.files);
   for (const Sentence& note : opened.notes) print_note(common, note);
   for (const Sentence& what : opened.unread) print_note(common, say("not read: %1", what));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : opened.judged.clearance;
@@ -50,7 +50,7 @@ SceneToExport scene_of(const ExportArguments& arguments, const CommonOptions& co
   if (is_foreign(arguments.scene)) return foreign_scene(arguments, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const Sentence& note : file.notes) print_note(common, note);
-  check_not_inputs({arguments.output, arguments.report, ""},
+  check_not_inputs({arguments.output, arguments.report},
                    model_files(file.layout, folder_of(arguments.scene)));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
   update_contacts(file.scene, clearance, with_rules({}, file.layout.settle));
@@ -113,7 +113,6 @@ int export_scene(const ExportArguments& arguments, const CommonOptions& common,
     if (option->count() > 0 && option->get_group() == (is_table ? kSimulators : kTables))
       throw Error(Error::Kind::BadInput, "%1 has no meaning for %2", option->get_name(),
                   arguments.output);
-  check_files({arguments.output, arguments.report}, {arguments.scene});
   return is_table ? export_table(arguments, common) : export_for_simulator(arguments, common);
 }
 
@@ -203,7 +202,11 @@ std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
   return {{verb, [arguments, verb, &common] { return export_scene(*arguments, common, *verb); },
            "trivet export scene.glb -o scene.xml\n"
            "trivet export kitchen.urdf -o kitchen.usda\n"
-           "trivet export scene.glb -o objects.csv\n"}};
+           "trivet export scene.glb -o objects.csv\n",
+           true,
+           [arguments] {
+             return VerbFiles{{}, {arguments->output, arguments->report}, {arguments->scene}};
+           }}};
 }
 
 }  // namespace trivet::apps

@@ -93,7 +93,6 @@ int move(const JointArguments& arguments, const CommonOptions& common) {
   if (!is_of_others(arguments.file))
     throw Error(Error::Kind::BadInput,
                 "%1: is not a scene of another program; accepted: MJCF, URDF, SDF", arguments.file);
-  check_files({arguments.out}, {arguments.file});
   OpenedScene opened = open_scene(arguments.file, open_options(arguments.foreign, common));
   if (arguments.joint.empty()) return list_joints(opened, common);
   SceneJoint& joint = joint_named(opened, arguments.joint);
@@ -134,7 +133,11 @@ std::vector<Verb> add_joint(CLI::App& app, const CommonOptions& common) {
   add_settle_options(*verb, arguments->settle);
   return {{verb, [arguments, &common] { return move(*arguments, common); },
            "trivet joint kitchen.xml\n"
-           "trivet joint kitchen.xml drawer --to upper -o open.xml\n"}};
+           "trivet joint kitchen.xml drawer --to upper -o open.xml\n",
+           true,
+           [arguments] {
+             return VerbFiles{{}, {arguments->out}, {arguments->file}};
+           }}};
 }
 
 }  // namespace trivet::apps

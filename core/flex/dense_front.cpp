@@ -1,97 +1,119 @@
 #include "core/flex/dense_front.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
+#include "core/base/in_parallel.h"
 #include "core/base/lanes.h"
+#include "core/flex/dense_tiles.h"
 
 namespace trivet::flex {
 namespace {
 
-constexpr int kPanel = 48;  // columns that are factored before the rest is updated
-constexpr int kTile = 4;    // rows and columns of a tile whose sums are held in registers
+constexpr int kBlock = 96;         // rows and columns that one thread updates together
+constexpr int kManyThreads = 400;  // rows from which several threads pay
 
-/// A tile's sums over a panel, each from its first column to its last.
-struct TileSums {
-  Double2 top[kTile] = {}, bottom[kTile] = {};  // by columns
+constexpr size_t square(int i) { return static_cast<size_t>(i) * i; }
 
-  // @param rows, columns  kTile numbers for each column of the panel.
-  void run(const double* rows, const double* columns, int panel) {
-    for (int k = 0; k < panel; ++k, rows += kTile, columns += kTile) {
-      const Double2 upper{rows[0], rows[1]}, lower{rows[2], rows[3]};
-      for (int j = 0; j < kTile; ++j) {
-        const Double2 factor = both(columns[j]);
-        top[j] += upper * factor;
-        bottom[j] += lower * factor;
-      }
-    }
+/// The rows below a panel's square block.
+class Rest {
+ public:
+  Rest(double* a, int size, int column, int panel, const DenseKernels& kernels)
+      : m_kernels(kernels),
+        m_a(a),
+        m_size(size),
+        m_column(column),
+        m_panel(panel),
+        m_first(column + panel) {}
+
+  void divide(const std::vector<double>& lower, std::vector<double>& packed) {
+    const int tile = m_kernels.rows, count = m_size - m_first;
+    // Packed rows lie side by side as the tiles read them; zeros fill the last tile.
+    packed.assign(static_cast<size_t>((count + tile - 1) / tile) * tile * kPanel, 0);
+    m_packed = packed.data();
+    // Rows do not depend on each other: blocks of them are divided in parallel.
+    for_all((count + kBlock - 1) / kBlock, [&](int block) {
+      for (int row = block * kBlock; row < std::min(count, (block + 1) * kBlock); row += tile)
+        m_kernels.divide_rows(at(m_column, m_first + row), m_size, m_panel,
+                              std::min(tile, count - row), lower.data(), packed_row(row));
+    });
   }
-  double at(int i, int j) const { return i < 2 ? top[j][i] : bottom[j][i - 2]; }
+
+  // Subtracts L L' from the lower triangle.
+  void update() {
+    // Blocks below the diagonal suffice, as the matrix is symmetric; they are numbered row by row.
+    const int blocks = (m_size - m_first + kBlock - 1) / kBlock;
+    for_all(blocks * (blocks + 1) / 2, [&](int number) {
+      int i = 0;
+      while ((i + 1) * (i + 2) / 2 <= number) ++i;
+      update_block(i, number - i * (i + 1) / 2);
+    });
+  }
+
+ private:
+  template <class F>
+  void for_all(int count, F f) const {
+    // Small fronts are done before other threads would have begun.
+    if (m_size - m_first < kManyThreads)
+      for (int i = 0; i < count; ++i) f(i);
+    else
+      in_parallel(count, [&](size_t i) { f(static_cast<int>(i)); });
+  }
+  double* at(int column, int row) { return m_a + static_cast<size_t>(column) * m_size + row; }
+  double* packed_row(int row) {
+    return m_packed + static_cast<size_t>(row / m_kernels.rows) * m_kernels.rows * kPanel +
+           row % m_kernels.rows;
+  }
+  void update_block(int i, int j) {
+    const int count = m_size - m_first, tile = m_kernels.rows;
+    // Tiles begin at the diagonal: the part above it is never read.
+    for (int column = j * kBlock; column < std::min(count, (j + 1) * kBlock); column += 4)
+      for (int row = std::max(i * kBlock, column / tile * tile);
+           row < std::min(count, (i + 1) * kBlock); row += tile)
+        m_kernels.update_tile(at(m_first + column, m_first + row), m_size, m_panel,
+                              std::min(tile, count - row), std::min(4, count - column),
+                              column - row, packed_row(row), packed_row(column));
+  }
+
+  const DenseKernels& m_kernels;
+  double *m_a, *m_packed = nullptr;
+  int m_size, m_column, m_panel, m_first;
 };
-
-// Rows from `first` on of a panel's columns, kTile rows together, zeros at the end.
-void pack(const double* a, int size, int first, int column, int panel, std::vector<double>& out) {
-  const int num_tiles = (size - first + kTile - 1) / kTile;
-  out.assign(static_cast<size_t>(num_tiles) * panel * kTile, 0);
-  for (int t = 0; t < num_tiles; ++t)
-    for (int k = 0; k < panel; ++k)
-      for (int i = 0; i < std::min(kTile, size - first - t * kTile); ++i)
-        out[(static_cast<size_t>(t) * panel + k) * kTile + i] =
-            a[static_cast<size_t>(column + k) * size + first + t * kTile + i];
-}
-
-void subtract_tile(double* a, int size, int row, int column, const TileSums& sums) {
-  for (int j = 0; j < std::min(kTile, size - column); ++j)
-    for (int i = 0; i < std::min(kTile, size - row); ++i)
-      if (row + i >= column + j)
-        a[static_cast<size_t>(column + j) * size + row + i] -= sums.at(i, j);
-}
-
-// Subtracts L L' of a panel from the lower triangle behind it.
-void update_rest(double* a, int size, int column, int panel, std::vector<double>& packed) {
-  const int first = column + panel;
-  pack(a, size, first, column, panel, packed);
-  const int num_tiles = (size - first + kTile - 1) / kTile;
-  const auto tile = [&](int t) { return packed.data() + static_cast<size_t>(t) * panel * kTile; };
-  for (int j = 0; j < num_tiles; ++j)
-    for (int i = j; i < num_tiles; ++i) {
-      TileSums sums;
-      sums.run(tile(i), tile(j), panel);
-      subtract_tile(a, size, first + i * kTile, first + j * kTile, sums);
-    }
-}
-
-// The columns of a panel, one after another, over all rows below.
-bool factor_panel(double* a, int size, int column, int panel) {
-  for (int j = column; j < column + panel; ++j) {
-    double* const own = a + static_cast<size_t>(j) * size;
-    for (int k = column; k < j; ++k) {
-      const double* const before = a + static_cast<size_t>(k) * size;
-      const double factor = before[j];
-      for (int i = j; i < size; ++i) own[i] -= factor * before[i];
-    }
-    if (!(own[j] > 0) || !std::isfinite(own[j])) return false;
-    own[j] = std::sqrt(own[j]);
-    const double inverse = 1 / own[j];
-    for (int i = j + 1; i < size; ++i) own[i] *= inverse;
-  }
-  return true;
-}
 
 }  // namespace
 
-bool factor_front(double* a, int size, int num_own) {
-  std::vector<double> packed;
+constinit const DenseKernels kKernelsOfTwo = DenseTiles<Double2>::kernels();
+
+const std::vector<const DenseKernels*>& usable_kernels() {
+  static const std::vector<const DenseKernels*> usable = [] {
+    // The widest registers come first.
+    std::vector<const DenseKernels*> out;
+#ifdef TRIVET_WIDE_KERNELS
+    if (__builtin_cpu_supports("avx512f")) out.push_back(&kKernelsOfEight);
+    if (__builtin_cpu_supports("avx2")) out.push_back(&kKernelsOfFour);
+#endif
+    out.push_back(&kKernelsOfTwo);
+    return out;
+  }();
+  return usable;
+}
+
+bool factor_front(double* a, int size, int num_own, const DenseKernels& kernels) {
+  std::vector<double> packed, lower;
   for (int column = 0; column < num_own; column += kPanel) {
+    // Each panel is factored, and then subtracted from all behind it at once, which caches like.
     const int panel = std::min(kPanel, num_own - column);
-    if (!factor_panel(a, size, column, panel)) return false;
-    if (column + panel < size) update_rest(a, size, column, panel, packed);
+    lower.assign(square(kPanel), 0);
+    double* const block = a + static_cast<size_t>(column) * (size + 1);
+    if (!kernels.factor_block(block, size, panel, lower.data())) return false;
+    Rest rest(a, size, column, panel, kernels);
+    rest.divide(lower, packed);
+    rest.update();
   }
   return true;
 }
 
 void solve_forward(const double* a, int size, int num_own, double* x, double* below) {
+  // Columns go from the first to the last: each is solved before it is taken off those below.
   for (int k = 0; k < num_own; ++k) {
     const double* const column = a + static_cast<size_t>(k) * size;
     x[k] /= column[k];
@@ -101,6 +123,7 @@ void solve_forward(const double* a, int size, int num_own, double* x, double* be
 }
 
 void solve_backward(const double* a, int size, int num_own, double* x, const double* below) {
+  // The transpose goes the other way: each entry takes off what is solved behind it.
   for (int k = num_own - 1; k >= 0; --k) {
     const double* const column = a + static_cast<size_t>(k) * size;
     double sum = x[k];

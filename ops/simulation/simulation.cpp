@@ -35,6 +35,7 @@ Mesh in_frame(const Mesh& mesh, const Affine& frame_from_object) {
 }
 
 std::vector<ConvexPart> scaled(std::vector<ConvexPart> parts, double scale) {
+  // Scaled vertices are rounded as those that are written: they must not overlap by rounding.
   if (scale == 1) return parts;
   for (ConvexPart& part : parts)
     for (Vec3& v : part.vertices) v = as_float32(Vec3(v * scale));
@@ -127,6 +128,7 @@ class SceneMaker {
     if (object.state != ObjectState::Fixed && object.state != ObjectState::Stable)
       m_out.notes.push_back(
           say("\"%1\" is %2: it will move", object.name, to_string(object.state)));
+    // The weakest contact decides: the needed friction is assumed at all of them.
     double friction = kInfinity;
     for (const ObjectContact& entry : object.contacts)
       friction = std::min(friction,
@@ -139,6 +141,7 @@ class SceneMaker {
   size_t model_of(const Object& object) {
     const auto key =
         std::make_tuple(object.model.get(), object.shape->index.get(), object.up, object.scale);
+    // Objects share a model where shape, up axis and scale are the same.
     const auto [it, is_new] = m_models.try_emplace(key, m_out.scene.models.size());
     if (is_new) add_model(object);
     return it->second;
@@ -187,6 +190,7 @@ class SceneMaker {
 
   /// @param unit  of the parts given, metres.
   void set_parts(SimulationModel& model, std::vector<ConvexPart> parts, double unit) const {
+    // The clearance is in units of the part's own frame.
     const double clearance = m_options.hull_clearance / model.scale;
     for (ConvexPart& part : scaled(std::move(parts), unit / model.scale))
       model.parts.push_back(clearance > 0 ? shrunk(part, clearance) : std::move(part));
@@ -248,6 +252,7 @@ bool is_too_deep(const PartOverlap& overlap) { return overlap.depth > overlap.al
 
 /// The triangles themselves for what parts cannot follow.
 void use_meshes(SimulationExport& done) {
+  // Models with a pair that is still too deep collide by their triangles, all of their bodies.
   std::set<size_t> models;
   for (const PartOverlap& o : done.overlaps)
     if (is_too_deep(o))

@@ -170,6 +170,29 @@ class Repairing(ScenesCase):
         self.refused("settle", "in/scene.xml", "--root", ".", "-o", "deep/out/scene.xml",
                      says="outside the folder of the scene")
 
+    def test_layouts_and_scenes_of_ours_are_mended(self):
+        data = json.loads(self.read(self.two_cubes()))
+        data["operations"] = []
+        for one, x in zip(data["objects"][1:], (0, 0.096)):  # 4 mm in each other
+            one["position"] = [x, 0, 0.150002]
+        self.write("meant.json", json.dumps(data))
+        self.trivet("run", "meant.json", "-o", "refused.glb", status=1)
+        out, _ = self.trivet("mend", "meant.json", "-o", "mended.glb")
+        self.assertRegex(out, r"mend: [12] objects? moved\n")
+        self.assertIn("supports kept; poses were taken to be off by", out)
+        self.trivet("check", "mended.glb")
+        self.trivet("mend", "mended.glb", "-o", "again.glb", "--quiet")
+        out, _ = self.trivet("settle", "mended.glb", "-o", "third.glb")
+        self.assertIn("settle: 0 objects moved\n", out)
+        self.refused("mend", "meant.json", "--only", "nobody", "-o", "x.glb", says="no object")
+        self.refused("mend", "mended.glb", "--only", "nobody", "-o", "x.glb", says="nobody")
+        data["operations"] = [{"op": "mend", "tolerance": 0.01}]
+        self.write("steps.json", json.dumps(data))
+        self.trivet("run", "steps.json", "-o", "steps.glb", "--report", "steps_report.json")
+        repaired = json.loads(self.read("steps_report.json"))["operations"][0]["repaired"]
+        self.assertEqual(repaired["unable"], [])
+        self.assertEqual(repaired["supports_kept"], repaired["supports_meant"])
+
     def test_inputs_stay(self):
         self.refused("settle", "table.xml", "-o", "table.xml", says="table.xml")
         self.refused("mend", "cube.obj", "-o", "out.xml", says="accepted: MJCF")

@@ -259,6 +259,14 @@
         <source>drape</source>
         <translation>drapieren</translation>
     </message>
+    <message>
+        <source>mend</source>
+        <translation>in Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>zur Ruhe bringen</translation>
+    </message>
 </context>
 <context>
     <name>refusal</name>
@@ -1415,8 +1423,8 @@
         <translation>&quot;floor&quot; oder der Name eines von /objects%1</translation>
     </message>
     <message>
-        <source>&quot;format&quot; is %1; accepted: 2</source>
-        <translation>„format“ ist %1; erlaubt: 2</translation>
+        <source>&quot;format&quot; is %1; accepted: 3</source>
+        <translation>„format“ ist %1; erlaubt: 3</translation>
     </message>
     <message>
         <source>&quot;front&quot;, &quot;back&quot;, &quot;left&quot; or &quot;right&quot;</source>

@@ -27,6 +27,7 @@ void note_if_gravity_moves(const ForeignJoint& joint, std::span<const ForeignBod
                            std::vector<Sentence>& notes) {
   double load = 0;
   for (const ForeignBody* body : bodies) load += load_of(*body, joint);
+  // The joint stands at the limit that the weight pulls it to.
   const bool stopped =
       load > 0 ? joint.value >= joint.upper - kAtLimit : joint.value <= joint.lower + kAtLimit;
   if (stopped || !(std::abs(load) > joint.friction + kLeastJointLoad)) return;

@@ -19,6 +19,7 @@ bool is_hinge(const TreeJoint& joint) { return joint.kind == ForeignJoint::Kind:
 
 // By what a value moves the link from zero; in the world. @param value  metres or radians.
 Pose displacement(const TreeJoint& joint, double value) {
+  // A turn about an axis beside the origin is a turn and a shift.
   if (!is_hinge(joint)) return {{}, value * joint.axis};
   const Rotation turn = turn_about(joint.axis, value * kDegrees).normalized();
   return {turn, joint.anchor - turn.matrix() * joint.anchor};
@@ -59,6 +60,7 @@ class TreeOfJoints {
 
   // From the bodies that hang in nothing downwards; what is not reached is in a circle.
   void hang_bodies() {
+    // A body that hangs in several joints closes a circle: none of them can be moved alone.
     for (const auto& [child, of_it] : m_of_child)
       if (of_it.size() > 1)
         for (const size_t j : of_it) hold(j);
@@ -66,6 +68,7 @@ class TreeOfJoints {
     for (const auto& [child, of_it] : m_of_child)
       if (of_it.size() == 1 && m_joints[of_it[0]].parent)
         below[*m_joints[of_it[0]].parent].push_back(of_it[0]);
+    // The order begins with bodies that hang in nothing, or in the world.
     std::vector<size_t> bodies;
     for (size_t b = 0; b < m_scene.bodies.size(); ++b) {
       const auto it = m_of_child.find(b);
@@ -74,6 +77,7 @@ class TreeOfJoints {
       bodies.push_back(b);
       if (it != m_of_child.end() && it->second.size() == 1) m_order.push_back(it->second[0]);
     }
+    // The list grows while it is walked: joints come after those above them.
     for (size_t i = 0; i < bodies.size(); ++i)
       for (const size_t j : below[bodies[i]]) {
         m_order.push_back(j);
@@ -103,6 +107,7 @@ class TreeOfJoints {
 
   double value_of(size_t j, int depth = 0) const {
     const TreeJoint& joint = m_joints[j];
+    // The value of a joint that mimics follows from the other's; circles of them end by the bound.
     if (joint.mimic && depth < kMostMimicsInARow)
       if (const auto other = m_named.find(joint.mimic->joint); other != m_named.end())
         return joint.mimic->multiplier * value_of(other->second, depth + 1) + joint.mimic->offset;
@@ -116,6 +121,7 @@ class TreeOfJoints {
     joint.value = value_of(j);
     if (joint.value == 0) return;
     const Pose by = displacement(joint, joint.value);
+    // All that hangs in the link goes with it, joints included: these are in the world.
     std::vector<size_t> joints;
     for (const size_t b : subtree(joint.child, &joints)) {
       const Pose pose = composed(by, m_scene.bodies[b].pose);
@@ -130,6 +136,7 @@ class TreeOfJoints {
 
   void hold_what_mimics() {
     for (size_t j = 0; j < m_joints.size(); ++j) {
+      // A joint that mimics, and the one that it follows, would have to move together.
       if (!m_joints[j].mimic) continue;
       m_held[j] = say("it follows \"%1\"", m_joints[j].mimic->joint);
       const auto other = m_named.find(m_joints[j].mimic->joint);
@@ -140,6 +147,7 @@ class TreeOfJoints {
 
   void add(size_t j) {
     const TreeJoint& joint = m_joints[j];
+    // The scene has degrees where the file has radians.
     const double unit = is_hinge(joint) ? kDegrees : 1;
     ForeignJoint out;
     out.kind = *joint.kind, out.name = joint.name;
@@ -147,6 +155,7 @@ class TreeOfJoints {
     out.value = unit * joint.value;
     out.lower = unit * joint.lower, out.upper = unit * joint.upper;
     out.friction = joint.friction, out.held = m_held[j];
+    // Links without a collider are no objects: nothing would be seen to move.
     std::vector<const ForeignBody*> bodies;
     for (const size_t b : subtree(joint.child)) {
       bodies.push_back(&m_scene.bodies[b]);

@@ -21,6 +21,7 @@ class SdfJointReader {
     ++m_scene.num_joints;
     TreeJoint joint;
     joint.name = m_links.model + "::" + sdf_name(node);
+    // A joint to a link of another model, or to none, is told and left out.
     const std::optional<size_t> child = body(node, "child");
     joint.parent = body(node, "parent");
     if (!child || (!joint.parent && child_text(node, "parent", "") != "world"))
@@ -33,6 +34,7 @@ class SdfJointReader {
     if (!joint.kind)
       note_once(m_scene.notes, say("the joint \"%1\" is of type %2: its link stays where it is",
                                    joint.name, type ? *type : std::string("(none)")));
+    // The joint's own frame gives anchor and axis where nothing else is said.
     const Pose at = m_links.pose_of_joint(node);
     joint.anchor = at.translation;
     joint.axis = at.rotation.normalized().matrix().col(2);
@@ -57,6 +59,7 @@ class SdfJointReader {
   void read_axis(const XmlNode& node, const Pose& at, TreeJoint& joint) const {
     const XmlNode* const xyz = node.child("xyz");
     const std::string* const frame = xyz ? xyz->find("expressed_in") : nullptr;
+    // The frame that the axis is given in depends on the version of the format.
     Pose base = at;
     if (m_links.model_axes || is_true(child_text(node, "use_parent_model_frame", "0")))
       base = m_links.world;
@@ -89,6 +92,7 @@ class SdfJointReader {
     const std::string* const other = node.find("joint");
     out.joint = m_links.model + "::" + (other ? *other : "");
     out.multiplier = number("multiplier", 1);
+    // The reference is taken into the offset: follower = multiplier value + offset.
     out.offset = number("offset", 0) - out.multiplier * number("reference", 0);
     return out;
   }

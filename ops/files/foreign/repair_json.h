@@ -1,17 +1,11 @@
-// Changes in an opened scene, and what its poses mean, as JSON.
+// Meanings of poses, and moves of joints, as JSON.
 #pragma once
 
 #include "core/io/json.h"
 #include "ops/files/foreign/open_scene.h"
-#include "ops/mend/mend.h"
+#include "ops/mend/intent.h"
 
 namespace trivet {
-
-/// {"moved": [{"object", "from", "to", "metres", "degrees"}], "unable": [{"object", "why"}]}; from
-/// and to are positions. @param lift  metres to take off heights, as JudgedScene has it.
-nlohmann::ordered_json settled_json(const Scene& scene, double lift, const SettledScene& settled);
-/// The same with "tolerance", "supports_meant", "supports_kept", "relations".
-nlohmann::ordered_json mended_json(const Scene& scene, double lift, const MendedScene& mended);
 
 /// {"tolerance", "objects": [{"object", "on": [{"object", "share"}], "in", "gap", "level",
 /// "tilt_deg"}]}

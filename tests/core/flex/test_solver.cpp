@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "core/flex/dense_front.h"
 #include "core/flex/multifrontal.h"
 
 using namespace trivet;
@@ -59,6 +60,69 @@ void expect_solved(const System& system) {
   for (size_t i = 0; i < x.size(); ++i)
     b.segment<3>(3 * Eigen::Index(i)) = right[i], y.segment<3>(3 * Eigen::Index(i)) = x[i];
   EXPECT_LT((dense * y - b).norm(), 1e-10 * b.norm());
+}
+
+// Symmetric and positive definite, by columns; garbage above the diagonal.
+std::vector<double> definite(int size) {
+  std::mt19937 random(size);
+  std::vector<double> out(static_cast<size_t>(size) * size);
+  for (double& value : out) value = random() / 4294967296.0 - 0.5;
+  for (int i = 0; i < size; ++i) out[static_cast<size_t>(i) * (size + 1)] = size;
+  return out;
+}
+
+std::vector<double> lower_of(const std::vector<double>& a, int size) {
+  std::vector<double> out;
+  for (int j = 0; j < size; ++j)
+    for (int i = j; i < size; ++i) out.push_back(a[static_cast<size_t>(j) * size + i]);
+  return out;
+}
+
+// A loop for each column, in the order of the sums.
+std::vector<double> factored_slowly(std::vector<double> a, int size, int num_own) {
+  const auto at = [&](int i, int j) -> double& { return a[static_cast<size_t>(j) * size + i]; };
+  for (int first = 0; first < num_own; first += kPanel) {
+    const int end = std::min(num_own, first + kPanel);
+    for (int j = first; j < end; ++j) {
+      for (int k = first; k < j; ++k)
+        for (int i = j; i < size; ++i) at(i, j) -= at(j, k) * at(i, k);
+      at(j, j) = std::sqrt(at(j, j));
+      const double inverse = 1 / at(j, j);
+      for (int i = j + 1; i < size; ++i) at(i, j) *= inverse;
+    }
+    for (int j = end; j < size; ++j)
+      for (int i = j; i < size; ++i) {
+        double sum = 0;
+        for (int k = first; k < end; ++k) sum += at(j, k) * at(i, k);
+        at(i, j) -= sum;
+      }
+  }
+  return lower_of(a, size);
+}
+
+TEST(DenseFront, HasTheSameBitsInRegistersOfEveryWidth) {
+  EXPECT_GE(usable_kernels().size(), 1u);
+  const std::pair<int, int> sizes[] = {{1, 1},   {3, 3},    {7, 2},     {16, 16},  {17, 5},
+                                       {50, 49}, {96, 96},  {97, 48},   {131, 60}, {203, 203},
+                                       {450, 9}, {501, 99}, {640, 480}, {333, 150}};
+  for (const auto& [size, num_own] : sizes) {
+    const std::vector<double> a = definite(size);
+    const std::vector<double> expected = factored_slowly(a, size, num_own);
+    for (const DenseKernels* const kernels : usable_kernels()) {
+      std::vector<double> b = a;
+      ASSERT_TRUE(factor_front(b.data(), size, num_own, *kernels));
+      EXPECT_EQ(lower_of(b, size), expected) << size << ", " << kernels->rows << " rows";
+    }
+  }
+}
+
+TEST(DenseFront, SeesWhatIsNotPositiveDefinite) {
+  for (const DenseKernels* const kernels : usable_kernels())
+    for (const int bad : {0, 30, 70}) {
+      std::vector<double> a = definite(90);
+      a[static_cast<size_t>(bad) * 91] = -100;
+      EXPECT_FALSE(factor_front(a.data(), 90, 80, *kernels)) << bad;
+    }
 }
 
 TEST(Multifrontal, SolvesAsDenseMatrices) {
