@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -17,9 +18,11 @@
 #include "ops/files/json/text.h"
 #include "ops/files/report/models_of_shapes.h"
 #include "ops/simulation/fitted_parts.h"
+#include "ops/simulation/joints_of_scene.h"
 #include "ops/simulation/looks.h"
 #include "ops/simulation/overlaps.h"
 #include "ops/simulation/part_cache.h"
+#include "ops/simulation/shells.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -77,6 +80,7 @@ class SceneMaker {
   SimulationExport make() {
     for (const ObjectId id : m_scene.ids())
       if (m_scene.at(id).placed) add(id);
+    if (m_options.joints) add_joints();
     if (m_options.collision == CollisionRule::Mesh) return std::move(m_out);
     if (m_options.collision == CollisionRule::Fitted)
       add_fitted_parts();
@@ -119,6 +123,7 @@ class SceneMaker {
     body.restitution = object.material.restitution;
     body.gap = widest_gap(object);
     m_sizes.push_back(object.scale * object.shape->box.diagonal());
+    m_body_of[id] = m_out.scene.bodies.size();
     m_out.scene.bodies.push_back(std::move(body));
     add_notes(id);
   }
@@ -133,6 +138,12 @@ class SceneMaker {
       if (entry.with.is_floor()) of_floor = std::max(of_floor, of_entry);
     }
     return widest;
+  }
+
+  void add_joints() {
+    SimulationJoints made = simulation_joints(*m_options.joints, m_body_of, m_out.scene.bodies);
+    m_out.scene.joints = std::move(made.joints);
+    m_out.notes.insert(m_out.notes.end(), made.notes.begin(), made.notes.end());
   }
 
   void add_notes(ObjectId id) {
@@ -174,7 +185,8 @@ class SceneMaker {
 
   void add_model(const Object& object) {
     SimulationModel model;
-    model.name = std::filesystem::path(object.model->path).stem().string();
+    const std::string& path = object.model->path;  // scenes of others have none
+    model.name = path.empty() ? object.name : std::filesystem::path(path).stem().string();
     model.model = object.model;
     model.scale = m_options.files.for_many_scenes ? object.scale : 1;
     model.link_from_object = link_axes(object, object.scale);
@@ -214,11 +226,18 @@ class SceneMaker {
       model.parts.push_back(clearance > 0 ? shrunk(part, clearance) : std::move(part));
   }
 
+  // Colliders of scenes of others touch each other, but are one hull each.
+  Mesh in_shells(Mesh mesh) const { return m_options.joints ? shells_apart(mesh) : mesh; }
+  const Adjacency& adjacency_of(size_t model, const Mesh& mesh) {
+    if (!m_options.joints) return m_shapes[model]->adjacency;
+    return m_of_shells.emplace_back(make_adjacency(mesh));
+  }
+
   void add_parts() {
     for (size_t i = 0; i < m_out.scene.models.size(); ++i) {
       SimulationModel& model = m_out.scene.models[i];
-      ConvexParts parts = convex_parts(in_frame(m_shapes[i]->mesh, model.link_from_object),
-                                       m_shapes[i]->adjacency, part_rule(m_options.collision));
+      const Mesh mesh = in_shells(in_frame(m_shapes[i]->mesh, model.link_from_object));
+      ConvexParts parts = convex_parts(mesh, adjacency_of(i, mesh), part_rule(m_options.collision));
       for (const Sentence& note : parts.notes)
         m_out.notes.push_back(say("\"%1\": %2", model.model->path, note));
       set_parts(model, std::move(parts.parts), 1);
@@ -230,11 +249,11 @@ class SceneMaker {
     // In units of the files: hulls are the same then whatever the scale is.
     std::vector<Mesh> meshes;
     for (size_t i = 0; i < models.size(); ++i)
-      meshes.push_back(in_frame(m_shapes[i]->mesh, m_unscaled[i]));
+      meshes.push_back(in_shells(in_frame(m_shapes[i]->mesh, m_unscaled[i])));
     std::vector<HullTree> trees;
     trees.reserve(models.size());
     for (size_t i = 0; i < models.size(); ++i)
-      trees.emplace_back(meshes[i], m_shapes[i]->adjacency,
+      trees.emplace_back(meshes[i], adjacency_of(i, meshes[i]),
                          kWallThickness * meshes[i].box().diagonal(), m_memos[i].get());
     std::vector<FittedBody> bodies;
     for (const SimulationBody& body : m_out.scene.bodies)
@@ -248,6 +267,7 @@ class SceneMaker {
   const Scene& m_scene;
   const SimulationOptions& m_options;
   SimulationExport m_out;
+  std::map<ObjectId, size_t, SlotOrder> m_body_of;
   std::map<std::tuple<const Model*, const ShapeIndex*, UpAxis, double>, size_t> m_models;
   std::vector<Vec3> m_shifts;                      // of the models: from the pose to the link frame
   std::vector<const Shape*> m_shapes;              // of the models
@@ -255,6 +275,7 @@ class SceneMaker {
   std::vector<double> m_scales;                    // of the models, metres per unit
   std::vector<Affine> m_unscaled;                  // of the models: axes of the link, their unit
   std::vector<double> m_sizes;                     // of the bodies
+  std::deque<Adjacency> m_of_shells;
 };
 
 bool is_too_deep(const PartOverlap& overlap) { return overlap.depth > overlap.allowed; }

@@ -27,7 +27,8 @@ const char* to_string(CollisionRule rule);
 /// @throws Error (BadInput) when the format of the file, or this build, has no such rule.
 void check_collision_rule(CollisionRule rule, const std::string& path);
 
-class PartCache;  // part_cache.h
+class PartCache;    // part_cache.h
+struct SceneJoint;  // ops/files/foreign/open_scene.h
 
 struct SimulationOptions {
   std::optional<double> density;   // kg/m^3, of everything; none: of the materials
@@ -36,6 +37,7 @@ struct SimulationOptions {
   double max_overlap = 0;            // metres; 0: kMaxPartOverlap of the smaller of two objects
   double hull_clearance = 0;         // metres by which faces of convex parts are moved inwards
   std::shared_ptr<PartCache> cache;  // of scenes with the same models; null: none is kept
+  std::shared_ptr<const std::vector<SceneJoint>> joints;  // of the scene; null: it has none
   SimulationFileOptions files;
 };
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/io/simulators/floor_corners.h"
+#include "core/io/simulators/joints.h"
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
@@ -17,6 +18,9 @@ constexpr size_t kContactsOfPair = 5, kRowsOfContact = 4, kMinContacts = 100, kM
 constexpr const char *kSolref2 = "0.004 1", *kSolimp2 = "0.95 0.99 0.0001";
 constexpr const char *kSolref3 = "0.004 3", *kSolimp3 = "0.995 0.9995 0.0001";
 constexpr double kSag = 5e-7;  // metres, half of what weights press contacts together
+/// The same of limits of joints and of their friction.
+constexpr const char *kSolrefJoint = "0.004 1", *kSolimpLimit = "0.95 0.99 0.0001",
+                     *kSolimpFriction = "0.9999 0.9999 0.001";
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
 
@@ -33,6 +37,7 @@ class MjcfWriter {
   MjcfWriter(const SimulationScene& scene, const MeshFiles& meshes, const std::string& folder,
              const SimulationFileOptions& options)
       : m_scene(scene),
+        m_joints(scene),
         m_meshes(meshes),
         m_folder(folder),
         m_version(options.mujoco),
@@ -72,7 +77,9 @@ class MjcfWriter {
                             {"friction", friction_text(m_scene.floor_friction)}}),
                  m_scene.floor_gap);
     for (size_t i = 0; i < m_scene.bodies.size(); ++i)
-      add_corners(add_body(world, m_scene.bodies[i]), i);
+      if (!m_joints.of(i) || !m_joints.of(i)->parent)
+        add_tree(world, i, m_scene.bodies[i].world_from_link);
+    add_excludes(root);
     return xml_text(m_document);
   }
 
@@ -185,14 +192,60 @@ class MjcfWriter {
            " 0.005 0.0001";  // metres: MuJoCo's default torsional and rolling friction
   }
 
-  Element* add_body(Element* world, const SimulationBody& body) {
-    const Pose& pose = body.world_from_link;
-    Element* const element = add_child(world, "body",
+  // The body, and in it those that hang in it.
+  void add_tree(Element* parent, size_t index, const Pose& in_parent) {
+    Element* const element = add_body(parent, index, in_parent);
+    add_corners(element, index);
+    const Pose& pose = m_scene.bodies[index].world_from_link;
+    for (const SimulationJoint* joint : m_joints.below(index))
+      add_tree(element, joint->child,
+               relative_pose(pose, m_scene.bodies[joint->child].world_from_link));
+  }
+
+  // The bodies are where `ref` has the joint.
+  static void add_joint(Element* body, const SimulationJoint& joint) {
+    if (joint.kind == SimulationJoint::Kind::Fixed) return;
+    const bool turns = joint.kind == SimulationJoint::Kind::Hinge;
+    Element* const element = add_child(body, "joint",
+                                       {{"name", joint.file_name},
+                                        {"type", turns ? "hinge" : "slide"},
+                                        {"pos", vector_text(joint.anchor)},
+                                        {"axis", vector_text(joint.axis)},
+                                        {"ref", number_text(joint.value)}});
+    if (joint.friction > 0) {
+      element->SetAttribute("frictionloss", number_text(joint.friction).c_str());
+      element->SetAttribute("solreffriction", kSolrefJoint);  // else it creeps by degrees a second
+      element->SetAttribute("solimpfriction", kSolimpFriction);
+    }
+    if (joint.lower == -kInfinity && joint.upper == kInfinity) return;
+    element->SetAttribute("limited", "true");
+    element->SetAttribute("solreflimit", kSolrefJoint);
+    element->SetAttribute("solimplimit", kSolimpLimit);
+    element->SetAttribute(
+        "range", numbers_text({finite_limit(joint.lower), finite_limit(joint.upper)}).c_str());
+  }
+
+  // MuJoCo keeps a link off what it hangs in, unless that is fixed in the world.
+  void add_excludes(Element* root) const {
+    Element* contact = nullptr;
+    for (const SimulationJoint& joint : m_scene.joints)
+      for (const size_t other : joint.apart) {
+        if (!contact) contact = add_child(root, "contact");
+        add_child(contact, "exclude",
+                  {{"body1", m_scene.bodies[other].file_name},
+                   {"body2", m_scene.bodies[joint.child].file_name}});
+      }
+  }
+
+  Element* add_body(Element* parent, size_t index, const Pose& pose) {
+    const SimulationBody& body = m_scene.bodies[index];
+    Element* const element = add_child(parent, "body",
                                        {{"name", body.file_name},
                                         {"pos", vector_text(pose.translation)},
                                         {"quat", quaternion_text(pose.rotation)}});
     if (!body.fixed) add_child(element, "freejoint", {{"name", body.file_name}});
     if (!body.fixed && m_asleep) element->SetAttribute("sleep", "init");
+    if (const SimulationJoint* const joint = m_joints.of(index)) add_joint(element, *joint);
     const Mat3& i = body.inertia;
     add_child(
         element, "inertial",
@@ -231,6 +284,7 @@ class MjcfWriter {
   }
 
   const SimulationScene& m_scene;
+  const JointsOfBodies m_joints;
   const MeshFiles& m_meshes;
   const std::string m_folder;
   const int m_version;
