@@ -2,6 +2,7 @@
 
 #include "core/contact/contact_memory.h"
 #include "ops/free_places/place_region.h"
+#include "ops/operations/carried_drapes.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/draped_rest.h"
 #include "ops/operations/put_parts.h"
@@ -104,6 +105,16 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
   }
 }
 
+template <class Any>
+bool moves_its_object(const Any&) {
+  return Plannable<Any> || std::is_same_v<Any, StandOperation>;
+}
+
+std::optional<ObjectId> moved_by(const Operation& operation, std::optional<ObjectId> object) {
+  const bool moves = std::visit([](const auto& o) { return moves_its_object(o); }, operation);
+  return moves ? object : std::nullopt;
+}
+
 // Adds the depth to refusals of poses that a user gave; ours are tried by the hundreds.
 void tell_depth(const Scene& scene, std::optional<ObjectId> id, const Operation& operation,
                 OperationResult& result) {
@@ -135,11 +146,13 @@ OperationResult perform(Transaction& outer, const Operation& operation,
   if (!object && names_one) return refused(unknown_object(outer.scene(), name));
   OperationRun run(options, context);
   Transaction inner(outer);
+  const CarriedDrapes carried(inner, moved_by(operation, object));
   OperationResult result = std::visit(
       [&](const auto& o) {
         return perform_one(inner, object.value_or(ObjectId{}), o, run, context);
       },
       operation);
+  if (result.ok()) carried.follow(inner, run, result);
   if (result.ok() && object && inner.scene().contains(*object))
     for (const ObjectId id : unsound_supports(inner.scene(), *object))
       result.unsound.push_back(inner.scene().at(id).name);

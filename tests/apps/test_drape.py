@@ -81,6 +81,21 @@ class Drape(SessionCase):
         self.assertEqual(self.flexible(self.read_json("t.json")), self.flexible(report))
         self.trivet("check", "t.glb")
 
+    def test_leads_stay_with_their_lamps_in_files_and_are_draped_again(self):
+        socket = {**BLOCK, "name": "socket", "position": [0.7, 0, 0.150001]}
+        path = [[0.09, 0, 0.25], [0.35, 0, 0.5], [0.61, 0, 0.25]]
+        lead = {"op": "drape", "object": "lead", "path": path, "cell": 0.03, "pins": [path[0], path[2]],
+                "held_by": ["block", "socket"]}
+        self.trivet("run", self.layout([BLOCK, socket], [lead]), "-o", "s.glb", "--report", "s.json")
+        names = {s["name"] for s in self.flexible(self.read_json("s.json"), "lead")["supports"]}
+        self.assertLessEqual({"block", "socket"}, names)
+        self.trivet("check", "s.glb")
+        self.trivet("drape", "s.glb", "lead", "--again", "-o", "t.glb", "--report", "t.json")
+        again = self.flexible(self.read_json("t.json"), "lead")
+        self.assertLess(again["net_force"], 1e-3)
+        self.trivet("check", "t.glb")
+        self.refused("drape", "s.glb", "socket", "--again", "-o", "x.glb", says=["flexible"], status=1)
+
     def test_spoiled_files_are_refused(self):
         self.draped()
         data = self.read("s.glb")

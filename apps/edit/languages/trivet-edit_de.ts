@@ -723,10 +723,6 @@
         <translation>16 hexadezimale Ziffern</translation>
     </message>
     <message>
-        <source>an operation or several</source>
-        <translation>eine Operation oder mehrere</translation>
-    </message>
-    <message>
         <source>%1; BVHs are used instead</source>
         <translation>%1; stattdessen antworten Boxbäume</translation>
     </message>
@@ -3511,10 +3507,6 @@
         <translation>zwei oder mehr, über einen Millimeter oder mehr</translation>
     </message>
     <message>
-        <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, or &quot;of&quot; for a mesh</source>
-        <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels oder „of“ für ein Netz</translation>
-    </message>
-    <message>
         <source>cells along both sides that fit the vertices, and their lengths</source>
         <translation>Zellen entlang beider Seiten, die zu den Ecken passen, und deren Längen</translation>
     </message>
@@ -3629,6 +3621,26 @@
     <message>
         <source>meshes without volume, as their transform flattens them</source>
         <translation>Netze ohne Volumen, da ihre Transformation sie flach macht</translation>
+    </message>
+    <message>
+        <source>%1, one for each pin</source>
+        <translation>%1, je Nadel einer</translation>
+    </message>
+    <message>
+        <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, &quot;of&quot; for a mesh, or &quot;again&quot;</source>
+        <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels, „of“ für ein Netz oder „again“</translation>
+    </message>
+    <message>
+        <source>it is not flexible</source>
+        <translation>es ist nicht biegsam</translation>
+    </message>
+    <message>
+        <source>its pins have not all moved alike</source>
+        <translation>seine Nadeln haben sich nicht alle gleich bewegt</translation>
+    </message>
+    <message>
+        <source>the file does not say how it began</source>
+        <translation>die Datei sagt nicht, wie es begann</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "core/flex/flexible.h"
 #include "core/scene/fingerprint.h"
 #include "ops/base/interrupt.h"
+#include "ops/operations/drape_watch.h"
 #include "stage.h"
 
 namespace trivet::test {
@@ -229,6 +230,149 @@ TEST(Drape, UnfixedItIsStiff) {
   unfix.fixed = false;
   ASSERT_TRUE(s.run(unfix).ok());
   EXPECT_FALSE(s.at("cloth").flexible);
+}
+
+// The floor has no edge that presses: what lies on it is at rest wherever it slid to.
+TEST(Drape, RestsOnTheFloorForTheCheckToo) {
+  for (int i = 0; i < 4; ++i) {
+    Stage s;
+    s.fix("edge", box_triangles(Vec3(0.05, 0.2, 0.1)), {0, 0, 0.1 + 1e-5});
+    const double end = 0.25 + 0.1 * i;
+    const OperationResult result = s.run(lead({{-0.1, -0.3 * i, 0.25}, {end, 0.1 * i, 0.25}}));
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_TRUE(check_scene(s.scene, 1, 0, s.options).ok()) << i;
+  }
+}
+
+// A lamp on the floor and a socket, and a lead of 1.2 m between them.
+struct Lamp : Stage {
+  Lamp() {
+    put("lamp", box_triangles(Vec3(0.05, 0.05, 0.1)), {-0.4, 0, 0.11});
+    fix("socket", box_triangles(Vec3(0.04, 0.02, 0.04)), {0.5, 0, 0.04 + 1e-5});
+    DrapeOperation o = lead({{-0.345, 0, 0.05}, {0.05, 0, 0.3}, {0.455, 0, 0.05}});
+    o.pins = {o.path.front(), o.path.back()};
+    o.held_by = {"lamp", "socket"};
+    const OperationResult result = run(o);
+    EXPECT_TRUE(result.ok()) << result.reason();
+  }
+  OperationResult put_lamp(const Vec3& at) {
+    PutOperation o;
+    o.object = "lamp";
+    o.start.translation = at;
+    return run(o);
+  }
+  Vec3 end_of_lead() const {
+    const Object& lead = this->at("lead");
+    return lead.world_from_object().apply(lead.flexible->vertices.front());
+  }
+};
+
+TEST(Drape, LeadsAreCarriedByWhatHoldsThem) {
+  Lamp s;
+  const std::vector<FlexSupport> supports = s.at("lead").flexible->supports;
+  double sum = 0;
+  for (const FlexSupport& support : supports) sum += support.share;
+  EXPECT_NEAR(sum, 1, 1e-3);
+  const auto is_named = [&](const char* name) {
+    return std::any_of(supports.begin(), supports.end(),
+                       [&](const FlexSupport& x) { return x.name == name; });
+  };
+  EXPECT_TRUE(is_named("lamp") && is_named("socket") && is_named("floor") && !is_named("pins"));
+  const Vec3 from_lamp = s.end_of_lead() - s.position("lamp");
+  const double length = s.at("lead").flexible->length;
+  for (const Vec3& at : {Vec3(-0.3, 0.2, 0.11), Vec3(-0.45, -0.1, 0.11), Vec3(-0.4, 0, 0.11)}) {
+    const OperationResult moved = s.put_lamp(at);
+    ASSERT_TRUE(moved.ok()) << moved.reason();
+    EXPECT_TRUE(moved.unsupported.empty());
+    EXPECT_LT((s.end_of_lead() - s.position("lamp") - from_lamp).norm(), 1e-9);
+    EXPECT_EQ(s.at("lead").flexible->length, length);
+    EXPECT_LT(s.at("lead").flexible->certificate.net_force, 1e-3);
+    EXPECT_TRUE(check_scene(s.scene, 1, 0, s.options).not_at_rest.empty());
+  }
+}
+
+TEST(Drape, MovesBeyondALeadsLengthAreRefused) {
+  Lamp s;
+  const OperationResult result = s.put_lamp({-2, 0, 0.11});
+  EXPECT_FALSE(result.ok());
+  EXPECT_NE(result.reason().find("\"lead\" would be stretched"), std::string::npos)
+      << result.reason();
+}
+
+TEST(Drape, LeadsOfWhatIsTakenAwayAreNotAtRest) {
+  Lamp s;
+  UnplaceOperation o;
+  o.object = "lamp";
+  const OperationResult result = s.run(o);
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(has(result.unsupported, "lead"));
+  EXPECT_TRUE(has(check_scene(s.scene, 1, 0, s.options).not_at_rest, "lead"));
+  DrapeOperation again;
+  again.object = "lead";
+  again.again = true;
+  s.refused(again, "lamp");
+}
+
+TEST(Drape, RenamedHoldersHoldOn) {
+  Lamp s;
+  RenameOperation o;
+  o.object = "lamp";
+  o.to = "light";
+  ASSERT_TRUE(s.run(o).ok());
+  EXPECT_TRUE(check_scene(s.scene, 1, 0, s.options).not_at_rest.empty());
+  EXPECT_EQ(s.at("lead").flexible->ties.front().name, "light");
+}
+
+TEST(Drape, HoldersAreAsManyAsPinsAndKnown) {
+  Stage s = with_block();
+  DrapeOperation o = lead({{-0.5, 0, 1}, {0, 0, 0.7}, {0.5, 0, 1}});
+  o.pins = {{-0.5, 0, 1}, {0.5, 0, 1}};
+  o.held_by = {"block"};
+  s.refused(o, "held_by");
+  o.held_by = {"block", "blok"};
+  s.refused(o, "blok");
+}
+
+TEST(Drape, IsDoneAgainWhenWhatIsBelowMoved) {
+  Stage s = with_block();
+  ASSERT_TRUE(s.run(cloth()).ok());
+  const double before = s.scene.world_box(*s.scene.find("cloth")).lower.z();
+  DeleteOperation away;
+  away.object = "block";
+  EXPECT_TRUE(has(s.run(away).unsupported, "cloth"));
+  s.fix("low", box_triangles(Vec3(0.1, 0.1, 0.1)), {0, 0, 0.1 + 1e-5});
+  DrapeOperation again;
+  again.object = "cloth";
+  again.again = true;
+  const OperationResult result = s.run(again);
+  ASSERT_TRUE(result.ok()) << result.reason();
+  EXPECT_TRUE(check_scene(s.scene, 1, 0, s.options).ok());
+  EXPECT_EQ(s.at("cloth").flexible->grid->num_u, 16);
+  EXPECT_LT(s.scene.world_box(*s.scene.find("cloth")).lower.z(), before - 0.15);
+  again.object = "low";
+  s.refused(again, "it is not flexible");
+  again.object = "clothe";
+  s.refused(again, "clothe");
+}
+
+TEST(Drape, WatchersSeeItComeDownFromCoarseToFine) {
+  Stage s = with_block();
+  std::vector<size_t> sizes;
+  {
+    const DrapeWatch watch(
+        [&](const std::shared_ptr<const Object>& object, double) {
+          EXPECT_EQ(object->name, "cloth");
+          sizes.push_back(object->model->mesh.triangles.size());
+        },
+        1e9);
+    DrapeOperation o = cloth();
+    o.material = "paper";
+    o.cell = o.size->x() / 32;
+    ASSERT_TRUE(s.run(o).ok());
+  }
+  EXPECT_GT(sizes.size(), 10u);
+  EXPECT_LT(sizes.front(), sizes.back());
+  EXPECT_TRUE(std::is_sorted(sizes.begin(), sizes.end()));
 }
 
 }  // namespace
