@@ -94,7 +94,8 @@ class Drape(SessionCase):
         again = self.flexible(self.read_json("t.json"), "lead")
         self.assertLess(again["net_force"], 1e-3)
         self.trivet("check", "t.glb")
-        self.refused("drape", "s.glb", "socket", "--again", "-o", "x.glb", says=["flexible"], status=1)
+        out, _ = self.trivet("drape", "s.glb", "socket", "--again", "-o", "x.glb", status=1)
+        self.assertIn("flexible", out)
 
     def test_spoiled_files_are_refused(self):
         self.draped()
