@@ -128,7 +128,7 @@ def board_layout(folder, count):
 
 
 def vertices_of(path):
-    """Of a binary glTF file whose nodes have a mesh and a matrix: z up, in its model's frame."""
+    """Vertices of a binary glTF file whose nodes have a mesh and a matrix: z up, in its model's frame."""
     with open(path, "rb") as file:
         data = file.read()
     length = struct.unpack_from("<I", data, 12)[0]
@@ -192,7 +192,7 @@ def poses(report):
 
 
 def baseline(trivet, names, objects, relations, models, seed, folder):
-    """Whether boxes and rejection found places, processor seconds of that, and places by name."""
+    """The answer of boxes and rejection: found or not, processor seconds, and places by name."""
     boxes = {n: models[n.split("_")[0]].box for n in names}
     begin = time.process_time()
     found = by_rejection(boxes, relations, BOARD / 2, seed)

@@ -17,7 +17,7 @@ KINDS = ["parent", "zygote", "workers"]
 
 
 def read_processes():
-    """Of each process: the one above it, processor seconds with those of reaped children, resident MB."""
+    """Reads of each process: the one above it, processor seconds with those of reaped children, resident MB."""
     out = {}
     for name in filter(str.isdigit, os.listdir("/proc")):
         try:

@@ -44,7 +44,7 @@ def apart(a, b):
 
 
 def distance(a, b):
-    """Of convex polygons: 0 where they overlap."""
+    """Distance of convex polygons: 0 where they overlap."""
     def to_side(p, q, r):
         along = (r[0] - q[0], r[1] - q[1])
         length = along[0] ** 2 + along[1] ** 2
@@ -61,7 +61,7 @@ def middle_along(polygon, d):
 
 
 def centre(polygon, angle):
-    """Of the extents along its own axes."""
+    """Middle of the extents along the polygon's own axes."""
     out = (0, 0)
     for d in (front(angle), right(angle)):
         middle = middle_along(polygon, d)
@@ -70,7 +70,7 @@ def centre(polygon, angle):
 
 
 def holds(relation, a, b, slack=0.0):
-    """Whether a relation holds of two outlines, each a polygon and the angle that it is turned by."""
+    """True if a relation holds of two outlines, each a polygon and the angle that it is turned by."""
     (of_a, angle_a), (of_b, angle_b) = a, b
     if relation["is"] == "near":
         return distance(of_a, of_b) <= relation["distance"] + slack

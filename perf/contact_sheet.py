@@ -47,7 +47,7 @@ def write_png(file, pixels):
 
 
 def read_png(file):
-    """Of 8 bits, RGB or RGBA, as Trivet writes them."""
+    """Reads a PNG of 8 bits, RGB or RGBA, as Trivet writes them."""
     data, at, packed = file.read_bytes(), 8, b""
     while at < len(data):
         size, kind = struct.unpack(">I4s", data[at:at + 8])

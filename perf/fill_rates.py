@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How full containers and heaps get: PUT with one start each, and with several.
+"""Measures how full containers and heaps get: PUT with one start each, and with several.
 
     perf/fill_rates.py --trivet build/release/apps/trivet [--tries 1,12] [--seeds 5] [--count 40] [--kinds balls]
         [--shared ../shared [--part 0.2]] [--referee PATH/referee] [--out DIR]
@@ -8,7 +8,8 @@ Balls of three sizes, cubes and cans are let go over a box of 0.3 m that is open
 a seed draws; 20 fruits over a bowl; 120 mixed things over a box of 0.45 m, twice as many scenes. With --shared 50 bins
 of 8 and of 10 real models and 20 heaps of 30 and of 50; --part of these. Default rules. For each kind and number of tries a row:
 objects placed, beside the container, scenes that the referee finds true as a whole, processor time (user and system)
-for an object, the longest PUT by the clock, how many took over a second, and the latest start. Exit status 1 if anything
+for an object, the longest PUT and how many took over a second (by the clock, times the share of it that the run had a
+processor), and the latest start. Exit status 1 if anything
 lies beside its container, a scene is not true, or with several tries fewer are placed than the set asks for.
 """
 import argparse
@@ -17,6 +18,7 @@ import os
 import resource
 import subprocess
 import sys
+import time
 
 import fill_sets
 
@@ -27,21 +29,22 @@ def processor_seconds():
 
 
 def run(options, base, layout, tries):
-    """The report, processor seconds, and whether the referee finds the scene true."""
+    """The report, processor seconds, share of the clock, and whether the referee finds the scene true."""
     path, scene, report = (f"{base}-{tries}.{end}" for end in ("json", "glb", "report.json"))
     with open(path, "w") as file:
         json.dump({**layout, "operations": [{**o, "tries": tries} for o in layout["operations"]]}, file)
-    before = processor_seconds()
+    before, clock = processor_seconds(), time.monotonic()
     subprocess.run([options.trivet, "run", path, "-o", scene, "--report", report, "--threads", "1", "--quiet"],
                    check=False, stdout=subprocess.DEVNULL)
     seconds = processor_seconds() - before
+    share = min(1, seconds / (time.monotonic() - clock))
     with open(report) as file:
         result = json.load(file)
     true = True
     if options.referee:
         true = subprocess.run([options.referee, report, "--layout", path, "--scene", scene, "--mu", "0.5", "--whole"],
                               stdout=subprocess.DEVNULL, check=False).returncode == 0
-    return result, seconds, true
+    return result, seconds, share, true
 
 
 class Row:
@@ -50,7 +53,7 @@ class Row:
         self.seconds = self.longest = 0.0
         self.latest = 1
 
-    def add(self, result, seconds, true, is_inside):
+    def add(self, result, seconds, share, true, is_inside):
         operations = result["operations"]
         done = {o["object"] for o in operations if o["status"] == "ok"}
         centres = [o["centre_of_mass"] for o in result["objects"] if o["name"] in done]
@@ -59,9 +62,10 @@ class Row:
         self.objects += len(operations)
         self.placed += len(done)
         self.beside += sum(not is_inside(c[0], c[1]) for c in centres)
-        self.slow += sum(o["milliseconds"] > 1000 for o in operations)
+        times = [share * o["milliseconds"] for o in operations]
+        self.slow += sum(ms > 1000 for ms in times)
         self.seconds += seconds
-        self.longest = max([self.longest] + [o["milliseconds"] for o in operations])
+        self.longest = max([self.longest] + times)
         self.latest = max([self.latest] + [o.get("try", 1) for o in operations])
 
     def text(self, name, tries):

@@ -34,7 +34,7 @@ def box(lower, upper):
 
 
 def bin_mesh(edge, height):
-    """Of one closed surface: an outer and an inner box, joined at the rim."""
+    """A bin of one closed surface: an outer and an inner box, joined at the rim."""
     o, i = edge / 2 + WALL, edge / 2
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     rings = [[(x * r, y * r, z) for x, y in corners] for r, z in ((o, 0), (o, height), (i, height), (i, WALL))]

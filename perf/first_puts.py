@@ -23,7 +23,7 @@ PUTS = 4
 
 
 def milliseconds(options, name, model, layouts, rules):
-    """Of each PUT that was done; nothing: one was refused."""
+    """Times of all PUTs; none if one was refused."""
     rng, layout = random.Random(name), layouts.Layout()
     for k in range(PUTS):
         layout.put(f"object_{k}", model, layouts.random_rotation(rng), 10 * model.diagonal() * k, 0, 0.1)

@@ -1,25 +1,32 @@
 #!/usr/bin/env python3
 """Mending of perturbed scenes: which share of "rests on" comes back, how far objects move. Markdown.
 
-    perf/mend_noise.py TRIVET [--demos breakfast office1 ...] [--noise 1 5 20] [--runs 1]
+    perf/mend_noise.py TRIVET [--demos breakfast office1 ...] [--scenes FILE.glb ...] [--noise 1 5 20] [--runs 1] [--node FOLDER]
 
 Every free object of a demo is moved by a normal deviate on each axis (mm) and turned about a random axis (1, 3 and 10 degrees at 1, 5
 and 20 mm). Then the scene is mended, judged, and its supports are compared with those that it had. The scenes are driven by
-`trivet mcp`."""
+`trivet mcp`. With --node, a folder with node_modules/@mujoco/mujoco and a copy of rest.mjs, MuJoCo moves the same bad states for 2 s;
+there a support counts as kept if the two touch or are in each other at the end."""
 import argparse
 import json
+import math
 import os
+import pathlib
 import random
+import re
+import shutil
 import statistics
 import subprocess
 import tempfile
 
 DEGREES = {1: 1, 5: 3, 20: 10}
+SECONDS = 300  # of a mending, at most
+TIPPED = 45  # degrees
 
 
 class Agent:
     def __init__(self, program, folder):
-        self.server = subprocess.Popen([program, "mcp", folder], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.server = subprocess.Popen([program, "mcp", folder, "--operation-seconds", str(SECONDS)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def call(self, tool, **arguments):
         request = {"jsonrpc": "2.0", "id": 1, "method": "tools/call", "params": {"name": tool, "arguments": arguments}}
@@ -54,44 +61,106 @@ def edges(objects):
     return {(name, below) for name, one in objects.items() if one["state"] != "fixed" for below in one.get("on", [])}
 
 
-def run(program, folder, demo, noise, seed):
+def poses_of(program, scene):
+    """By name: position and quaternion."""
+    table = scene.with_suffix(".jsonl")
+    subprocess.run([program, "export", str(scene), "-o", str(table), "--quiet"], check=True)
+    rows = [json.loads(line) for line in table.read_text().splitlines()]
+    return {row["name"]: [row[key] for key in ("x", "y", "z", "qw", "qx", "qy", "qz")] for row in rows if not row["fixed"]}
+
+
+def with_poses(xml, poses):
+    """The same MJCF with bodies elsewhere."""
+    def moved(match):
+        pose = poses.get(match.group(2))
+        return match.group(0) if pose is None else '%s" pos="%s" quat="%s">' % (
+            match.group(1), " ".join(map(repr, pose[:3])), " ".join(map(repr, pose[3:])))
+    return re.sub(r'(<body name="([^"]*))" pos="[^"]*" quat="[^"]*">', moved, xml)
+
+
+def turned(a, b):
+    return 2 * math.degrees(math.acos(min(1, abs(sum(x * y for x, y in zip(a[3:], b[3:]))))))
+
+
+def by_mujoco(program, node, folder, scene, bad, edges_before):
+    """The bad state, moved by MuJoCo for 2 s: supports kept, objects tipped, ways in mm."""
+    work = pathlib.Path(folder) / "mujoco"
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir()
+    subprocess.run([program, "export", str(scene), "-o", str(work / "true.xml"), "--quiet"], check=True)
+    xml, start = (work / "true.xml").read_text(), poses_of(program, bad)
+    (work / "bad.xml").write_text(with_poses(xml, start))
+    answer = subprocess.run(["node", str(pathlib.Path(node) / "rest.mjs"), "2", str(work / "bad.xml")], capture_output=True, text=True)
+    end = json.loads(answer.stdout.splitlines()[-1])["end"]
+    (work / "end.xml").write_text(with_poses(xml, end))
+    check = subprocess.run([program, "check", str(work / "end.xml"), "--json"], capture_output=True, text=True)
+    verdict = json.loads(check.stdout.splitlines()[-1])
+    near = {frozenset((one["object"], one["other"])) for one in verdict["touching"] + verdict["findings"] if one.get("other")}
+    return {"mj kept": sum(frozenset(edge) in near for edge in edges_before),
+            "mj tipped": sum(turned(start[name], pose) > TIPPED for name, pose in end.items()),
+            "mj ways": [1000 * math.dist(start[name][:3], pose[:3]) for name, pose in end.items()]}
+
+
+def run(arguments, folder, demo, noise, seed):
+    program = arguments.program
     agent = Agent(program, folder)
     agent.call("open", file=demo + ".glb")
     before = agent.objects()
     free = {name: one for name, one in before.items() if one["state"] not in ("fixed", "unplaced")}
     perturb(agent, free, noise, random.Random(seed))
+    bad = pathlib.Path(folder) / ("bad %s %d %d.glb" % (demo, noise, seed))
+    agent.call("save", file=bad.name)
     begin = agent.processor_seconds()
-    mended = agent.call("mend")
+    mended = agent.call("mend", seconds=SECONDS)
     seconds = agent.processor_seconds() - begin
     verdict = agent.call("check")
     kept = edges(before) & edges(agent.objects())
     agent.server.stdin.close()
     agent.server.wait()
     ways = [1000 * one["metres"] for one in mended["moved"]]
-    return {"kept": len(kept), "edges": len(edges(before)), "free": len(free), "unable": len(mended["unable"]),
-            "tipped": sum(one["degrees"] > 45 for one in mended["moved"]), "true": verdict["ok"], "ways": ways, "seconds": seconds}
+    out = {"kept": len(kept), "edges": len(edges(before)), "free": len(free), "unable": len(mended["unable"]),
+           "tipped": sum(one["degrees"] > TIPPED for one in mended["moved"]), "true": verdict["ok"], "ways": ways, "seconds": seconds}
+    if arguments.node:
+        out.update(by_mujoco(program, arguments.node, folder, pathlib.Path(folder) / (demo + ".glb"), bad, edges(before)))
+    return out
+
+
+def text_of_ways(ways):
+    return "%.1f, %.0f" % (statistics.median(ways), max(ways)) if ways else "-"
+
+
+def row(arguments, demo, noise, runs):
+    total = {key: sum(one[key] for one in runs) for key in runs[0] if not key.endswith("ways")}
+    cells = [demo, noise, total["free"], "%d of %d" % (total["kept"], total["edges"]), "%.3f" % (total["kept"] / total["edges"]),
+             total["unable"], total["tipped"], "%d of %d" % (total["true"], len(runs)),
+             text_of_ways([way for one in runs for way in one["ways"]]), "%.2f" % (total["seconds"] / total["free"])]
+    if arguments.node:
+        cells += ["%.3f" % (total["mj kept"] / total["edges"]), total["mj tipped"],
+                  text_of_ways([way for one in runs for way in one["mj ways"]])]
+    print("| " + " | ".join(map(str, cells)) + " |", flush=True)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
-    parser.add_argument("--demos", nargs="+", default=["breakfast", "office1", "office2"])
+    parser.add_argument("--demos", nargs="*", default=["breakfast", "office1", "office2"])
+    parser.add_argument("--scenes", nargs="+", default=[], type=pathlib.Path, help=".glb files written by trivet")
     parser.add_argument("--noise", nargs="+", type=int, default=[1, 5, 20])
     parser.add_argument("--runs", type=int, default=1)
+    parser.add_argument("--node", help="folder with node_modules/@mujoco/mujoco and a copy of rest.mjs")
     arguments = parser.parse_args()
-    print("| scene | noise, mm | free | kept | share | no place | tipped | true | moved median, largest, mm | CPU s an object |")
-    print("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|")
+    heads = ["scene", "noise, mm", "free", "kept", "share", "no place", "tipped", "true", "moved median, largest, mm", "CPU s an object"]
+    if arguments.node:
+        heads += ["MuJoCo: share kept", "tipped", "moved median, largest, mm"]
+    print("| " + " | ".join(heads) + " |\n|---|" + "--:|" * (len(heads) - 1))
     with tempfile.TemporaryDirectory() as folder:
         for demo in arguments.demos:
             subprocess.run([arguments.program, "demo", demo, "-o", f"{folder}/{demo}.glb", "--quiet"], check=True)
+        for scene in arguments.scenes:
+            shutil.copy(scene, folder)
+        for name in arguments.demos + [scene.stem for scene in arguments.scenes]:
             for noise in arguments.noise:
-                runs = [run(arguments.program, folder, demo, noise, seed) for seed in range(1, arguments.runs + 1)]
-                total = {key: sum(one[key] for one in runs) for key in runs[0] if key != "ways"}
-                ways = [way for one in runs for way in one["ways"]]
-                print("| %s | %d | %d | %d of %d | %.3f | %d | %d | %d of %d | %.1f, %.0f | %.2f |" % (
-                    demo, noise, total["free"], total["kept"], total["edges"], total["kept"] / total["edges"], total["unable"],
-                    total["tipped"], total["true"], len(runs), statistics.median(ways), max(ways),
-                    total["seconds"] / total["free"]), flush=True)
+                row(arguments, name, noise, [run(arguments, folder, name, noise, seed) for seed in range(1, arguments.runs + 1)])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 // node rest.mjs SECONDS SCENE...: how far MuJoCo moves the free bodies of each scene from its start state.
-// Needs @mujoco/mujoco of npm. Prints a line of JSON for each: {"file", "version", "moved": {body: metres}} or "error".
+// Needs @mujoco/mujoco of npm. Prints a line of JSON for each: {"file", "version", "moved": {body: metres},
+// "end": {body: [x, y, z, qw, qx, qy, qz]}} or "error".
 import load from '@mujoco/mujoco';
 import fs from 'fs';
 import path from 'path';
@@ -46,15 +47,17 @@ function movedBodies(mj, model, seconds) {
   const from = Array.from(data.xipos);
   const steps = Math.round(seconds / model.opt.timestep);
   for (let i = 0; i < steps; ++i) mj.mj_step(model, data);
-  const moved = {};
+  const moved = {}, end = {};
   for (let j = 0; j < model.njnt; ++j) {
     if (model.jnt_type[j] !== FREE) continue;
     const body = model.jnt_bodyid[j];
     const away = [0, 1, 2].map(k => data.xipos[3 * body + k] - from[3 * body + k]);
-    moved[nameAt(model, model.name_bodyadr[body]) || `body ${body}`] = Math.hypot(...away);
+    const name = nameAt(model, model.name_bodyadr[body]) || `body ${body}`;
+    moved[name] = Math.hypot(...away);
+    end[name] = [...[0, 1, 2].map(k => data.xpos[3 * body + k]), ...[0, 1, 2, 3].map(k => data.xquat[4 * body + k])];
   }
   data.delete?.();
-  return moved;
+  return {moved, end};
 }
 
 const mj = await load({print: () => {}, printErr: () => {}});
@@ -66,7 +69,7 @@ for (const file of scenes) {
     names = copyIn(mj.FS, path.dirname(path.resolve(file)));
     const main = '/scene/' + path.basename(file);
     const model = mj.MjModel.mj_loadXML ? mj.MjModel.mj_loadXML(main) : mj.MjModel.loadFromXML(main);
-    answer.moved = movedBodies(mj, model, Number(seconds));
+    Object.assign(answer, movedBodies(mj, model, Number(seconds)));
     model.delete?.();
   } catch (error) {
     answer = {file, error: String(error.message ?? error)};

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `trivet put` of a cube costs by backend, start-up included: CPU and wall milliseconds, runs in turn.
+"""Measures `trivet put` of a cube by backend, start-up included: CPU and wall milliseconds, runs in turn.
 
 Usage: start_up.py RUNS PROGRAM...        such as: start_up.py 25 build/before/apps/trivet build/release/apps/trivet
 """

@@ -45,8 +45,10 @@ void save_scene(const Scene& scene, const std::string& path) {
     const std::string& folder = scene.internal().opened().model_folder;
     const Layout layout = layout_in(scene);
     check_not_an_input(path, model_files(layout, folder));
+    const double asked = scene.rules().clearance;
+    const double clearance = asked > 0 ? asked : settled_clearance(scene.internal().opened());
     write_scene_file(scene.internal().scene(), layout,
-                     {TRIVET_VERSION, folder_from(path, folder), scene.rules().clearance}, path);
+                     {TRIVET_VERSION, folder_from(path, folder), clearance}, path);
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ops/files/arrange/schema.h"
 #include "ops/files/json/operation_schema.h"
 
 namespace trivet::mcp {
@@ -87,7 +88,7 @@ void collect_relations(const Json& schema, Json& words, std::string& text) {
 }
 
 // The keys that agents need; others are accepted as well.
-Json arrange_schema(const Json& form, const Json& arrange) {
+Json arrange_tool(const Json& form, const Json& arrange) {
   Json words = Json::array();
   std::string text = "Relations to be met.";
   collect_relations(arrange["properties"]["relations"]["items"], words, text);
@@ -126,7 +127,7 @@ std::vector<OperationTool> operation_tools(const std::vector<std::string>& ops,
       tool.description +=
           (tool.description.empty() ? "" : " Or: ") + form.value("description", std::string());
       if (op == "arrange") {
-        tool.schema = arrange_schema(form, Json::parse(texts.arrange));
+        tool.schema = arrange_tool(form, arrange_schema(texts.arrange));
         continue;
       }
       tool.description += needs_of(form);

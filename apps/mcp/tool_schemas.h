@@ -10,7 +10,7 @@ namespace trivet::mcp {
 
 struct SchemaTexts {
   const char* layout = "{}";   // layout.schema.in.json
-  const char* arrange = "{}";  // arrange.schema.json
+  const char* arrange = "{}";  // arrange.schema.in.json
 };
 
 /// An operation as a tool: all its forms together, without references.

@@ -80,18 +80,18 @@ std::vector<Tool> telling_tools() {
 
 std::vector<Tool> changing_tools() {
   return {
-      tool(
-          "move_joint",
-          "Open or close a drawer, door or lid of a scene in MJCF, with all that lies in it, until "
-          "its limit or the first contact.",
-          arguments_schema(
-              {{"joint", text_schema("Its name; `list` with what: joints.")},
-               {"to",
-                {{"description", "Metres or degrees, or \"lower\" or \"upper\"."},
-                 {"type", {"number", "string"}}}},
-               {"by", number_schema("Metres or degrees from where it is.", -1e6, 1e6)}},
-              {"joint"}),
-          false, &Workplace::move_joint),
+      tool("move_joint",
+           "Open or close a drawer, door or lid of a scene in MJCF, URDF or SDF, with all in it, "
+           "until "
+           "its limit or the first contact.",
+           arguments_schema(
+               {{"joint", text_schema("Its name; `list` with what: joints.")},
+                {"to",
+                 {{"description", "Metres or degrees, or \"lower\" or \"upper\"."},
+                  {"type", {"number", "string"}}}},
+                {"by", number_schema("Metres or degrees from where it is.", -1e6, 1e6)}},
+               {"joint"}),
+           false, &Workplace::move_joint),
       tool(
           "mend",
           "Move what interpenetrates, floats or would fall to the nearest places where all is true "

@@ -92,7 +92,7 @@ class Parameter:
         self.text += NOTES.get((forms[0]["properties"]["op"]["const"], key), "")
 
     def goes_with(self, form, other):
-        """What has to be given beside it."""
+        """The arguments that must be given beside this one."""
         for key in form["required"]:
             words = form["properties"][key].get("enum")
             if words and key != "op":
@@ -119,7 +119,7 @@ class Parameter:
 
 
 def parameters_of(forms):
-    """Those of the plain form, which is the last one, come first."""
+    """Parameters of all forms; those of the plain form, which is the last one, come first."""
     out = {}
     for form in reversed(forms):
         for key, value in form["properties"].items():
@@ -158,7 +158,7 @@ def method(op, forms):
 
 
 def table(operations):
-    """What each operation takes by name, for drags."""
+    """Table of the parameters of each operation, for drags."""
     text = "\n\n# Key in layouts and kind of each parameter.\nPARAMETERS: dict[str, dict[str, tuple[str, str]]] = {\n"
     for op, forms in operations.items():
         first, rest = parameters_of(forms)

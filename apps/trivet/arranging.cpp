@@ -24,6 +24,13 @@ std::string numbered(std::string path, int number) {
   return path.replace(at, 2, std::to_string(number));
 }
 
+OutputPaths outputs_of_solution(OutputPaths paths, const ArrangingOptions& arranging, int number) {
+  if (arranging.solutions == 1) return paths;
+  for (std::string* const path : {&paths.scene, &paths.report, &paths.picture})
+    *path = numbered(*path, number);
+  return paths;
+}
+
 // A run that goes on from what stands.
 LayoutRun run_of(const LayoutRun& start, const Solution& solution, const RunOptions& options) {
   LayoutRun run = start;
@@ -39,10 +46,8 @@ class Writer {
  public:
   Writer(const ArrangeFile& file, const ArrangingOptions& arranging, const CommonOptions& common)
       : m_file(file), m_common(common) {
-    m_outputs.reserve(static_cast<size_t>(arranging.solutions));
-    for (int k = 1; k <= arranging.solutions; ++k)
-      m_outputs.push_back(std::make_unique<Outputs>(outputs_of_solution(file.outputs, arranging, k),
-                                                    file.inputs, common, file.picture));
+    for (const OutputPaths& paths : outputs_of_solutions(file.outputs, arranging))
+      m_outputs.push_back(std::make_unique<Outputs>(paths, common, file.picture));
   }
 
   int write(size_t number, const LayoutRun& run, const Problem& problem,
@@ -79,17 +84,21 @@ void add_arranging_options(CLI::App& app, ArrangingOptions& options) {
       ->check(number_from(0, kMaxLength));
 }
 
-OutputPaths outputs_of_solution(OutputPaths paths, const ArrangingOptions& arranging, int number) {
-  if (arranging.solutions == 1) return paths;
-  for (std::string* const path : {&paths.scene, &paths.report, &paths.picture})
-    *path = numbered(*path, number);
-  return paths;
+std::vector<OutputPaths> outputs_of_solutions(const OutputPaths& paths,
+                                              const ArrangingOptions& arranging) {
+  std::vector<OutputPaths> out;
+  out.reserve(static_cast<size_t>(arranging.solutions));
+  for (int k = 1; k <= arranging.solutions; ++k)
+    out.push_back(outputs_of_solution(paths, arranging, k));
+  return out;
 }
 
 int arrange_file(const ArrangeFile& file, const ArrangingOptions& arranging,
                  const SettleArguments& settle, const CommonOptions& common) {
-  Writer writer(file, arranging, common);
   Problem problem = read_problem(file.problem, common.limits().max_file_bytes);
+  for (const OutputPaths& paths : outputs_of_solutions(file.outputs, arranging))
+    check_not_the_same(paths.all(), model_files(problem.layout, folder_of(file.problem)));
+  Writer writer(file, arranging, common);
   if (arranging.seed) problem.arrangement.seed = static_cast<std::uint64_t>(*arranging.seed);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, settle, detector.get());

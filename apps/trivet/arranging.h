@@ -17,13 +17,13 @@ struct ArrangingOptions {
 };
 void add_arranging_options(CLI::App& app, ArrangingOptions& options);
 
-/// Files of one solution: {} becomes its number, from 1. @throws Error (BadInput) when there are
+/// Files of each solution: {} becomes its number, from 1. @throws Error (BadInput) when there are
 /// several solutions and a path without {}.
-OutputPaths outputs_of_solution(OutputPaths paths, const ArrangingOptions& arranging, int number);
+std::vector<OutputPaths> outputs_of_solutions(const OutputPaths& paths,
+                                              const ArrangingOptions& arranging);
 
 struct ArrangeFile {
-  std::string problem;              // file
-  std::vector<std::string> inputs;  // files that must not be overwritten
+  std::string problem;  // file
   OutputPaths outputs;
   PictureRequest picture = {};
   ModelFolders folders;  // from the scene to the models

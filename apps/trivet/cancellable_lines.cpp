@@ -1,10 +1,14 @@
 #include "apps/trivet/cancellable_lines.h"
 
 #include <condition_variable>
+#include <csignal>
 #include <deque>
+#include <iostream>
 #include <mutex>
 #include <thread>
 #include <utility>
+
+#include "core/base/error.h"
 
 namespace trivet::apps {
 namespace {
@@ -79,6 +83,24 @@ std::shared_ptr<InputLine> CancellableLines::next() {
   s.waiting.pop_front();
   s.changed.notify_all();
   return s.in_work;
+}
+
+void answer_lines(CancellableLines::Cancels cancels, size_t max_bytes,
+                  const std::function<std::optional<std::string>(const InputLine&)>& answer,
+                  const char* lost) {
+  CancellableLines lines(std::cin, std::move(cancels), max_bytes);
+  while (const auto line = lines.next()) {
+    const bool is_blank =
+        !line->is_too_long && line->text.find_first_not_of(" \t\r") == line->text.npos;
+    if (is_blank) continue;
+    if (const auto text = answer(*line)) write_answer(*text, lost);
+  }
+}
+
+void write_answer(const std::string& answer, const char* lost) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error like others
+  std::cout << answer << std::endl;
+  if (!std::cout) throw Error(Error::Kind::Environment, lost);
 }
 
 }  // namespace trivet::apps

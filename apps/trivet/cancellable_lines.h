@@ -1,10 +1,11 @@
-// Lines of standard input, read ahead, so that a line can cancel earlier ones.
+// Lines of standard input, read ahead, so that a line can cancel earlier ones, and their answers.
 #pragma once
 
 #include <atomic>
 #include <functional>
 #include <istream>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace trivet::apps {
@@ -37,5 +38,15 @@ class CancellableLines {
   struct State;
   std::shared_ptr<State> m_state;  // shared with the thread, which cannot be woken from reading
 };
+
+/// Answers the lines of standard input on standard output, each by one line, until they end.
+/// @param answer  nullopt: the line has none. @param lost  the error where nobody reads the
+/// answers.
+/// @throws Error (Environment).
+void answer_lines(CancellableLines::Cancels cancels, size_t max_bytes,
+                  const std::function<std::optional<std::string>(const InputLine&)>& answer,
+                  const char* lost);
+/// Writes one of them. @throws Error (Environment), as above.
+void write_answer(const std::string& answer, const char* lost);
 
 }  // namespace trivet::apps

@@ -17,13 +17,12 @@ void add_scene_options(CLI::App& app, SceneArguments& arguments) {
   add_settle_options(app, arguments.settle);
 }
 
-int change_scene(const SceneArguments& arguments, const std::vector<std::string>& inputs,
-                 const CommonOptions& common,
+int change_scene(const SceneArguments& arguments, const CommonOptions& common,
                  const std::function<SceneChange(const SceneFile&, const RunOptions&)>& change) {
-  Outputs outputs(arguments.outputs, inputs, common);
+  Outputs outputs(arguments.outputs, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const Sentence& note : file.notes) print_note(common, note);
-  check_not_inputs(arguments.outputs, model_files(file.layout, folder_of(arguments.scene)));
+  check_not_inputs(arguments.outputs.all(), model_files(file.layout, folder_of(arguments.scene)));
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;

@@ -27,10 +27,8 @@ struct SceneChange {
   std::optional<Object> object = {};       // in the scene
 };
 
-/// @param inputs  other files that are read. @param change  asked for once the scene is read.
-/// @return the exit status.
-int change_scene(const SceneArguments& arguments, const std::vector<std::string>& inputs,
-                 const CommonOptions& common,
+/// @param change  asked for once the scene is read. @return the exit status.
+int change_scene(const SceneArguments& arguments, const CommonOptions& common,
                  const std::function<SceneChange(const SceneFile&, const RunOptions&)>& change);
 
 }  // namespace trivet::apps

@@ -92,7 +92,6 @@ int check_many(const CheckManyArguments& arguments, const CommonOptions& common)
       arguments.page.find(kPlaceOfName) == std::string::npos)
     bad_input("--html %1: there are %2 scenes; accepted: a name with {} for the number",
               arguments.page, arguments.files.size());
-  check_files({arguments.report, arguments.page}, arguments.files);
   std::vector<SceneVerdict> verdicts;
   std::string lines;
   const ProgressCallback progress = terminal_progress(common);

@@ -19,12 +19,11 @@ namespace {
 
 constexpr double kMostFrames = 100'000;
 
-void check_file(const std::string& file, const std::vector<std::string>& inputs) {
+void check_file(const std::string& file) {
   check_extension(file, {".webp", ".png"});
   if (lower_extension(file) == ".png" && file.find(kPlaceOfName) == std::string::npos)
     bad_input("--animation: %1 is one picture; accepted: a .png with {} for the number, or .webp",
               file);
-  check_files({file}, inputs);
 }
 
 struct FilmedRun {
@@ -113,9 +112,8 @@ int render_film(const std::string& file, const FilmFrames& film, const PictureRe
     bad_input("--animation: %1 has no operations; accepted: a layout (.json)", file);
   const Layout layout = read_layout(file, common.limits().max_file_bytes);
   check_can_be_filmed(layout);
-  std::vector<std::string> inputs = model_files(layout, folder_of(file));
-  inputs.push_back(file);
-  check_file(film.file, inputs);
+  check_file(film.file);
+  check_not_the_same({film.file}, model_files(layout, folder_of(file)));
   PictureMaker maker(request);
   const auto [run, motion] = filmed(file, layout, common);
   Frames frames(motion, layout.floor);

@@ -18,18 +18,11 @@
 namespace trivet::apps {
 namespace {
 
-std::vector<std::string> patterns(const LabelArguments& a) {
-  std::vector<std::string> out;
-  for (const std::string& file : {a.depth, a.ids, a.classes, a.normals, a.boxes, a.picture})
-    if (!file.empty()) out.push_back(file);
-  return out;
-}
-
 bool is_exr(const std::string& file) { return lower_extension(file) == ".exr"; }
 
 void check_one_view(const LabelArguments& arguments, std::size_t num_views) {
   if (num_views < 2) return;
-  for (const std::string& file : patterns(arguments))
+  for (const std::string& file : label_files(arguments))
     if (file.find(kPlaceOfName) == std::string::npos)
       bad_input(
           "%1: one file for %2 views; accepted: a name with {}, which stands for that of the view",
@@ -115,6 +108,13 @@ void LabelWriter::write(const LabelView& view) {
 
 }  // namespace
 
+std::vector<std::string> label_files(const LabelArguments& a) {
+  std::vector<std::string> out;
+  for (const std::string& file : {a.depth, a.ids, a.classes, a.normals, a.boxes, a.picture})
+    if (!file.empty()) out.push_back(file);
+  return out;
+}
+
 void add_label_options(CLI::App& app, LabelArguments& arguments) {
   const char* const group = "Labelled images";
   const auto file = [&](const char* name, std::string& target, const char* what) {
@@ -145,7 +145,7 @@ void add_label_options(CLI::App& app, LabelArguments& arguments) {
   add_view_options(app, arguments.views);
 }
 
-void check_label_outputs(const LabelArguments& arguments, const std::vector<std::string>& inputs) {
+void check_label_outputs(const LabelArguments& arguments) {
   const auto check = [](const std::string& file, const std::vector<std::string>& accepted) {
     if (!file.empty()) check_extension(file, accepted);
   };
@@ -156,7 +156,6 @@ void check_label_outputs(const LabelArguments& arguments, const std::vector<std:
   check(arguments.boxes, {".json"});
   check(arguments.picture, {".png"});
   check_one_view(arguments, arguments.views.dome);
-  check_files(patterns(arguments), inputs);
   const float nothing = 0;
   if (is_exr(arguments.depth) || is_exr(arguments.normals)) encode_exr(1, 1, 1, {&nothing, 1});
 }
@@ -164,7 +163,7 @@ void check_label_outputs(const LabelArguments& arguments, const std::vector<std:
 void write_labels(const std::string& scene_file, const LabelArguments& arguments,
                   const PictureRequest& request, const CommonOptions& common) {
   const SceneFile file = read_scene_with_layout(scene_file, common);
-  std::vector<std::string> outputs = patterns(arguments);
+  std::vector<std::string> outputs = label_files(arguments);
   outputs.insert(outputs.end(), {arguments.coco, arguments.bop});
   for (const std::string& output : outputs)
     if (!output.empty())

@@ -20,9 +20,12 @@ struct LabelArguments {
 };
 void add_label_options(CLI::App& app, LabelArguments& arguments);
 
+/// Names of its files, of several views with {}.
+std::vector<std::string> label_files(const LabelArguments& arguments);
+
 /// Before the work. @throws Error (BadInput) for wrong extensions, names without {} for several
-/// views, files used twice; (Environment) for files that cannot be written, and without OpenEXR.
-void check_label_outputs(const LabelArguments& arguments, const std::vector<std::string>& inputs);
+/// views; (Environment) without OpenEXR.
+void check_label_outputs(const LabelArguments& arguments);
 
 /// Makes and writes the labelled images of all views.
 void write_labels(const std::string& scene_file, const LabelArguments& arguments,

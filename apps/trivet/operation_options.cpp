@@ -308,7 +308,9 @@ void check_objects(const Operation& operation, const Scene& scene, const std::st
   const auto check = [&](const std::string& name) {
     if (!scene.find(name)) bad_file(file, sentence_of(unknown_object(scene, name)));
   };
-  if (!std::holds_alternative<DrapeOperation>(operation)) check(object_name(operation));
+  if (!std::holds_alternative<DrapeOperation>(operation) &&
+      !std::holds_alternative<RepairOperation>(operation))
+    check(object_name(operation));
   const OperationTable& table = table_of(operation);
   void* const data = const_cast<void*>(data_of(operation));  // slots are only read here
   for (const Field& field : table.fields) {

@@ -1,77 +1,24 @@
 #include "apps/trivet/outputs.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cctype>
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <iostream>
 #include <set>
 #include <sstream>
 
 #include "core/base/count_of.h"
-#include "core/base/error.h"
 #include "core/base/extension.h"
-#include "core/io/export.h"
-#include "core/io/overwrites.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/io/staged_files.h"
 #include "core/mesh/part_masses.h"
+#include "ops/files/foreign/findings.h"
+#include "ops/files/report/repaired.h"
 #include "ops/files/report/verdict.h"
+#include "ops/placement/clearance.h"
 #include "ops/simulation/scene_formats.h"
 
 namespace trivet::apps {
 namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void fail_write(const std::string& path) {
-  throw Error(Error::Kind::Environment, "%1: cannot be written: %2", path, std::strerror(errno));
-}
-
-void check_distinct(const std::vector<std::string>& outputs,
-                    const std::vector<std::string>& inputs) {
-  for (size_t i = 0; i < outputs.size(); ++i) {
-    for (size_t j = 0; j < i; ++j)
-      if (same_file(outputs[i], outputs[j]))
-        throw Error(Error::Kind::BadInput, "%1: used for two outputs; accepted: different files",
-                    outputs[i]);
-    check_not_the_same(outputs[i], inputs);
-  }
-}
-
-// The folder that will hold it, or the nearest one above that exists: missing ones are made when
-// all is written.
-fs::path existing_folder(const fs::path& file) {
-  std::error_code ignored;
-  fs::path folder = file.parent_path();
-  while (folder.has_relative_path() && !fs::exists(folder, ignored)) folder = folder.parent_path();
-  return folder;
-}
-
-// Tries to write, and leaves no file behind.
-void check_writable(const std::string& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) {
-    errno = EISDIR;
-    fail_write(path);
-  }
-  if (fs::exists(path, ignored)) {
-    if (access(path.c_str(), W_OK) != 0) fail_write(path);
-    if (!fs::is_regular_file(path, ignored)) return;  // a device or a pipe
-  }
-  // Follows a symbolic link, like the later write.
-  const fs::path target = fs::weakly_canonical(fs::absolute(path), ignored);
-  const std::string trial_name = ".trivet_trial_" + std::to_string(getpid());
-  const fs::path trial = existing_folder(ignored ? fs::absolute(path) : target) / trial_name;
-  const int descriptor = open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0) fail_write(path);
-  close(descriptor);
-  unlink(trial.c_str());
-}
 
 /// @param what, one  in the plural, and of a single one.
 void append_findings(std::ostringstream& out, const std::vector<SceneCheck::PairFinding>& findings,
@@ -104,6 +51,7 @@ std::string end_of(const OperationRecord& record) {
     out += "; below it " + quoted_list(r.unsound) + (r.unsound.size() > 1 ? " are" : " is") +
            " held, unsupported or invalid";
   if (!r.unsupported.empty()) out += "; leaves unsupported: " + quoted_list(r.unsupported);
+  if (r.repaired) return record.op + ": " + mended_text(*r.repaired);
   return out.empty() ? "" : record.op + " \"" + record.object + "\"" + out + "\n";
 }
 
@@ -146,6 +94,13 @@ std::string lists_summary(const Detector& detector) {
          detector.lists() + ")\n    " + std::to_string(work.draws) + " draws, " +
          std::to_string(work.read_backs) + " read-backs; " + std::to_string(detector.work().early) +
          " queries asked together with others, early\n";
+}
+
+std::string pairs_summary(const LayoutRun& run) {
+  const PairClasses pairs = pair_classes(run.scene, run.check);
+  if (pairs.num_judged() == 0) return "";
+  const double given = run.settle.clearance;
+  return pairs_text(pairs, given > 0 ? given : default_clearance(run.scene)) + "\n";
 }
 
 // Statistics of the paper's three stages and of the narrow phase, for display.
@@ -195,41 +150,9 @@ void add_output_options(CLI::App& app, OutputPaths& paths) {
                "Exit with 0 even if the scene does not stand as a whole");
 }
 
-void check_extension(const std::string& path, const std::vector<std::string>& accepted) {
-  const std::string extension = lower_extension(path);
-  if (std::find(accepted.begin(), accepted.end(), extension) != accepted.end()) return;
-  std::string list;
-  for (const std::string& e : accepted) list += (list.empty() ? "" : ", ") + e;
-  throw Error(Error::Kind::BadInput, "%1: the extension \"%2\" is not accepted; accepted: %3", path,
-              extension, list);
-}
-
-void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
-  using Kind = SceneFormat::Kind;
-  if (!paths.scene.empty())
-    check_extension(paths.scene, extensions_of({Kind::Scene, Kind::Simulator}));
-  if (!paths.picture.empty()) check_extension(paths.picture, {".png"});
-  check_files({paths.scene, paths.report, paths.picture}, inputs);
-  check_files_beside(paths.scene);
-}
-
-void check_not_inputs(const OutputPaths& paths, const std::vector<std::string>& inputs) {
-  for (const std::string& path : {paths.scene, paths.report, paths.picture})
-    if (!path.empty()) check_not_an_input(path, inputs);
-}
-
-void check_files(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
-  std::vector<std::string> wanted;
-  for (const std::string& path : outputs)
-    if (!path.empty()) wanted.push_back(path);
-  check_distinct(wanted, inputs);
-  for (const std::string& path : wanted) check_writable(path);
-}
-
-Outputs::Outputs(const OutputPaths& paths, const std::vector<std::string>& inputs,
-                 const CommonOptions& common, const PictureRequest& picture)
+Outputs::Outputs(const OutputPaths& paths, const CommonOptions& common,
+                 const PictureRequest& picture)
     : m_paths(paths), m_common(common) {
-  check_outputs(paths, inputs);
   PictureRequest request = picture;
   request.device = common.detection().device;
   request.num_threads = common.num_threads;
@@ -270,7 +193,7 @@ int Outputs::write(const LayoutRun& run, const Layout& layout, const RunOptions&
   if (options.context.detector) tell_work(*options.context.detector, m_common, &report_options);
   const std::string report = report_json(run, report_options);
   // Everything that can fail, except the disk, comes first; a picture takes a while.
-  check_not_inputs(m_paths, {});
+  check_not_inputs(m_paths.all(), {});
   const std::string png = m_picture ? m_picture->png(run.scene) : "";
   clear_progress_line(m_common);
   print_model_notes(run.scene, m_common);
@@ -309,7 +232,7 @@ std::string summary(const LayoutRun& run) {
   for (const ObjectId id : ids) num_placed += run.scene.at(id).placed;
   out << count_of(ids.size(), "object") << ", " << num_placed << " in the scene; "
       << count_of(run.operations.size(), "operation") << ", " << num_refused << " refused\n"
-      << check_summary(run.check) << verdict_text(run.scene, run.stability);
+      << check_summary(run.check) << pairs_summary(run) << verdict_text(run.scene, run.stability);
   return out.str();
 }
 

@@ -1,4 +1,4 @@
-// Output files: checked before the work, written together after it.
+// Output files, written together after the work; verb_files.h checks them before it.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 
 #include "apps/trivet/common.h"
 #include "apps/trivet/picture.h"
+#include "apps/trivet/verb_files.h"
 #include "ops/files/inplace/scene_objects.h"
 #include "ops/files/layout/paths.h"
 #include "ops/files/layout/run.h"
@@ -15,37 +16,18 @@
 
 namespace trivet::apps {
 
-struct OutputPaths {
-  std::string scene, report, picture;  // empty: not requested
-  bool allow_unstable = false;         // an exit status of 0 though the scene does not stand
-};
 /// Prefixes of the models' relative paths.
 struct ModelFolders {
   std::string in_scene, in_report;
 };
 void add_output_options(CLI::App& app, OutputPaths& paths);
 
-/// Checks output paths before the work. @throws Error: BadInput for a wrong extension, two outputs
-/// in one file, an output that is an input; Environment if a file cannot be written.
-/// @param inputs  files that must not be overwritten.
-void check_outputs(const OutputPaths& paths, const std::vector<std::string>& inputs);
-
-/// For inputs that only another input names: the models of a scene.
-/// @throws Error (BadInput) when an output is one of them.
-void check_not_inputs(const OutputPaths& paths, const std::vector<std::string>& inputs);
-
-/// @throws Error (BadInput) naming the accepted extensions.
-void check_extension(const std::string& path, const std::vector<std::string>& accepted);
-
-/// check_outputs() without the extensions; empty paths are skipped.
-void check_files(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
-
 /// The outputs of a run. Made before the work.
 class Outputs {
  public:
-  /// @throws Error as check_outputs(), and if pictures are requested but unavailable.
-  Outputs(const OutputPaths& paths, const std::vector<std::string>& inputs,
-          const CommonOptions& common, const PictureRequest& picture = {});
+  /// @throws Error if pictures are requested but unavailable.
+  Outputs(const OutputPaths& paths, const CommonOptions& common,
+          const PictureRequest& picture = {});
 
   /// Puts "arrange" into the report. @param json  its text.
   void add_arrangement(std::string json) { m_arrangement = std::move(json); }

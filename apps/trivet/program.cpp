@@ -118,6 +118,7 @@ int do_verb(const std::vector<Verb>& verbs, const CommonOptions& common) {
     if (verb.app->parsed()) {
       // Workers of batches are forked: what EGL opens must not be here.
       if (verb.app->get_name() != "batch") check_detection(common.detection());
+      if (verb.files) check_files(verb.files());
       const int status = verb.run();
       warn_of_importers(common);
       if (!std::cout.flush())

@@ -102,6 +102,9 @@ class PageWriter {
     out["show"] = OrderedJson::array();
     out["verdict"] = m_verdict.path + (m_verdict.ok() ? ": ok" : ": failed") +
                      (m_verdict.whole() ? "" : ", judged in part");
+    out["pairs"] = pairs_text(m_verdict.pairs, m_verdict.clearance);
+    out["touching"] = OrderedJson::array();
+    for (const TouchingPair& p : m_verdict.pairs.touching) out["touching"].push_back(touching(p));
     out["findings"] = OrderedJson::array();
     for (const SceneFinding& f : m_verdict.findings) out["findings"].push_back(finding(f));
     return out;
@@ -180,14 +183,22 @@ class PageWriter {
     out["edges"] = edges;
   }
 
+  OrderedJson numbers_of(const std::string& a, const std::string& b) const {
+    OrderedJson out = OrderedJson::array();
+    for (const std::string& name : {a, b})
+      if (const auto it = m_numbers.find(name); it != m_numbers.end()) out.push_back(it->second);
+    return out;
+  }
+
+  OrderedJson touching(const TouchingPair& p) const {
+    return {{"text", touching_text(p)}, {"objects", numbers_of(p.a, p.b)}};
+  }
+
   OrderedJson finding(const SceneFinding& f) const {
-    OrderedJson objects = OrderedJson::array();
+    const OrderedJson objects = numbers_of(f.object, f.other);
     Vec3 point = middle();
     if (const auto id = m_scene.find(f.object)) point = m_scene.world_box(*id).centre();
     if (f.kind == SceneFinding::Kind::PassesThrough) point = f.point + m_lift * Vec3::UnitZ();
-    for (const std::string& name : {f.object, f.other})
-      if (const auto it = m_numbers.find(name); it != m_numbers.end())
-        objects.push_back(it->second);
     return {{"text", finding_text(f)},
             {"objects", objects},
             {"point", to_json(Vec3(point - middle()))}};

@@ -14,11 +14,7 @@ struct ArrangeArguments {
 
 int arrange_problem(const ArrangeArguments& arguments, const CommonOptions& common) {
   const std::string folder = folder_of(arguments.problem);
-  const Layout layout = read_problem(arguments.problem, common.limits().max_file_bytes).layout;
-  std::vector<std::string> inputs = model_files(layout, folder);
-  inputs.push_back(arguments.problem);
   return arrange_file({arguments.problem,
-                       inputs,
                        arguments.outputs,
                        {},
                        {folder_from(arguments.outputs.scene, folder), ""}},
@@ -41,7 +37,13 @@ std::vector<Verb> add_arrange(CLI::App& app, const CommonOptions& common) {
   add_settle_options(*verb, arguments->settle);
   return {{verb, [arguments, &common] { return arrange_problem(*arguments, common); },
            "trivet arrange problem.json -o scene.glb --report report.json\n"
-           "trivet arrange problem.json --seed 7 -o scene.glb\n"}};
+           "trivet arrange problem.json --seed 7 -o scene.glb\n",
+           true,
+           [arguments] {
+             return VerbFiles{outputs_of_solutions(arguments->outputs, arguments->arranging),
+                              {},
+                              {arguments->problem}};
+           }}};
 }
 
 }  // namespace trivet::apps

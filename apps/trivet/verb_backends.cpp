@@ -1,7 +1,6 @@
 // Sources of candidates on this machine, their speed, and the one that `auto` takes.
 #include <iomanip>
 #include <iostream>
-#include <optional>
 #include <sstream>
 
 #include "apps/trivet/verbs.h"
@@ -77,13 +76,19 @@ std::string table_text(Machine& machine, const Calibration& calibration, Motion:
   return out.str();
 }
 
-// From how many triangles of both meshes on another source than BVHs is taken; nothing: never.
-std::optional<int> first_other(Machine& machine, Motion::Kind kind) {
+// The triangles of both meshes for which another source than BVHs is taken, such as " of 9957 to
+// 1200000 triangles, both meshes together".
+std::string range_of_others(Machine& machine, Motion::Kind kind) {
   constexpr int kMost = 100'000'000;
-  for (double n = 100; n <= kMost; n *= 1.1)
-    if (machine.choice(size_for(kind, static_cast<int>(n))) != Calibration::kBvh)
-      return static_cast<int>(2 * n);
-  return std::nullopt;
+  int from = 0, to = 0;
+  for (double n = 100; n <= kMost && to == 0; n *= 1.1) {
+    const bool is_bvh = machine.choice(size_for(kind, static_cast<int>(n))) == Calibration::kBvh;
+    if (from == 0 && !is_bvh) from = static_cast<int>(2 * n);
+    if (from > 0 && is_bvh) to = static_cast<int>(2 * n);
+  }
+  if (from == 0) return " never is";
+  return " of " + std::to_string(from) + (to > 0 ? " to " + std::to_string(to) : "") +
+         " triangles" + (to > 0 ? "" : " and more") + ", both meshes together";
 }
 
 // The rule of `auto`, with the constants that were measured.
@@ -92,12 +97,8 @@ std::string rule_of(Machine& machine) {
       "auto: BVHs, unless this machine's graphics hardware was measured to be faster for a query "
       "of that size";
   if (!machine.has_hardware()) return out + "; it has none";
-  for (const Motion::Kind kind : kKinds) {
-    const std::optional<int> from = first_other(machine, kind);
-    out +=
-        std::string("; a ") + name_of(kind) +
-        (from ? " from " + std::to_string(*from) + " triangles on, of both meshes" : " never is");
-  }
+  for (const Motion::Kind kind : kKinds)
+    out += std::string("; a ") + name_of(kind) + range_of_others(machine, kind);
   return out;
 }
 

@@ -1,5 +1,3 @@
-#include <sched.h>
-
 #include <algorithm>
 #include <iostream>
 #include <set>
@@ -7,7 +5,6 @@
 #include "apps/farm/batch/batch.h"
 #include "apps/farm/batch/stop_signals.h"
 #include "apps/farm/batch/templates.h"
-#include "apps/trivet/in_child.h"
 #include "apps/trivet/verb_batch_parts.h"
 #include "core/base/bad_input.h"
 #include "core/base/count_of.h"
@@ -83,24 +80,6 @@ int print_plan(const BatchRun& run, const PreparedRecipe& prepared, const BatchO
               << count_of(scenes, "scene") << ", " << count_of(prepared.models.size(), "model")
               << "; recipe " << sha256_hex(prepared.canonical) << "\n";
   return 0;
-}
-
-// Groups without any object in the scenes that were made.
-void warn_of_groups(const BatchTotals& totals, const CommonOptions& common) {
-  const std::uint64_t made = totals.ok + totals.refused;
-  for (const auto& [name, group] : totals.groups) {
-    if (group.placed > 0 || made == 0 || totals.there_before > 0) continue;
-    if (group.drawn == 0) {
-      print_note(common,
-                 say("the group \"%1\" has no object: its count was 0 in all scenes", name));
-      continue;
-    }
-    const auto most =
-        std::max_element(group.reasons.begin(), group.reasons.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    print_note(common, say("the group \"%1\": none of %2 could be put; most often: %3", name,
-                           count_of(group.drawn, "object"), most->first));
-  }
 }
 
 int print_only(const BatchArguments& arguments, const Work& work, const CommonOptions& common) {
@@ -215,124 +194,6 @@ void add_batch_options(CLI::App& verb, BatchArguments& a) {
 
 }  // namespace
 
-void report_to_terminal(BatchOptions& options, const CommonOptions& common) {
-  options.log = [&common](const std::string& line) {
-    clear_progress_line(common);
-    if (!common.quiet) std::cerr << line << "\n";
-  };
-  if (!shows_progress(common)) return;
-  options.on_progress = [](const BatchProgress& progress) {
-    constexpr std::uint64_t kWidth = 24;
-    const auto full = progress.made * kWidth / std::max<std::uint64_t>(progress.total, 1);
-    std::cerr << "\r\033[K[" << std::string(full, '#') << std::string(kWidth - full, '.') << "] "
-              << progress_text(progress) << std::flush;
-  };
-}
-
-int print_totals(const BatchTotals& totals, const BatchOptions& options,
-                 const CommonOptions& common) {
-  clear_progress_line(common);
-  warn_of_groups(totals, common);
-  if (totals.work.draws > 0 && !common.quiet)
-    std::cerr << "z-lists: " << totals.work.queries << " queries, of " << totals.work.early
-              << " asked early, in " << totals.work.draws << " draws and " << totals.work.read_backs
-              << " read-backs\n";
-  if (common.json)
-    std::cout << json_line({{"shard", options.shard.index},
-                            {"shards", options.shard.count},
-                            {"units", totals.units},
-                            {"units_there_before", totals.there_before},
-                            {"units_by_others", totals.by_others},
-                            {"units_dropped", totals.dropped},
-                            {"ok", totals.ok},
-                            {"refused", totals.refused},
-                            {"failed", totals.failed},
-                            {"failed_before", totals.failed_before},
-                            {"waiting", totals.waiting},
-                            {"queries", totals.work.queries},
-                            {"early_queries", totals.work.early},
-                            {"draws", totals.work.draws},
-                            {"read_backs", totals.work.read_backs},
-                            {"notes", totals.notes},
-                            {"stopped", totals.stopped}});
-  else
-    std::cout << "shard " << options.shard.index << " of " << options.shard.count << ": "
-              << totals.units << " units, " << totals.there_before
-              << " were there; scenes: " << totals.ok << " ok, " << totals.refused << " refused, "
-              << totals.failed << " failed"
-              << (totals.failed_before > 0
-                      ? ", " + std::to_string(totals.failed_before) + " without, as they had failed"
-                      : "")
-              << (totals.dropped > 0
-                      ? "; units made twice and dropped: " + std::to_string(totals.dropped)
-                      : "")
-              << (totals.waiting > 0
-                      ? "; units whose scenes are not there yet: " + std::to_string(totals.waiting)
-                      : "")
-              << (totals.stopped ? "; stopped: run it again to go on" : "") << "\n";
-  return totals.stopped || totals.waiting > 0 ? kComeAgain : totals.failed > 0;
-}
-
-int num_jobs(int asked, const CommonOptions& common) {
-  if (asked > 0) return asked;
-  if (common.num_threads > 0) return common.num_threads;
-  cpu_set_t cores;
-  CPU_ZERO(&cores);
-  return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
-}
-
-void add_worker_options(CLI::App& verb, int& jobs, WorkLimits& limits) {
-  jobs = 0;
-  verb.add_option("--jobs", jobs, "Processes that make scenes; 0: as many as cores")
-      ->check(integer_from(0, 4096));
-  verb.add_option("--scene-seconds", limits.scene_seconds,
-                  "CPU time limit of a scene (s); by the clock ten times as much")
-      ->check(number_from(0.001, 1e6));
-  verb.add_option("--scene-memory-mb", limits.memory_mb,
-                  "Memory limit of one worker process, in MB")
-      ->check(integer_from(1, 100'000'000));
-  verb.add_option("--retries", limits.retries, "Further tries of a scene that ends its process")
-      ->check(integer_from(0, 100));
-  verb.add_option("--recycle", limits.recycle, "Number of scenes after which a process is replaced")
-      ->check(integer_from(1, 1'000'000'000));
-}
-
-std::uint64_t first_worker_of(const BatchOptions& options) {
-  return options.shard.index * static_cast<std::uint64_t>(options.jobs);
-}
-
-namespace {
-
-// Scenes that a worker makes side by side for a GPU: measured, see docs/guide/detectors.md.
-constexpr int kScenesTogether = 8;
-
-}  // namespace
-
-WorkerDetection worker_detection(const CommonOptions& common, std::uint64_t first_worker) {
-  DetectionChoice choice = common.detection();
-  choice.num_threads = 1;
-  in_child("EGL", [&] { return check_detection(choice), std::string(); });
-  const Backend backend = backend_from_name(choice.detector);
-  const bool chooses = backend == Backend::Auto && !graphics_hardware_here().empty();
-  WorkerDetection out;
-  if (backend == Backend::Bvh || (backend == Backend::Auto && !chooses)) return out;
-  if (chooses)  // workers would all measure at the same time
-    in_child("OpenGL's driver", [&] {
-      make_machine(choice, print_notes(common))->calibration();
-      return std::string();
-    });
-  out.make = [choice, first_worker](std::uint64_t worker, const GpuNotes& notes) {
-    DetectionChoice here = choice;
-    here.device = device_of_worker(choice, first_worker + worker);
-    BackendOptions options =
-        backend_options(here, [notes](const Sentence& text) { notes.tell_lost(text); });
-    options.gpu_notes = notes;
-    return std::make_unique<DetectorGroup>(options);
-  };
-  if (backend == Backend::Gpu) out.scenes_together = kScenesTogether;
-  return out;
-}
-
 std::vector<Verb> add_batch(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("batch", "Make random scenes from a recipe, on one machine or many");
@@ -351,7 +212,13 @@ std::vector<Verb> add_batch(CLI::App& app, const CommonOptions& common) {
            "trivet batch recipe.json --count 100 --seed 7 --out scenes\n"
            "trivet batch recipe.json --count 100 --seed 7 --out scenes --shard 2/8\n"
            "trivet batch recipe.json --count 100 --seed 7 --only 17\n"
-           "trivet batch status scenes\n"}};
+           "trivet batch status scenes\n",
+           true,
+           [audits] {
+             for (const Verb& audit : audits)
+               if (audit.app->parsed() && audit.files) return audit.files();
+             return VerbFiles();
+           }}};
 }
 
 }  // namespace trivet::apps

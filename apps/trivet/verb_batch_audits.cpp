@@ -124,7 +124,6 @@ int verify(const AuditArguments& arguments, const CommonOptions& common) {
 }
 
 int merge(const AuditArguments& arguments, const CommonOptions& common) {
-  check_files({arguments.output}, {});
   const std::uint64_t scenes = merge_manifests(arguments.folder, arguments.output);
   if (!common.quiet) std::cout << count_of(scenes, "scene") << "\n";
   return 0;
@@ -132,7 +131,6 @@ int merge(const AuditArguments& arguments, const CommonOptions& common) {
 
 int write_one(const AuditArguments& arguments, const CommonOptions& common) {
   check_extension(arguments.output, {".glb", ".gltf", ".obj", ".ply", ".stl"});
-  check_files({arguments.output}, {});
   materialise(arguments.folder, arguments.k, arguments.output, common.limits());
   return 0;
 }
@@ -147,7 +145,10 @@ std::vector<Verb> add_batch_audits(CLI::App& batch, const CommonOptions& common)
     verb->add_option("folder", arguments->folder, "The batch: --out of trivet batch")
         ->required()
         ->type_name("DIR");
-    return Verb{verb, [arguments, action, &common] { return action(*arguments, common); }};
+    return Verb{verb, [arguments, action, &common] { return action(*arguments, common); }, "", true,
+                [arguments] {
+                  return VerbFiles{{}, {arguments->output}};
+                }};
   };
   std::vector<Verb> verbs{
       add("status",

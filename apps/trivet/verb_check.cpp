@@ -38,7 +38,7 @@ LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions&
                            Detector& detector) {
   SceneFile file = read_scene_file(arguments.file, common.limits());
   for (const Sentence& note : file.notes) print_note(common, note);
-  check_not_inputs({"", arguments.report, ""}, model_files(file.layout, folder_of(arguments.file)));
+  check_not_inputs({arguments.report}, model_files(file.layout, folder_of(arguments.file)));
   RunOptions options = options_of(arguments, common, detector);
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
   options.settle = settle_options(options, file.layout.settle);
@@ -52,13 +52,14 @@ LayoutRun check_scene_file(const CheckArguments& arguments, const CommonOptions&
 LayoutRun check_layout(const CheckArguments& arguments, const CommonOptions& common,
                        Detector& detector) {
   const Layout layout = read_layout(arguments.file, common.limits().max_file_bytes);
-  check_not_inputs({"", arguments.report, ""}, model_files(layout, folder_of(arguments.file)));
+  check_not_inputs({arguments.report}, model_files(layout, folder_of(arguments.file)));
   RunOptions options = options_of(arguments, common, detector);
   options.layout_file = arguments.file;
   const ModelSource models = models_in_folder(folder_of(arguments.file), common.limits());
   const auto stands = [](const LayoutObject& o) { return o.pose.has_value(); };
   if (layout.operations.empty() ||
-      std::any_of(layout.objects.begin(), layout.objects.end(), stands)) {
+      (!stands_as_given(layout) &&
+       std::any_of(layout.objects.begin(), layout.objects.end(), stands))) {
     LayoutRun start = run_start_only(layout, models, options);
     if (layout.operations.empty() || !start.ok()) return start;
   }
@@ -89,8 +90,6 @@ void write_page(const CheckArguments& arguments, const LayoutRun& run) {
 
 int check_one_of_ours(const CheckArguments& arguments, const CommonOptions& common) {
   const bool layout = lower_extension(arguments.file) == ".json";
-  check_outputs({"", arguments.report, ""}, {arguments.file});
-  check_files({arguments.report, arguments.page}, {arguments.file});
   const std::unique_ptr<Detector> detector = make_detector(common);
   const LayoutRun run = layout ? check_layout(arguments, common, *detector)
                                : check_scene_file(arguments, common, *detector);
@@ -162,10 +161,15 @@ std::vector<Verb> add_check(CLI::App& app, const CommonOptions& common) {
       ->check(number_from(0, 1e3));
   add_foreign_options(*verb, arguments->foreign);
   add_settle_options(*verb, arguments->settle);
-  return {{verb, [arguments, &common] { return check(*arguments, common); },
-           "trivet check scene.glb\n"
-           "trivet check scene.glb --friction 0.3 --object mug --json\n"
-           "trivet check kitchen.xml --report verdicts.jsonl --html findings.html\n"}};
+  return {
+      {verb, [arguments, &common] { return check(*arguments, common); },
+       "trivet check scene.glb\n"
+       "trivet check scene.glb --friction 0.3 --object mug --json\n"
+       "trivet check kitchen.xml --report verdicts.jsonl --html findings.html\n",
+       true,
+       [arguments] {
+         return VerbFiles{{}, {arguments->report, arguments->page}, scene_files(arguments->files)};
+       }}};
 }
 
 }  // namespace trivet::apps

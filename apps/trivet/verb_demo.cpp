@@ -102,8 +102,9 @@ PictureRequest picture_from(const DemoView& view) {
 // Runs from files, like a user would: the same bits with and without --export.
 int run_demo(const DemoArguments& arguments, const CommonOptions& common) {
   const DemoLayout demo = make_demo(arguments.name);
-  Outputs outputs(arguments.outputs, exported_files({"layout.json"}, demo.models, arguments.folder),
-                  common, picture_from(demo.view));
+  check_not_the_same(arguments.outputs.all(),
+                     exported_files({"layout.json"}, demo.models, arguments.folder));
+  Outputs outputs(arguments.outputs, common, picture_from(demo.view));
   const DemoFolder folder;
   write_models(demo.models, folder);
   write_file_atomically(folder.file("layout.json"), layout_json(demo));
@@ -123,7 +124,8 @@ int run_arranged_demo(const DemoArguments& arguments, const CommonOptions& commo
   const ArrangedDemo demo = make_arranged_demo(arguments.name);
   const auto exported =
       exported_files({"problem.json", "recipe.json"}, demo.models, arguments.folder);
-  check_outputs(outputs_of_solution(arguments.outputs, arguments.arranging, 1), exported);
+  for (const OutputPaths& paths : outputs_of_solutions(arguments.outputs, arguments.arranging))
+    check_not_the_same(paths.all(), exported);
   const DemoFolder folder;
   write_models(demo.models, folder);
   write_file_atomically(folder.file("problem.json"), demo.problem);
@@ -131,12 +133,9 @@ int run_arranged_demo(const DemoArguments& arguments, const CommonOptions& commo
   export_files(folder, arguments.folder);
   const std::string& scene = arguments.outputs.scene;
   const std::string in_scene = arguments.folder.empty() ? "" : folder_from(scene, arguments.folder);
-  return arrange_file({folder.file("problem.json"),
-                       exported,
-                       arguments.outputs,
-                       picture_from(demo.view),
-                       {in_scene, ""}},
-                      arguments.arranging, arguments.settle, common);
+  return arrange_file(
+      {folder.file("problem.json"), arguments.outputs, picture_from(demo.view), {in_scene, ""}},
+      arguments.arranging, arguments.settle, common);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -187,7 +186,12 @@ std::vector<Verb> add_demo(CLI::App& app, const CommonOptions& common) {
   add_settle_options(*verb, arguments->settle);
   return {{verb, [arguments, &common] { return run_any_demo(*arguments, common); },
            "trivet demo spoon-saucer -o scene.glb\n"
-           "trivet demo breakfast -o breakfast.glb --export breakfast\n"}};
+           "trivet demo breakfast -o breakfast.glb --export breakfast\n",
+           true,
+           [arguments] {
+             if (!is_arranged(arguments->name)) return VerbFiles{{arguments->outputs}};
+             return VerbFiles{outputs_of_solutions(arguments->outputs, arguments->arranging)};
+           }}};
 }
 
 }  // namespace trivet::apps

@@ -25,7 +25,7 @@ struct ExportArguments {
 Scene scene_of(const ExportArguments& arguments, const CommonOptions& common) {
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const Sentence& note : file.notes) print_note(common, note);
-  check_not_inputs({arguments.output, arguments.report, ""},
+  check_not_inputs({arguments.output, arguments.report},
                    model_files(file.layout, folder_of(arguments.scene)));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
   update_contacts(file.scene, clearance, with_rules({}, file.layout.settle));
@@ -87,7 +87,6 @@ int export_scene(const ExportArguments& arguments, const CommonOptions& common,
     if (option->count() > 0 && option->get_group() == (is_table ? kSimulators : kTables))
       throw Error(Error::Kind::BadInput, "%1 has no meaning for %2", option->get_name(),
                   arguments.output);
-  check_files({arguments.output, arguments.report}, {arguments.scene});
   return is_table ? export_table(arguments, common) : export_for_simulator(arguments, common);
 }
 
@@ -173,7 +172,11 @@ std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
   add_simulator_options(*verb, *arguments);
   return {{verb, [arguments, verb, &common] { return export_scene(*arguments, common, *verb); },
            "trivet export scene.glb -o scene.xml\n"
-           "trivet export scene.glb -o objects.csv\n"}};
+           "trivet export scene.glb -o objects.csv\n",
+           true,
+           [arguments] {
+             return VerbFiles{{}, {arguments->output, arguments->report}, {arguments->scene}};
+           }}};
 }
 
 }  // namespace trivet::apps

@@ -45,7 +45,7 @@ int list_joints(const OpenedScene& opened, const CommonOptions& common) {
     else
       std::cout << trivet::quoted(joint.name) << ": " << (joint.turns ? "hinge" : "slide") << " of "
                 << trivet::quoted(scene.at(joint.links[0]).name) << ", at " << value_text(joint)
-                << "\n";
+                << (joint.held.empty() ? "" : "; held: " + in_english(joint.held)) << "\n";
   }
   if (opened.joints.empty() && !common.json && !common.quiet)
     std::cout << opened.path << ": no slides and hinges were read\n";
@@ -93,7 +93,6 @@ int move(const JointArguments& arguments, const CommonOptions& common) {
   if (!is_of_others(arguments.file))
     throw Error(Error::Kind::BadInput,
                 "%1: is not a scene of another program; accepted: MJCF, URDF, SDF", arguments.file);
-  check_files({arguments.out}, {arguments.file});
   OpenedScene opened = open_scene(arguments.file, open_options(arguments.foreign, common));
   if (arguments.joint.empty()) return list_joints(opened, common);
   SceneJoint& joint = joint_named(opened, arguments.joint);
@@ -114,10 +113,12 @@ int move(const JointArguments& arguments, const CommonOptions& common) {
 std::vector<Verb> add_joint(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "joint",
-      "List the joints of a scene of another program (MJCF), or open and close one, with all that "
+      "List the joints of a scene in MJCF, URDF or SDF, or open and close one, with all that "
       "lies in and on it, until it meets something");
   const auto arguments = std::make_shared<JointArguments>();
-  verb->add_option("file", arguments->file, "A scene in MJCF")->required()->type_name("SCENE");
+  verb->add_option("file", arguments->file, "A scene in MJCF, URDF or SDF")
+      ->required()
+      ->type_name("SCENE");
   verb->add_option("joint", arguments->joint, "Name of the joint; without it all are listed")
       ->type_name("JOINT");
   const auto to = verb->add_option(
@@ -132,7 +133,11 @@ std::vector<Verb> add_joint(CLI::App& app, const CommonOptions& common) {
   add_settle_options(*verb, arguments->settle);
   return {{verb, [arguments, &common] { return move(*arguments, common); },
            "trivet joint kitchen.xml\n"
-           "trivet joint kitchen.xml drawer --to upper -o open.xml\n"}};
+           "trivet joint kitchen.xml drawer --to upper -o open.xml\n",
+           true,
+           [arguments] {
+             return VerbFiles{{}, {arguments->out}, {arguments->file}};
+           }}};
 }
 
 }  // namespace trivet::apps

@@ -1,7 +1,5 @@
 // mcp: scenes laid out by agents, over the Model Context Protocol.
-#include <csignal>
 #include <filesystem>
-#include <iostream>
 
 #include "apps/mcp/server.h"
 #include "apps/trivet/cancellable_lines.h"
@@ -58,19 +56,15 @@ CancellableLines::Cancelled cancelled_requests(const std::string& line) {
 }
 
 int serve_agent(const McpArguments& arguments, const CommonOptions& common) {
-  std::signal(SIGPIPE, SIG_IGN);  // an agent that has gone is an error like others
   const std::unique_ptr<Detector> detector = make_detector(common);
   mcp::Server server(workplace_options(arguments, common, *detector),
                      {kLayoutSchema, kArrangeSchema});
-  CancellableLines lines(std::cin, cancelled_requests, mcp::kMostLineBytes);
-  while (const auto line = lines.next()) {
-    if (!line->is_too_long && line->text.find_first_not_of(" \t\r") == line->text.npos) continue;
-    const auto answer = line->is_too_long ? std::optional(mcp::too_long_answer())
-                                          : server.answer(line->text, line->cancelled);
-    if (answer) std::cout << *answer << std::endl;
-    if (!std::cout)
-      throw Error(Error::Kind::Environment, "the answers cannot be written to the standard output");
-  }
+  const auto answer = [&](const InputLine& line) {
+    return line.is_too_long ? std::optional(mcp::too_long_answer())
+                            : server.answer(line.text, line.cancelled);
+  };
+  answer_lines(cancelled_requests, mcp::kMostLineBytes, answer,
+               TRIVET_SENTENCE("the answers cannot be written to the standard output"));
   return 0;
 }
 

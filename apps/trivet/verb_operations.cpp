@@ -68,11 +68,11 @@ Verb add_operation(CLI::App& app, const CommonOptions& common, const Operation& 
             Operation start = kind;
             std::visit([&](auto& o) { o.object = arguments->object; }, start);
             const Operation operation = arguments->options->operation(std::move(start));
-            return change_scene(
-                arguments->scene, {}, common,
-                [&](const SceneFile&, const RunOptions&) { return SceneChange{operation}; });
+            return change_scene(arguments->scene, common, [&](const SceneFile&, const RunOptions&) {
+              return SceneChange{operation};
+            });
           },
-          examples};
+          examples, true, [arguments] { return VerbFiles{{arguments->scene.outputs}}; }};
 }
 
 }  // namespace

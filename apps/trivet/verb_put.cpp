@@ -85,7 +85,7 @@ int put(const PutArguments& arguments, const CommonOptions& common) {
   AppendOperation wanted;
   wanted.model = arguments.model;
   const auto append = std::get<AppendOperation>(arguments.append->operation(std::move(wanted)));
-  return change_scene(arguments.scene, {arguments.model}, common,
+  return change_scene(arguments.scene, common,
                       [&](const SceneFile& file, const RunOptions& options) {
                         LayoutObject entry = layout_object(arguments, append, file);
                         put.object = entry.name;
@@ -112,7 +112,11 @@ std::vector<Verb> add_put(CLI::App& app, const CommonOptions& common) {
            "trivet put scene.glb mug.obj --position 0.3 0 1 -o more.glb\n"
            "trivet put scene.glb mug.obj --on slab --at 0.2 0.1 --keep 0.01 -o more.glb\n"
            "trivet put scene.glb mug.obj --position -0.3 0 1 --rotation 1 1 0 0 --name cup "
-           "-o more.glb\n"}};
+           "-o more.glb\n",
+           true,
+           [arguments] {
+             return VerbFiles{{arguments->scene.outputs}, {}, {arguments->model}};
+           }}};
 }
 
 }  // namespace trivet::apps

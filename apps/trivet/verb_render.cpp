@@ -34,6 +34,12 @@ void render_picture(const RenderArguments& arguments, const CommonOptions& commo
               << ", \"device\": " << json_string(maker.device()) << "}\n";
 }
 
+VerbFiles files_of(const RenderArguments& arguments) {
+  VerbFiles out{{{"", "", arguments.picture}}, label_files(arguments.labels), {arguments.scene}};
+  out.outputs.push_back(arguments.film.file);
+  return out;
+}
+
 // A film stands alone: the scene is a layout then.
 int render_film(const RenderArguments& arguments, const CommonOptions& common) {
   if (!arguments.picture.empty() || arguments.labels.any())
@@ -52,12 +58,11 @@ int render(const RenderArguments& arguments, const CommonOptions& common) {
     bad_input(
         "nothing is asked for; accepted: -o, --animation, --depth, --ids, --classes, --normals, "
         "--boxes, --coco or --bop");
-  check_outputs({"", "", arguments.picture}, {arguments.scene});
   LabelArguments labels = arguments.labels;
   const bool many = labels.views.any();
   if (many) labels.picture = arguments.picture;
   if (labels.any()) {
-    check_label_outputs(labels, {arguments.scene, many ? "" : arguments.picture});
+    check_label_outputs(labels);
     PictureRequest request = arguments.request;
     request.num_threads = common.num_threads;
     request.device = common.detection().device;
@@ -106,7 +111,8 @@ std::vector<Verb> add_render(CLI::App& app, const CommonOptions& common) {
   return {{verb, [arguments, &common] { return render(*arguments, common); },
            "trivet render scene.glb -o scene.png --width 320 --height 240 --renderer path\n"
            "trivet render scene.glb --dome 4 --coco dataset --width 160 --height 120\n"
-           "trivet render layout.json --animation film.webp --fps 4 --width 160 --height 120\n"}};
+           "trivet render layout.json --animation film.webp --fps 4 --width 160 --height 120\n",
+           true, [arguments] { return files_of(*arguments); }}};
 }
 
 }  // namespace trivet::apps

@@ -12,14 +12,15 @@ struct ReplayArguments {
 };
 
 int replay(const ReplayArguments& arguments, const CommonOptions& common) {
-  Outputs outputs(arguments.outputs, {arguments.journal, start_copy_of(arguments.journal)}, common);
+  Outputs outputs(arguments.outputs, common);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, {}, detector.get());
   RestoredSession restored = restore_session(arguments.journal, options, common.limits(), false);
   OpenedSession& opened = restored.opened;
   clear_progress_line(common);
   for (const Sentence& note : opened.notes) print_note(common, note);
-  check_not_inputs(arguments.outputs, model_files(opened.session.layout(), opened.model_folder));
+  check_not_inputs(arguments.outputs.all(),
+                   model_files(opened.session.layout(), opened.model_folder));
   LayoutRun run;
   run.scene = opened.session.scene();
   for (size_t i = 0; i < opened.session.num_done(); ++i) {
@@ -50,7 +51,12 @@ std::vector<Verb> add_replay(CLI::App& app, const CommonOptions& common) {
   verb->get_option("--output")->required();
   return {{verb, [arguments, &common] { return replay(*arguments, common); },
            "trivet replay session -o scene.glb\n"
-           "trivet replay session -o scene.glb --report report.json\n"}};
+           "trivet replay session -o scene.glb --report report.json\n",
+           true,
+           [arguments] {
+             return VerbFiles{
+                 {arguments->outputs}, {}, {arguments->journal, start_copy_of(arguments->journal)}};
+           }}};
 }
 
 }  // namespace trivet::apps

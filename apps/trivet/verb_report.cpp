@@ -101,7 +101,7 @@ struct Case {
 Case make_case(const ReportArguments& arguments, const CommonOptions& common) {
   Case out;
   out.files = files_of_case(inputs_of(arguments.command), common.limits());
-  check_files({arguments.output}, out.files);
+  check_not_the_same({arguments.output}, out.files);
   out.folder = common_folder(out.files);
   Json files = Json::array();
   for (const std::string& file : out.files) {
@@ -139,7 +139,6 @@ void write_case(const Case& found, const ReportArguments& arguments, const Commo
 
 int report(const ReportArguments& arguments, const CommonOptions& common) {
   check_extension(arguments.output, {".tar"});
-  check_files({arguments.output}, inputs_of(arguments.command));
   const Case found = make_case(arguments, common);
   write_case(found, arguments, common);
   if (common.json)
@@ -169,7 +168,11 @@ std::vector<Verb> add_report(CLI::App& app, const CommonOptions& common) {
                  "List the files with their SHA-256 only");
   return {{verb, [arguments, &common] { return report(*arguments, common); },
            "trivet report -o case.tar -- run layout.json -o scene.glb\n"
-           "trivet report -o case.tar --without-files -- check scene.glb\n"}};
+           "trivet report -o case.tar --without-files -- check scene.glb\n",
+           true,
+           [arguments] {
+             return VerbFiles{{}, {arguments->output}, inputs_of(arguments->command)};
+           }}};
 }
 
 }  // namespace trivet::apps

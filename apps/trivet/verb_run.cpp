@@ -19,6 +19,10 @@ struct RunArguments {
   bool stop_at_refusal = false;
 };
 
+VerbFiles files_of(const RunArguments& arguments) {
+  return {{arguments.outputs}, {arguments.animation}, {arguments.layout}};
+}
+
 // A scene laid out in place keeps its format.
 void check_kind(const std::string& output, const std::string& scene) {
   const std::string wanted = lower_extension(output), is = lower_extension(scene);
@@ -28,13 +32,10 @@ void check_kind(const std::string& output, const std::string& scene) {
                 is);
 }
 
-void check_animation(const RunArguments& arguments, const Layout& layout,
-                     const std::vector<std::string>& inputs) {
+void check_animation(const RunArguments& arguments, const Layout& layout) {
   if (arguments.animation.empty()) return;
   check_can_be_filmed(layout);
   check_extension(arguments.animation, {".glb"});
-  const OutputPaths& outputs = arguments.outputs;
-  check_files({arguments.animation, outputs.scene, outputs.report, outputs.picture}, inputs);
 }
 
 void check_is_layout(const std::string& file) {
@@ -48,15 +49,15 @@ int run(const RunArguments& arguments, const CommonOptions& common) {
   const Layout layout = read_layout(arguments.layout, common.limits().max_file_bytes);
   const std::string folder = folder_of(arguments.layout);
   std::unique_ptr<GltfScene> scene;
-  std::vector<std::string> inputs = model_files(layout, folder);
+  const std::vector<std::string> models = model_files(layout, folder);
   if (!layout.scene.empty()) {
-    const std::string& file = inputs.front();
+    const std::string& file = models.front();
     scene = std::make_unique<GltfScene>(file, layout.scene_rule, common.limits());
     check_kind(arguments.outputs.scene, file);
   }
-  inputs.push_back(arguments.layout);
-  check_animation(arguments, layout, inputs);
-  Outputs outputs(arguments.outputs, inputs, common);
+  check_animation(arguments, layout);
+  check_not_the_same(files_of(arguments).all_outputs(), models);
+  Outputs outputs(arguments.outputs, common);
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
   options.stop_at_refusal = arguments.stop_at_refusal;
@@ -89,7 +90,8 @@ std::vector<Verb> add_run(CLI::App& app, const CommonOptions& common) {
   add_settle_options(*verb, arguments->settle);
   return {{verb, [arguments, &common] { return run(*arguments, common); },
            "trivet run layout.json -o scene.glb --report report.json\n"
-           "trivet run layout.json -o out/scene.xml --picture out/scene.png\n"}};
+           "trivet run layout.json -o out/scene.xml --picture out/scene.png\n",
+           true, [arguments] { return files_of(*arguments); }}};
 }
 
 }  // namespace trivet::apps

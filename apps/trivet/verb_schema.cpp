@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/trivet/verbs.h"
+#include "ops/files/arrange/schema.h"
 #include "ops/files/json/operation_schema.h"
 #include "ops/files/json/text.h"
 
@@ -34,7 +35,7 @@ std::vector<Verb> add_schema(CLI::App& app, const CommonOptions&) {
   return {{verb,
            [what] {
              std::cout << (*what == "recipe"    ? recipe_schema()
-                           : *what == "arrange" ? kArrangeSchema
+                           : *what == "arrange" ? readable_json(arrange_schema(kArrangeSchema))
                                                 : readable_json(layout_schema(kLayoutSchema)));
              return 0;
            },

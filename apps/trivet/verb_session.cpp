@@ -1,6 +1,3 @@
-#include <csignal>
-#include <iostream>
-
 #include "apps/trivet/cancellable_lines.h"
 #include "apps/trivet/foreign_scenes.h"
 #include "apps/trivet/outputs.h"
@@ -53,31 +50,28 @@ DialogueOptions dialogue_options(const SessionArguments& arguments, Detector& de
   return options;
 }
 
-bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") == line.npos; }
+constexpr const char* kLostAnswers = TRIVET_SENTENCE(
+    "the answers of the session cannot be written to the standard output; it ends after the last "
+    "step that was done");
 
-// Ends the session when its answers cannot be written.
-void tell(const Dialogue::Answer& answer) {
-  std::cout << answer.text << std::endl;
-  if (!std::cout)
-    throw Error(Error::Kind::Environment,
-                "the answers of the session cannot be written to the standard output; it ends "
-                "after the last step that was done");
+CancellableLines::Cancelled all_before_cancel(const std::string& line) {
+  return is_cancel_line(line) ? [](const std::string&) { return true; }
+                              : CancellableLines::Cancelled();
 }
 
 int session(const SessionArguments& arguments, const CommonOptions& common) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error like others
   const std::unique_ptr<Detector> detector = make_detector(common);
   OpenedSession opened = open(arguments, common, *detector);
   clear_progress_line(common);
   for (const Sentence& note : opened.notes) print_note(common, note);
   Dialogue dialogue(opened, dialogue_options(arguments, *detector));
-  tell(dialogue.greeting());
-  CancellableLines lines(std::cin, [](const std::string& line) {
-    return is_cancel_line(line) ? [](const std::string&) { return true; }
-                                : CancellableLines::Cancelled();
-  });
-  while (const auto line = lines.next())
-    if (!is_blank(line->text)) tell(dialogue.answer(line->text, line->cancelled));
+  write_answer(dialogue.greeting().text, kLostAnswers);
+  answer_lines(
+      all_before_cancel, 0,
+      [&](const InputLine& line) {
+        return std::optional(dialogue.answer(line.text, line.cancelled).text);
+      },
+      kLostAnswers);
   tell_work(*detector, common, nullptr);
   return 0;
 }

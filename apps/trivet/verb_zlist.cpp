@@ -41,12 +41,12 @@ DetectionChoice choice_of(const ZListArguments& arguments, const CommonOptions& 
 Scene scene_of(const ZListArguments& arguments, const CommonOptions& common, int& status) {
   if (lower_extension(arguments.input) != ".json") {
     SceneFile file = read_scene_with_layout(arguments.input, common);
-    check_not_inputs({"", arguments.dump, arguments.picture},
+    check_not_inputs({arguments.dump, arguments.picture},
                      model_files(file.layout, folder_of(arguments.input)));
     return std::move(file.scene);
   }
   const Layout layout = read_layout(arguments.input, common.limits().max_file_bytes);
-  check_not_inputs({"", arguments.dump, arguments.picture},
+  check_not_inputs({arguments.dump, arguments.picture},
                    model_files(layout, folder_of(arguments.input)));
   const std::unique_ptr<Detector> detector = make_detector(common);
   RunOptions options = run_options(common, arguments.settle, detector.get());
@@ -157,7 +157,6 @@ void zlist_of_direction(const Scene& scene, const ZListArguments& arguments,
 }
 
 int zlist(const ZListArguments& arguments, const CommonOptions& common) {
-  check_outputs({"", arguments.dump, arguments.picture}, {arguments.input});
   if (arguments.motion.raise > 0 && !arguments.motion.is_set())
     throw Error(Error::Kind::BadInput,
                 "--raise: nothing is lifted; accepted: with --drop, --move or --turn");
@@ -270,7 +269,11 @@ std::vector<Verb> add_zlist(CLI::App& app, const CommonOptions& common) {
   add_settle_options(*verb, arguments->settle);
   return {{verb, [arguments, &common] { return zlist(*arguments, common); },
            "trivet zlist scene.glb -o lists.png\n"
-           "trivet zlist scene.glb --pixel 128 128 --json\n"}};
+           "trivet zlist scene.glb --pixel 128 128 --json\n",
+           true,
+           [arguments] {
+             return VerbFiles{{{"", arguments->dump, arguments->picture}}, {}, {arguments->input}};
+           }}};
 }
 
 }  // namespace trivet::apps

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "apps/trivet/common.h"
+#include "apps/trivet/verb_files.h"
 
 namespace trivet::apps {
 
@@ -16,6 +17,8 @@ struct Verb {
   std::string examples = {};
   /// True if the verb has the options of reading models.
   bool reads_models = true;
+  /// Files that the program checks before `run`; empty: the verb has none.
+  std::function<VerbFiles()> files = {};
 };
 
 /// The verbs in the order of --help; `operations` are push, turn, fix and others. A new verb is a
@@ -54,7 +57,7 @@ TRIVET_VERBS(TRIVET_DECLARE_VERB)
 
 extern const char* const kLayoutSchema;   // layout.schema.in.json of ops/files/layout
 extern const char* const kRecipeSchema;   // text of apps/farm/recipe/recipe.schema.json
-extern const char* const kArrangeSchema;  // text of ops/files/arrange/arrange.schema.json
+extern const char* const kArrangeSchema;  // arrange.schema.in.json of ops/files/arrange
 extern const char* const kViewerPage;     // text of apps/python/trivet/viewer.html
 
 }  // namespace trivet::apps

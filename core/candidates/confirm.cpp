@@ -63,6 +63,8 @@ Boxes fixed_boxes(const MotionBoxes& along, std::span<const Body> bodies, const 
   Boxes out;
   const int most = along.period() > 0 ? 1 : 0;
   for (Index i = 0; i < static_cast<Index>(faces.all().size()); ++i) {
+    // A turn's third coordinate closes after one period: a box that is cut there has to be met as
+    // one of its copies, too.
     const Faces::Face& f = faces.all()[i];
     const Aabb box = along.fixed(bodies[f.body].triangle(f.face));
     for (int turn = -most; turn <= most; ++turn) {
@@ -80,6 +82,8 @@ Boxes fixed_boxes(const MotionBoxes& along, std::span<const Body> bodies, const 
 class Proposed {
  public:
   Proposed(std::vector<NumberedPair> pairs, size_t num_moving) : m_pairs(std::move(pairs)) {
+    // A counting sort groups the pairs by moving face; within a group they are ordered by the fixed
+    // face, so that a search can halve.
     m_begin.resize(num_moving + 1);
     m_order.resize(m_pairs.size());
     for (const NumberedPair& p : m_pairs) ++m_begin[p.moving];
@@ -109,6 +113,8 @@ class Proposed {
 };
 
 void decide(const FirstContactQuery& query, const FacePair& p, FirstContact& best) {
+  // A pair that cannot be first is not worth its closed form: the best contact grows earlier while
+  // Embree still visits.
   if (p.not_before > std::min(best.time, query.motion.limit)) return;
   decide_faces(query, p.moving, p.fixed, p.face_moving, p.face_fixed,
                query.moving[p.moving].triangle(p.face_moving),
@@ -119,6 +125,8 @@ void decide(const FirstContactQuery& query, const FacePair& p, FirstContact& bes
 
 bool decide_by_embree(const FirstContactQuery& query, double horizon, std::vector<FacePair>& pairs,
                       FirstContact& best) {
+  // Faces that occur in many pairs get one box each, and pairs are told apart by the faces'
+  // numbers.
   Faces moving, fixed;
   std::vector<NumberedPair> numbered;
   numbered.reserve(pairs.size());
@@ -126,11 +134,14 @@ bool decide_by_embree(const FirstContactQuery& query, double horizon, std::vecto
     numbered.push_back(
         {moving.number(p.moving, p.face_moving), fixed.number(p.fixed, p.face_fixed)});
   const Proposed proposed(std::move(numbered), moving.all().size());
+  // The boxes reach as far as the horizon alone: pairs whose boxes do not overlap cannot be first.
   const MotionBoxes along(query, horizon);
   const Boxes a = moving_boxes(along, query.moving, moving);
   Aabb extent;
   for (const Aabb& box : a.boxes) extent.extend(box);
   const Boxes b = fixed_boxes(along, query.fixed, fixed, extent);
+  // Embree reports in an order of its own, which may change from run to run; the smallest contact
+  // wins in any order.
   std::vector<char> visited(pairs.size());
   const auto visit = [&](const BoxPair& met) {
     const auto i = proposed.find(a.faces[met.a], b.faces[met.b]);
@@ -143,6 +154,7 @@ bool decide_by_embree(const FirstContactQuery& query, double horizon, std::vecto
   } catch (const Error&) {  // no memory for Embree: the closed form decides alone
     return false;
   }
+  // The caller gets the pairs that were decided, in the order in which they were proposed.
   size_t next = 0;
   std::erase_if(pairs, [&](const FacePair&) { return !visited[next++]; });
   return true;

@@ -12,6 +12,7 @@ struct Told {
   bool recovered = false, lost = false;
 
   bool is_first_recovery() {
+    // A loss is final: a recovery that another thread reports after it would mislead.
     const std::lock_guard lock(mutex);
     return !lost && !std::exchange(recovered, true);
   }
@@ -24,6 +25,7 @@ struct Told {
 }  // namespace
 
 GpuNotes once_each(GpuNotes notes) {
+  // All copies of the notes share what was told, whichever thread tells it first.
   const auto told = std::make_shared<Told>();
   GpuNotes out;
   out.recovered = [told, notes](const Sentence& text) {

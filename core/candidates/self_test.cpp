@@ -13,6 +13,7 @@ constexpr int kNumFaces = 24;  // of a mesh
 class Numbers {
  public:
   double next() {
+    // Integers overflow alike on every machine, so that a failing query can be named by its number.
     m_state = m_state * 6364136223846793005u + 1442695040888963407u;
     return static_cast<double>(static_cast<std::int32_t>(m_state >> 32)) * 0x1p-31;
   }
@@ -34,6 +35,8 @@ std::shared_ptr<const Shape> make_faces(Numbers& numbers) {
   std::vector<Triangle> faces;
   for (int i = 0; i < kNumFaces; ++i) {
     const Vec3 p = numbers.point(), u = numbers.point(), v = numbers.point();
+    // Every third face is a sliver and every fourth is small: a finder that loses thin faces or
+    // those below a pixel is found out.
     const double wide = i % 3 == 0 ? 1e-3 : 1, size = i % 4 == 0 ? 0.05 : 0.7;
     faces.push_back({p, p + size * u, p + size * (0.5 * u + wide * v)});
   }
@@ -41,6 +44,7 @@ std::shared_ptr<const Shape> make_faces(Numbers& numbers) {
 }
 
 Motion make_motion(int number, const Vec3& place, Numbers& numbers) {
+  // Falls aim roughly at the fixed mesh; axes of turns pass near the moving one.
   if (number % 2 == 0)
     return Motion::translation((0.3 * numbers.point() - place.normalized()).normalized(), 4);
   const Vec3 axis = (numbers.point() + 0.1 * Vec3::UnitX()).normalized();
@@ -55,6 +59,7 @@ bool contains(const CandidatePairs& proposal, const FirstContact& truth) {
 }
 
 std::string wrong(const CandidatePairs& proposal, const FirstContact& truth) {
+  // The bounds have to enclose the true time even where no contact exists.
   const double time = truth.status == FirstContact::Status::Free ? kInfinity : truth.time;
   if (!proposal.usable) return "no proposal: " + proposal.why;
   if (proposal.upper < time) return "the upper bound is too early";
@@ -67,6 +72,7 @@ std::string wrong(const CandidatePairs& proposal, const FirstContact& truth) {
 
 std::string self_test(CandidateFinder& stage) {
   Numbers numbers;
+  // One moving and one fixed mesh are enough: the poses and motions make the queries differ.
   const std::shared_ptr<const Shape> shapes[] = {make_faces(numbers), make_faces(numbers)};
   for (int i = 0; i < kNumQueries; ++i) {
     const Vec3 place = 1.2 * numbers.point() + 1.8 * Vec3::UnitZ();
@@ -74,6 +80,7 @@ std::string self_test(CandidateFinder& stage) {
     const Body moving(*shapes[0], world_from_object(pose, UpAxis::Z, 1)),
         fixed(*shapes[1], Affine());
     FirstContactQuery query{{&moving, 1}, {&fixed, 1}, false, {}, {1e-6}};
+    // The motion goes in last: its direction depends on where the moving mesh was put.
     query.motion = make_motion(i, place, numbers);
     const std::string what =
         wrong(stage.find_candidates(query, query.motion.limit), first_contact(query));

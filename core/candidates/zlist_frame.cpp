@@ -29,6 +29,8 @@ struct Extent {
 };
 
 std::array<Vec3, 8> corners(const Body& body, const Mat3& image_from_world, const Vec3& origin) {
+  // The box in the object's frame is tighter than the one in the world, and is brought to the image
+  // corner by corner.
   const Aabb box = rounded_outwards(body.shape->box);
   std::array<Vec3, 8> out;
   for (int i = 0; i < 8; ++i) {
@@ -57,6 +59,8 @@ double smallest_radius(const std::array<Vec3, 8>& box) {
     out = std::max(out, low);
   };
   for (const Vec3& p : box) try_direction(p.head<2>());
+  // The edges from corner 0 lead to corners 1, 2 and 4, and give all three directions of the box's
+  // edges.
   for (const int k : {1, 2, 4}) {
     const Vec2 edge = (box[k] - box[0]).head<2>();
     try_direction({-edge.y(), edge.x()});
@@ -67,6 +71,8 @@ double smallest_radius(const std::array<Vec3, 8>& box) {
 
 Extent turning_extent(const std::array<Vec3, 8>& box) {
   Extent out;
+  // Radius and height follow from the corners; the angles are measured from the direction of the
+  // centre.
   Vec2 centre = Vec2::Zero();
   double largest = 0;
   for (const Vec3& p : box) {
@@ -77,11 +83,14 @@ Extent turning_extent(const std::array<Vec3, 8>& box) {
   }
   out.upper[0] = largest;
   out.lower[0] = smallest_radius(box);
+  // A box that holds the axis has points at every angle.
   if (out.lower[0] <= kAngleSlack * largest) {
     out.lower[0] = out.lower[2] = 0;
     out.upper[2] = kTurn;
     return out;
   }
+  // The box is convex and clear of the axis, so it spans less than half a turn about its centre's
+  // direction.
   const double middle = std::atan2(centre.y(), centre.x());
   for (const Vec3& p : box) {
     const double cross = centre.x() * p.y() - centre.y() * p.x();
@@ -101,21 +110,29 @@ class FrameMaker {
  public:
   FrameMaker(const FirstContactQuery& query, double horizon, int resolution)
       : m_resolution(resolution), m_turning(turns(query.motion)) {
+    // The image plane lies across the motion; a rotation looks along circles about its axis
+    // instead.
     m_frame.kind = query.motion.kind;
     m_frame.origin = m_turning ? query.motion.centre : query.moving.front().world_box.centre();
     const Vec3 w = query.motion.axis, u = w.unitOrthogonal(), v = w.cross(u);
     m_frame.image_from_world << u.transpose(), v.transpose(), w.transpose();
+    // Extents come before growth and reach, as they collect the largest coordinate, on which
+    // rounding depends.
     for (const Body& body : query.moving) m_moving.push_back(extent(body));
     for (const Body& body : query.fixed) m_fixed.push_back(extent(body));
     m_growth = query.clearance.largest_stop() * 1.002 + kExtentSlack * m_spread;
+    // The sweep ends at the horizon; for a turn this is the angle of s, as s = tan(angle / 2).
     m_reach = m_turning ? 2 * std::atan(std::min(horizon, 1.0)) * (1 + kTimeSlack) : horizon;
   }
 
   ZListFrame make() {
     find_pairs();
     if (m_frame.pairs.empty()) return std::move(m_frame);
+    // The rear of all moving bodies becomes depth 0; bodies of a turn are first brought next to
+    // each other on the circle.
     m_rear = m_moving[m_frame.moving.front()];
     for (const Index m : m_frame.moving) m_rear.extend(next_to(m_moving[m], m_rear));
+    // A whole turn is all there is: the circle is cut open at the rear.
     if (m_turning && m_rear.upper[2] - m_rear.lower[2] > kTurn)
       m_rear.upper[2] = m_rear.lower[2] + kTurn;
     set_window();
@@ -127,6 +144,7 @@ class FrameMaker {
   static bool turns(const Motion& motion) { return motion.kind == Motion::Kind::Rotation; }
 
   Extent extent(const Body& body) {
+    // A body without faces has an empty extent, and meets nothing.
     if (!body.shape->has_faces()) return {};
     m_spread = std::max(
         {m_spread, body.world_box.max_abs_coordinate(), m_frame.origin.cwiseAbs().maxCoeff()});
@@ -145,10 +163,13 @@ class FrameMaker {
   }
 
   bool depths_meet(const Extent& a, const Extent& b) const {
+    // Growth across the line of sight turns into angle, and more so the nearer the axis is.
     const double growth =
         m_turning ? angle_growth(m_growth, std::max(a.lower[0], b.lower[0]) - m_growth) : m_growth;
+    // The moving body sweeps from its rear, less the growth, to its front at the horizon.
     const double low = a.lower[2] - growth, high = a.upper[2] + m_reach + growth;
     if (!m_turning) return b.upper[2] >= low && b.lower[2] <= high;
+    // The fixed body is seen once in every turn; the first one that is not behind the rear counts.
     const double first = b.lower[2] + kTurn * std::ceil((low - b.upper[2]) / kTurn);
     return first <= high;
   }
@@ -162,6 +183,7 @@ class FrameMaker {
 
   void find_pairs() {
     std::vector<char> fixed(m_fixed.size());
+    // Stage 1: only bodies that meet in image and depth until the horizon are drawn.
     for (size_t m = 0; m < m_moving.size(); ++m) {
       for (size_t f = 0; f < m_fixed.size(); ++f) {
         if (!meet(m_moving[m], m_fixed[f])) continue;
@@ -176,6 +198,8 @@ class FrameMaker {
   }
 
   void set_window() {
+    // The image covers where the bodies of a pair overlap, seen along the motion, and no more:
+    // pixels are spent where contacts can be.
     Vec2 low = Vec2::Constant(kInfinity), high = -low;
     for (const BodyPair& p : m_frame.pairs) {
       const Extent &a = m_moving[p.moving], &b = m_fixed[p.fixed];
@@ -184,6 +208,8 @@ class FrameMaker {
       high = high.cwiseMax((a.upper.head<2>() + grown).cwiseMin(b.upper.head<2>()) + grown);
     }
     if (m_turning) low.x() = std::max(low.x(), 0.0);
+    // A pixel is at least half the growth wide, as smaller ones would only be grown over, and so
+    // wide that float32 tells radii apart.
     const double largest_radius = m_turning ? high.x() / kLargestRadius : 0;
     m_frame.pixel = std::max(
         {(high - low).maxCoeff() / m_resolution, m_growth / 2, largest_radius, 1e-9 * m_spread});
@@ -198,10 +224,12 @@ class FrameMaker {
   }
 
   void set_depths() {
+    // Depths are counted from the rear: pixels of a translation, radians of a turn.
     const double rear = m_rear.lower[2], unit = m_turning ? 1 : m_frame.pixel;
     m_frame.moving_depth = (m_rear.upper[2] - rear) / unit;
     m_frame.reach = m_reach / unit;
     Mat3& rows = m_frame.image_from_world;
+    // The frame moves up the axis to the lowest row, and turns until the rear's angle is zero.
     if (m_turning) {
       m_frame.origin += m_corner.y() * rows.row(2).transpose();
       m_frame.first_radius = m_corner.x() / m_frame.pixel;
@@ -237,6 +265,7 @@ double ZListFrame::depth_growth(double smallest_radius) const {
 double ZListFrame::time_before(double depth) const {
   if (depth <= 0) return 0;
   if (kind == Motion::Kind::Translation) return depth * pixel * (1 - kTimeSlack);
+  // Depths of half a turn and more lie beyond every motion, which ends after a quarter.
   return depth < std::numbers::pi ? std::tan(depth / 2) * (1 - kTimeSlack) : kInfinity;
 }
 
@@ -254,6 +283,7 @@ ZListFrame make_zlist_frame(const FirstContactQuery& query, double horizon, int 
 
 // Measured by perf/zlists, for software z-lists as for Mesa's renderer.
 int zlist_resolution_of_processors(const FirstContactQuery& query) {
+  // Many faces pay for smaller pixels: their pixels hold shorter lists, and fewer pairs come out.
   constexpr size_t kManyFaces = 200'000;
   size_t num_faces = 0;
   for (const Body& body : query.moving) num_faces += body.shape->mesh.triangles.size();

@@ -15,6 +15,7 @@ FirstContact first_floor_contact_of(const FirstContactQuery& query) {
   for (Index m = 0; m < static_cast<Index>(query.moving.size()); ++m) {
     const Shape& shape = *query.moving[m].shape;
     if (!shape.has_faces()) continue;
+    // A tree is used where one is there already; building one would cost more than it saves here.
     if (shape.has_bvh())
       decide_floor(query, m, best);
     else
@@ -26,6 +27,7 @@ FirstContact first_floor_contact_of(const FirstContactQuery& query) {
 void decide_pairs(const FirstContactQuery& query, std::span<const FacePair> pairs,
                   FirstContact& best) {
   for (const FacePair& p : pairs) {
+    // Pairs come sorted by their earliest time: after the first that is too late, all are.
     if (p.not_before > std::min(best.time, query.motion.limit)) return;
     decide_faces(query, p.moving, p.fixed, p.face_moving, p.face_fixed,
                  query.moving[p.moving].triangle(p.face_moving),
@@ -46,12 +48,14 @@ double horizon_of(const FirstContactQuery& query, const FirstContact& best) {
 bool decide_others_by_embree(const FirstContactQuery& query, std::size_t num_first,
                              const Confirmation& confirmation, CandidatePairs& found,
                              FirstContact& best) {
+  // The contact of the first pairs bounds the others, so that only a part of the list is left.
   const double horizon = horizon_of(query, best);
   const auto end = std::partition_point(found.pairs.begin(), found.pairs.end(),
                                         [&](const FacePair& p) { return p.not_before <= horizon; });
   const auto num_pairs = static_cast<std::size_t>(end - found.pairs.begin());
   const std::size_t fewest = confirmation.fewest(query.motion.kind);
   if (num_pairs < num_first + std::max<std::size_t>(1, fewest)) return false;
+  // Embree is asked about the rest at once, and drops the pairs whose swept boxes never overlap.
   std::vector<FacePair> others(found.pairs.begin() + static_cast<std::ptrdiff_t>(num_first), end);
   const std::size_t num_asked = others.size();
   if (!decide_by_embree(query, std::min(horizon, found.upper), others, best)) return false;
@@ -66,6 +70,7 @@ bool decide_others_by_embree(const FirstContactQuery& query, std::size_t num_fir
 FirstContact decide(const FirstContactQuery& query, FirstContact best, CandidatePairs& found,
                     const Confirmation& confirmation) {
   if (found.usable) {
+    // A few pairs decided at once mostly bring the horizon near, and often end the query.
     const std::size_t num_first = std::min(kPairsBeforeEmbree, found.pairs.size());
     decide_pairs(query, std::span(found.pairs).first(num_first), best);
     if (!confirmation.enabled ||
@@ -77,6 +82,7 @@ FirstContact decide(const FirstContactQuery& query, FirstContact best, Candidate
       found.why = "no proposed pair touches by the upper bound";
     }
   }
+  // An unusable proposal costs time and nothing else: the trees answer instead, with the same bits.
   return found.usable ? best : first_contact(query);
 }
 
@@ -96,6 +102,7 @@ std::vector<CandidatePairs> CandidateFinder::find_candidates_for_all(
 
 FirstContact first_contact(const FirstContactQuery& query, CandidateFinder& stage,
                            CandidatePairs* proposal, const Confirmation& confirmation) {
+  // The floor goes first: its contact bounds how far a stage has to look.
   const FirstContact floor = first_floor_contact_of(query);
   CandidatePairs found = stage.find_candidates(query, horizon_of(query, floor));
   FirstContact out = decide(query, floor, found, confirmation);
@@ -107,6 +114,7 @@ std::vector<FirstContact> first_contacts(std::span<const FirstContactQuery> quer
                                          CandidateFinder& stage,
                                          std::vector<CandidatePairs>* proposals,
                                          const Confirmation& confirmation) {
+  // All queries are drawn together, so that a GPU is waited for once; each is decided on its own.
   std::vector<FirstContact> out;
   std::vector<double> horizons;
   for (const FirstContactQuery& query : queries) {

@@ -6,6 +6,8 @@ namespace trivet {
 
 Body::Body(const Shape& s, const Affine& m) : shape(&s), world_from_object(m) {
   if (!s.has_faces()) return;
+  // The box is rounded outwards to float, as those of the tree are, and grown by the rounding of
+  // its placement.
   const Aabb b = rounded_outwards(s.box);
   const Vec3 centre = m.apply(b.centre()), half = m.linear.cwiseAbs() * b.half_extent();
   const Vec3 margin = 1e-14 * (centre.cwiseAbs() + half);

@@ -19,6 +19,8 @@ const auto features_of_end = [](const auto& end) {
 
 void ContactEnds::add_vertex(const Vec3& p, Index vertex, Index face_a, const ContactFace& b,
                              const Index3& corners, const Index3& edges, Index face_b) {
+  // Ends at the object's own edges are left to add_support_vertex(), so that no pair of vertices is
+  // found twice.
   for (int k = 0; k < 3; ++k) {
     if ((p - b.corners[k]).squaredNorm() <= m_tolerance * m_tolerance)
       m_ends.push_back({End::Kind::Vertices, vertex, corners[k], face_a, face_b, p, b.corners[k]});
@@ -36,9 +38,11 @@ void ContactEnds::add_support_vertex(const ContactFace& a, const Index3& edges, 
 
 // The foot of x on the inside of an edge that is near.
 std::optional<Vec3> ContactEnds::foot(const Vec3& x, const ContactFace& face, int k) const {
+  // A comparison of boxes rejects most edges before anything is divided.
   const Aabb& box = face.edge_box[k];
   if (((x - box.lower).array() < -m_reach).any() || ((x - box.upper).array() > m_reach).any())
     return std::nullopt;
+  // The ends of an edge are its vertices, and count as pairs of vertices.
   const double s = face.edge[k].dot(x - face.corners[k]) / face.edge[k].squaredNorm();
   if (!(s > 0 && s < 1)) return std::nullopt;
   const Vec3 foot = face.corners[k] + s * face.edge[k];
@@ -57,6 +61,7 @@ bool ContactEnds::dips(const End& end, const Vec3& normal) const {
 }
 
 std::vector<ContactPoint> ContactEnds::points() {
+  // Faces around a vertex report the same end again and again; the first pair of faces names it.
   std::sort(m_ends.begin(), m_ends.end(), [](const auto& x, const auto& y) {
     return std::tuple_cat(features_of_end(x), std::tie(x.face_object, x.face_support)) <
            std::tuple_cat(features_of_end(y), std::tie(y.face_object, y.face_support));
@@ -68,6 +73,7 @@ std::vector<ContactPoint> ContactEnds::points() {
                m_ends.end());
   std::vector<ContactPoint> out;
   for (const End& end : m_ends) {
+    // Points that coincide to rounding have no direction between them, and so no normal.
     const double distance = (end.p - end.q).norm();
     if (distance <= kNoDirection * end.p.cwiseAbs().maxCoeff()) continue;
     const Vec3 normal = (end.p - end.q) / distance;

@@ -28,6 +28,7 @@ ContactMemory::~ContactMemory() {
 ContactMemory* ContactMemory::current() { return first_living; }
 
 size_t ContactMemory::Hash::operator()(const Question& question) const {
+  // Poses tell questions apart well enough; shapes are left to the comparison.
   std::uint64_t sum = 0;
   for (const double x : question.numbers) {
     std::uint64_t bits = 0;
@@ -41,6 +42,7 @@ size_t ContactMemory::Hash::operator()(const Question& question) const {
 const std::vector<ContactPoint>& ContactMemory::points(const Body& a, const Body& b,
                                                        double tolerance, double slack,
                                                        const Find& find) {
+  // Poses, tolerance and slack are compared exactly: a remembered answer equals a new one.
   Question question{a.shape, b.shape, {a.shape->id, b.shape->id}, {}};
   double* const end =
       append(b.world_from_object, append(a.world_from_object, question.numbers.data()));
@@ -48,6 +50,7 @@ const std::vector<ContactPoint>& ContactMemory::points(const Body& a, const Body
   end[1] = slack;
   const auto known = m_known.find(question);
   if (known != m_known.end()) return known->second;
+  // Forgetting all at once bounds the memory without any order of age.
   if (m_known.size() >= kMost) m_known.clear();
   return m_known[question] = find();
 }

@@ -39,6 +39,7 @@ auto order_of(const ContactPoint& c) {
 
 // Sorted, every pair of features once.
 std::vector<ContactPoint> first_of_each(const std::vector<ContactPoint>& points) {
+  // Pointers are sorted, as points are large.
   std::vector<const ContactPoint*> order;
   order.reserve(points.size());
   for (const ContactPoint& p : points) order.push_back(&p);
@@ -59,6 +60,7 @@ void append_elsewhere(const std::vector<ContactPoint>& more, double distance,
   if (more.empty()) return;
   std::vector<ContactPoint> known = points;
   Aabb box;
+  // The widest axis parts the points best.
   for (const ContactPoint& p : known) box.extend(p.point);
   int along = 0;
   if (!known.empty()) box.half_extent().maxCoeff(&along);
@@ -68,6 +70,8 @@ void append_elsewhere(const std::vector<ContactPoint>& more, double distance,
   };
   std::sort(known.begin(), known.end(), before);
   for (const ContactPoint& p : more) {
+    // All points of which the coordinate is within reach are compared; the search starts at the
+    // lowest of them.
     ContactPoint low = p;
     low.point[along] -= distance;
     bool is_new = true;
@@ -114,6 +118,8 @@ class ContactSearch {
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
+    // The rounding of placed nodes grows with their distance from the origin, so the roots'
+    // farthest corners bound it.
     m_node_reach = m_reach + 1e-14 * (farthest(node_a(0)) + farthest(node_b(0)));
     visit(0, 0);
     std::vector<ContactPoint> points = first_of_each(m_found);
@@ -158,6 +164,7 @@ class ContactSearch {
   }
 
   void try_leaves(Index ia, Index ib) {
+    // Leaves are met many times; their faces and boxes stay in a small memory of the thread.
     const BoxedFaces& a =
         m_memory.object.faces.get(m_search, ia, m_object, m_object_nodes.bvh().nodes[ia]);
     const BoxedFaces& b =
@@ -194,6 +201,7 @@ class ContactSearch {
     if (m_closest_only) return try_closest(a.corners, face_a, b.corners, face_b);
     const Index3 &va = m_object.shape->mesh.triangles[face_a],
                  &vb = m_support.shape->mesh.triangles[face_b];
+    // Six vertices go against the other face; those with a foot outside may still be ends of edges.
     const Index3 &ea = m_object.shape->adjacency.face_edges[face_a],
                  &eb = m_support.shape->adjacency.face_edges[face_b];
     for (int k = 0; k < 3; ++k) {
@@ -202,10 +210,12 @@ class ContactSearch {
       if (!a.valid || !try_face_vertex(b.corners[k], vb[k], a, face_a))
         m_ends.add_support_vertex(a, ea, face_a, b.corners[k], vb[k], face_b);
     }
+    // Nine pairs of edges are left, of which most are told apart by their boxes.
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         if (ea[i] >= 0 && eb[j] >= 0 && overlaps(a.edge_box[i], b.edge_box[j], m_reach))
           try_edges(a, i, ea[i], b, j, eb[j]);
+    // Flat overlaps, which rounding hides from vertices and edges, are collected apart.
     m_flush.add(a, face_a, b, face_b);
   }
 
@@ -237,6 +247,7 @@ class ContactSearch {
   }
 
   bool past_end(double s, const Vec3& edge, double height) const {
+    // The ends of an edge may be passed by as much as a foot may lie beside a face.
     if (s >= 0 && s <= 1) return false;
     const double slack = slack_at(height) / edge.norm();
     return s < -slack || s > 1 + slack;
@@ -245,6 +256,7 @@ class ContactSearch {
   void try_edges(const ContactFace& a, int i, Index edge_a, const ContactFace& b, int j,
                  Index edge_b) {
     const Vec3 &u = a.edge[i], &v = b.edge[j];
+    // Two skew lines are as far apart as the offset's part along their common normal.
     const Vec3 n = u.cross(v), r = b.corners[j] - a.corners[i];
     const double squared = n.squaredNorm(), along = n.dot(r);
     if (along * along > 1.001 * m_tolerance * m_tolerance * squared) return;  // too far, no root
@@ -292,6 +304,8 @@ class ContactSearch {
 void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index node, double tolerance,
                             std::vector<Index>& vertices) {
   const PlacedBvh::Box box = tree.box(node);
+  // A box that is higher than the tolerance ends the descent; the rounding of its centre is allowed
+  // for.
   if (box.centre.z() - box.half.z() > tolerance * 1.001 + 1e-14 * std::abs(box.centre.z())) return;
   const BvhNode& n = tree.bvh.nodes[node];
   if (!n.is_leaf()) {
@@ -308,6 +322,7 @@ void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index nod
 
 std::vector<ContactPoint> contact_points(const Body& object, const Body& support, double tolerance,
                                          double slack) {
+  // Bodies that are far apart, which most pairs of a scene are, build nothing.
   if (!overlaps(object.world_box, support.world_box, tolerance * 1.001)) return {};
   // One order for both ways round: the same pair gives the same bits, whoever asks.
   const bool from_support = comes_first(support, object);

@@ -13,6 +13,7 @@ namespace trivet {
 namespace {
 
 Vec3 mean_normal(const std::vector<ContactPoint>& points) {
+  // Opposite normals cancel, and leave no mean: then the first one stands for all.
   Vec3 sum = Vec3::Zero();
   for (const ContactPoint& p : points) sum += p.normal;
   const double length = sum.norm();
@@ -22,6 +23,8 @@ Vec3 mean_normal(const std::vector<ContactPoint>& points) {
 void add_faces(const Body& body, ContactFeatures features, bool is_object, Index feature,
                std::vector<Index>& faces) {
   const Adjacency& adjacency = body.shape->adjacency;
+  // The kind of feature tells what the index names on this body: a face, an edge, or a vertex with
+  // the faces around it.
   const bool face =
       features == ContactFeatures::ClosestPoints ||
       features == (is_object ? ContactFeatures::FaceVertex : ContactFeatures::VertexFace);
@@ -51,14 +54,17 @@ void drop_inner(std::vector<Vec2>& points) {
                                                  Vec2(0, -1), Vec2(1, -1)};
   std::array<Vec2, kDirections> corners;
   corners.fill(points.front());
+  // The farthest point in each of eight directions is a corner of the octagon.
   for (const Vec2& p : points)
     for (size_t k = 0; k < kDirections; ++k)
       if (directions[k].dot(p) > directions[k].dot(corners[k])) corners[k] = p;
+  // The limit is a part of the extent's area, so that it scales with the model.
   const double extent = (corners[0] - corners[4]).cwiseAbs().maxCoeff() +
                         (corners[2] - corners[6]).cwiseAbs().maxCoeff();
   const double inside = kInside * extent * extent;
   std::erase_if(points, [&](const Vec2& p) {
     for (size_t k = 0; k < kDirections; ++k) {
+      // Directions that share a corner give an edge without length, which says nothing.
       const Vec2 &a = corners[k], &b = corners[(k + 1) % kDirections];
       if (a != b && !(cross(b - a, p - a) > inside)) return false;
     }
@@ -165,6 +171,7 @@ std::vector<ContactPoint> merged(const std::vector<ContactPoint>& points, double
     for (size_t j = i + 1; j < order.size(); ++j) {
       const auto [at, a] = order[i];
       const auto [other_at, b] = order[j];
+      // A dropped point drops no others, so that a chain of near points does not vanish into one.
       if (dropped[a] || other_at - at > distance) break;
       if (dropped[b] || !same_place(points[a], points[b], distance)) continue;
       dropped[better(a, b) ? b : a] = 1;
@@ -185,6 +192,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Vec2> hull;
+  // The first pass makes the lower chain, the second the upper one from the reversed points.
   for (int pass = 0; pass < 2; ++pass) {
     const size_t start = hull.size();
     for (const Vec2& p : points) {
@@ -202,6 +210,8 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
 Contact make_contact(const std::vector<ContactPoint>& points, const Body& object,
                      const Body* support, double extent) {
   if (support && comes_first(*support, object)) {
+    // A pair's contact is computed from the body that comes first, so that both ways round give the
+    // same bits.
     std::vector<ContactPoint> of_support;
     of_support.reserve(points.size());
     for (const ContactPoint& p : points) of_support.push_back(seen_from_support(p));
@@ -212,6 +222,8 @@ Contact make_contact(const std::vector<ContactPoint>& points, const Body& object
   if (points.empty()) return out;
   out.normal = mean_normal(points);
   out.gap = kInfinity;
+  // Points are projected into the contact plane; the first of them is the origin, which keeps
+  // digits where the world's origin is far.
   const auto [u, v] = plane_axes(out.normal);
   const Vec3 origin = points.front().point;
   std::vector<Vec2> flat;
@@ -223,6 +235,7 @@ Contact make_contact(const std::vector<ContactPoint>& points, const Body& object
   }
   sort_unique(out.faces_object);
   sort_unique(out.faces_support);
+  // The hull in the plane tells whether it is a point, a line or an area.
   const std::vector<Vec2> hull = convex_hull(flat);
   for (const Vec2& p : hull) out.hull.push_back(origin + p.x() * u + p.y() * v);
   out.type = type_of(hull, extent);

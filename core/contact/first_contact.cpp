@@ -62,6 +62,8 @@ class Search {
   // End of the first part: kFirstPart of the motion, longer where nothing moves kLeastPart
   // clearances in it.
   double first_part() const {
+    // A point's speed in terms of s is at most twice its distance from the axis; a translation's is
+    // one.
     const Motion& motion = m_query.motion;
     double speed = 1;
     if (motion.kind == Motion::Kind::Rotation) {
@@ -73,6 +75,7 @@ class Search {
               speed, 2 * ((box.centre() - motion.centre).cwiseAbs() + box.half_extent()).norm());
         }
     }
+    // A part in which nothing moves farther than the clearance could not tell pairs apart.
     double part = kFirstPart * motion.limit;
     while (part < motion.limit && part * speed < kLeastPart * m_query.clearance.distance)
       part = std::max(part * kNextPart, 1e-300);
@@ -99,6 +102,8 @@ FirstContact first_contact(const FirstContactQuery& query) {
 }
 
 FirstContact first_contact_brute_force(const FirstContactQuery& query) {
+  // Every pair of faces is asked by the same decision as in the search, with no box and no order:
+  // what tests compare the search with.
   FirstContact best;
   for (Index m = 0; m < static_cast<Index>(query.moving.size()); ++m) {
     const Mesh& mesh = query.moving[m].shape->mesh;

@@ -22,6 +22,8 @@ class ClippedTriangle {
 
   // Keeps what is not beyond the plane through p with the normal `outward` [Sutherland 1974].
   void cut(const Vec3& p, const Vec3& outward) {
+    // Corners on the inner side stay, and each side that crosses the plane adds the point where it
+    // does.
     std::vector<Vec3> kept;
     for (size_t i = 0; i < m_corners.size(); ++i) {
       const Vec3 &from = m_corners[i], &to = m_corners[(i + 1) % m_corners.size()];
@@ -39,6 +41,7 @@ class ClippedTriangle {
 
 std::vector<Vec3> overlap(const ContactFace& top, const ContactFace& base) {
   ClippedTriangle clipped(top.corners);
+  // Each side of the base cuts off what lies beyond it, seen along the base's normal.
   for (int k = 0; k < 3 && !clipped.corners().empty(); ++k)
     clipped.cut(base.corners[k], base.edge[k].cross(base.normal));
   return clipped.corners();
@@ -56,6 +59,7 @@ class Neighbourhoods {
  public:
   Neighbourhoods(const Body& body, std::vector<Index> faces, double tolerance)
       : m_body(body), m_faces(std::move(faces)), m_tolerance(tolerance) {
+    // Faces are looked up by halving, so they are sorted, each once.
     std::sort(m_faces.begin(), m_faces.end());
     m_faces.erase(std::unique(m_faces.begin(), m_faces.end()), m_faces.end());
     m_first.assign(m_faces.size(), -1);
@@ -79,6 +83,8 @@ class Neighbourhoods {
   }
 
   void flood(size_t start) {
+    // The first face gives the plane for all: a smooth surface would creep away if each face tested
+    // its neighbour.
     const Index name = m_faces[start];
     const ContactFace seed{PlainFace(m_body.triangle(name))};
     std::vector<size_t> open{start};
@@ -108,6 +114,7 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& hull, double slack) {
   std::vector<Vec2> out;
   for (size_t i = 0; i < hull.size(); ++i) {
     const Vec2& from = out.empty() ? hull.back() : out.back();
+    // The height over the line is an area over a length; the comparison needs no division.
     const Vec2 along = hull[(i + 1) % hull.size()] - from, d = hull[i] - from;
     const double area = along.x() * d.y() - along.y() * d.x();
     if (area * area > slack * slack * along.squaredNorm()) out.push_back(hull[i]);
@@ -118,8 +125,10 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& hull, double slack) {
 }  // namespace
 
 void FlushFaces::add(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b) {
+  // Only faces that are parallel to the cone of a contact can lie flat on each other.
   if (!a.valid || !b.valid) return;
   if (a.normal.cross(b.normal).squaredNorm() > kConeSlope * kConeSlope) return;
+  // The larger face is the base: its normal is known best.
   const bool over_b = b.area_normal.squaredNorm() >= a.area_normal.squaredNorm();
   const ContactFace &top = over_b ? a : b, &base = over_b ? b : a;
   // The smaller face is clipped by the larger one.
@@ -128,6 +137,8 @@ void FlushFaces::add(const ContactFace& a, Index face_a, const ContactFace& b, I
   double height = 0;  // of all together
   for (const Vec3& p : corners) height += base.normal.dot(p - base.corners[0]);
   const double rounding = kRounding * corners.size() * base.corners[0].cwiseAbs().maxCoeff();
+  // Rounding may put faces that look at each other slightly below each other; they count as facing
+  // still.
   const bool facing = a.normal.dot(b.normal) < 0 && height >= -rounding;
   const Vec3 up = facing || height > 0 ? base.normal : Vec3(-base.normal);
   const Vec3 normal = over_b ? up : Vec3(-up);
@@ -148,6 +159,7 @@ void FlushFaces::add(const ContactFace& a, Index face_a, const ContactFace& b, I
 }
 
 std::vector<FlushFaces::Member> FlushFaces::members() const {
+  // A neighbourhood is a set of connected coplanar faces that take part in an overlap.
   std::vector<Index> faces_object, faces_support;
   for (const Overlap& o : m_overlaps) {
     faces_object.push_back(o.face_object);
@@ -156,6 +168,7 @@ std::vector<FlushFaces::Member> FlushFaces::members() const {
   const Neighbourhoods object(m_object, std::move(faces_object), m_tolerance);
   const Neighbourhoods support(m_support, std::move(faces_support), m_tolerance);
   std::vector<Member> out;
+  // Overlaps of the same two neighbourhoods make one patch; sorting brings them together.
   for (size_t i = 0; i < m_overlaps.size(); ++i)
     out.push_back(
         {object.of(m_overlaps[i].face_object), support.of(m_overlaps[i].face_support), i});
@@ -184,6 +197,7 @@ void FlushFaces::append_hull(std::span<const Member> patch, std::vector<ContactP
            std::make_tuple(y.first.x(), y.first.y(), y.second);
   };
   std::sort(flat.begin(), flat.end(), less);
+  // Corners that lie on a line within the slack are rounding of the mesh, not corners of the patch.
   for (const Vec2& corner : simplified(convex_hull(std::move(places)), m_slack))
     out.push_back(m_corners[std::lower_bound(flat.begin(), flat.end(),
                                              std::make_pair(corner, size_t{0}), less)
@@ -192,6 +206,7 @@ void FlushFaces::append_hull(std::span<const Member> patch, std::vector<ContactP
 
 std::vector<ContactPoint> FlushFaces::corners() const {
   std::vector<ContactPoint> out;
+  // Each patch gives the corners of its hull alone, however many faces it is made of.
   const std::vector<Member> all = members();
   for (size_t first = 0, end = 0; first < all.size(); first = end) {
     // Members of one patch follow each other.

@@ -35,12 +35,14 @@ Vec2 nearest_on(const Vec2& a, const Vec2& b) {
 
 // The same of a triangle; the origin itself if it is inside.
 Vec2 nearest_on(const std::array<Vec2, 3>& t) {
+  // The origin is inside if it lies on the same side of all three edges.
   const auto side = [](const Vec2& a, const Vec2& b) { return left_of(a).dot(b); };
   const double sides[] = {side(t[0], t[1]), side(t[1], t[2]), side(t[2], t[0])};
   const double squared = std::max({t[0].squaredNorm(), t[1].squaredNorm(), t[2].squaredNorm()});
   const auto [lowest, highest] = std::minmax({sides[0], sides[1], sides[2]});
   // Within rounding of the longest edge the origin is found to be near it.
   if (lowest > kFlat * squared || highest < -kFlat * squared) return Vec2::Zero();
+  // Outside, the nearest point is on an edge.
   Vec2 out = nearest_on(t[0], t[1]);
   for (const Vec2& p : {nearest_on(t[1], t[2]), nearest_on(t[2], t[0])})
     if (p.squaredNorm() < out.squaredNorm()) out = p;
@@ -58,11 +60,13 @@ struct AngleRange {
 // turned back to its last one turned on.
 AngleRange angle_range(const std::array<Vec2, 3>& t, const Vec2& nearest, double s_back,
                        double s_on) {
+  // All points are ahead along `nearest`, so their slopes order their angles.
   const auto slope = [&](const Vec2& p) { return left_of(nearest).dot(p) / nearest.dot(p); };
   const auto [first, last] = std::minmax_element(
       t.begin(), t.end(), [&](const Vec2& a, const Vec2& b) { return slope(a) < slope(b); });
   const double lower = angle_measure(turned(*first, -s_back)) - kSlack;
   const double upper = angle_measure(turned(*last, s_on)) + kSlack;
+  // A range that passes the cut goes on beyond the period, so that lower stays below upper.
   return {lower, upper < lower ? upper + MotionBoxes::kPeriod : upper};
 }
 
@@ -80,6 +84,7 @@ MotionBoxes::MotionBoxes(const FirstContactQuery& query, double horizon)
   double spread = m_origin.cwiseAbs().maxCoeff();
   for (const auto bodies : {query.moving, query.fixed})
     for (const Body& body : bodies) spread = std::max(spread, body.world_box.max_abs_coordinate());
+  // The growth covers the largest stop and the rounding of local coordinates.
   m_growth = query.clearance.largest_stop() * 1.002 + kSpreadSlack * spread;
 }
 
@@ -89,6 +94,7 @@ Triangle MotionBoxes::local(const Triangle& world) const {
 }
 
 Aabb MotionBoxes::moving(const Triangle& world) const {
+  // A face of a turn is swept over angles; that of a translation is drawn out along the motion.
   const Triangle t = local(world);
   if (m_turning) return turning_box(t, 0, m_horizon);
   Aabb out = box_of(t);
@@ -104,6 +110,7 @@ Aabb MotionBoxes::fixed(const Triangle& world) const {
 }
 
 Aabb MotionBoxes::turning_box(const Triangle& t, double growth, double s_sweep) const {
+  // Seen along the axis, the nearest point gives the smallest radius, and a corner the largest.
   const std::array<Vec2, 3> across{t[0].head<2>(), t[1].head<2>(), t[2].head<2>()};
   const Vec2 nearest = nearest_on(across);
   const double radius = nearest.norm();

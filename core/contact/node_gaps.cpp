@@ -6,12 +6,17 @@ namespace trivet {
 // along the rest that of its box. Computed in its own frame, which is the other lane.
 SlabGaps::SlabGaps(const PlacedNode& moving, const PlacedNode& fixed)
     : normal(own(moving.normal, fixed.normal)) {
+  // Both directions are computed at once: every quantity has a lane for each frame.
   const Vec3Lanes theirs = others(moving.normal, fixed.normal), half = own(moving.half, fixed.half);
   const Double2 c = dot(theirs, normal);
+  // The part along the moving slab's own normal is as thin as that slab; the rest is as wide as its
+  // box.
   const Double2 beside = dot(abs(theirs - c * normal), half), box = dot(abs(theirs), half);
   const Double2 slab_lower{fixed.lower, moving.lower}, slab_upper{fixed.upper, moving.upper};
   const Double2 low = c * slab_lower, high = c * slab_upper;
   lower = swapped(max(min(low, high) - beside, -box));
+  // The tighter of slab and box counts at each end; lanes change places as the reach was computed
+  // in the mover's own frame.
   upper = swapped(min(max(low, high) + beside, box));
   const Double2 along = seen_from_still(dot(normal, moving.centre - fixed.centre));
   above = along + lower - slab_upper;

@@ -33,6 +33,7 @@ double highest(const Triangle& t, const Vec3& n) {
 
 // A plane that stands still, with unit normal n.
 double until_static_plane(const State& s, const Vec3& n, double target) {
+  // The fixed triangle stays below the plane, so the moving corner that comes down first decides.
   const double level = highest(s.b, n) + target;
   double first = kInfinity;
   for (const Vec3& p : s.a) {
@@ -46,6 +47,7 @@ double until_static_plane(const State& s, const Vec3& n, double target) {
 
 // A plane that turns with the moving triangle, with unit normal n at the start.
 double until_moving_plane(const State& s, const Vec3& n, double target) {
+  // Seen from the moving plane, the fixed corners rise; the first that reaches it decides.
   const double level = lowest(s.a, n) - target;
   double first = kInfinity;
   for (const Vec3& q : s.b) {
@@ -68,6 +70,8 @@ NormalScale normal_scale(const State& s, const Vec3& u, const Vec3& v, double le
   // A translation keeps the edges, and with them the length of their normal.
   if (!s.turning()) return {length_n, kInfinity};
   const double largest = u.norm() * v.norm(), sine = length_n / largest;
+  // The larger the factor, the longer the scale holds, but the more of the target is asked for;
+  // half the distance left is a fair share.
   const double factor = std::max(1.05, 0.5 * distance / target);
   if (factor * sine >= 1) return {largest, kInfinity};
   return {factor * length_n, 0.5 * (factor - 1) * sine};
@@ -178,12 +182,16 @@ double until_any_plane(const State& s, const ClosestPoints& closest, double targ
   const Vec3 towards_a = (closest.point_a - closest.point_b) / closest.distance;
   const std::array<Vec3, 6> edges{s.a[1] - s.a[0], s.a[2] - s.a[1], s.a[0] - s.a[2],
                                   s.b[1] - s.b[0], s.b[2] - s.b[1], s.b[0] - s.b[2]};
+  // The direction between the closest points is tried first, then all fifteen normals that two of
+  // the six edges span.
   double first = until_plane_along_edges(s, edges, towards_a, target);
   for (size_t i = 0; i < edges.size(); ++i)
     for (size_t j = i + 1; j < edges.size(); ++j) {
       const Vec3 n = edges[i].cross(edges[j]);
       const double length = n.norm();
+      // Parallel edges, or those of length zero, span no direction.
       if (length <= 1e-16 * edges[i].norm() * edges[j].norm()) continue;
+      // All normals point from b towards a, as bounds expect it.
       const Vec3 unit = (n.dot(towards_a) < 0 ? -1 : 1) / length * n;
       first = std::max(first, until_plane_along_edges(s, edges, unit, target));
     }
@@ -191,6 +199,7 @@ double until_any_plane(const State& s, const ClosestPoints& closest, double targ
 }
 
 bool clear_of_static_plane(const State& s, const Vec3& n, double target, double horizon) {
+  // No root is taken: most pairs need only the answer whether anything happens before the horizon.
   const double level = highest(s.b, n) + target;
   for (const Vec3& p : s.a)
     if (!positive_until(height_of_moving_point(n.dot(p) - level, n, p, s.motion), s.motion.kind,
@@ -218,6 +227,7 @@ DecidedPair free_by_faces(const State& s, double largest_stop, double horizon) {
     return {{}, std::max(horizon, until_static_plane(s, nb, largest_stop)), nb};
   const Vec3 na = face_normal(s.a, towards_a);
   if (na == Vec3::Zero()) return {{}, 0};
+  // Along a translation a face's plane keeps its normal, so one test does for either face.
   if (!s.turning() && clear_of_static_plane(s, na, largest_stop, horizon))
     return {{}, std::max(horizon, until_static_plane(s, na, largest_stop)), na};
   if (s.turning() && clear_of_moving_plane(s, na, largest_stop, horizon))
@@ -277,6 +287,7 @@ DecidedPair decide_pair(const Triangle& moving, const Triangle& fixed, const Mot
   State s{{}, {}, local};
   for (int k = 0; k < 3; ++k) start[k] = moving[k] - centre, s.b[k] = fixed[k] - centre;
   s.a = start;
+  // A contact later than the best one known does not matter, so the search ends there.
   const double horizon = std::min(best, motion.limit);
   // Most pairs are proved free by the plane of one of the faces.
   const DecidedPair clear = free_by_faces(s, clearance.largest_stop(), horizon);
@@ -316,11 +327,14 @@ double apart_by_plane(std::span<const Triangle> moving, std::span<const Triangle
                       const Vec3& n, const Motion& motion, double largest_stop, double horizon) {
   // Relative to the axis, or to the fixed faces, as in decide_pair().
   const bool turning = motion.kind == Motion::Kind::Rotation;
+  // The fixed faces' highest point along n, with the largest stop, is the level to stay above.
   const Vec3 centre = turning ? motion.centre : fixed[0][0];
   double level = -kInfinity, until = kInfinity;
   for (const Triangle& t : fixed)
     for (const Vec3& q : t) level = std::max(level, n.dot(q - centre));
   level += largest_stop;
+  // Each moving corner has to stay above it until the horizon; the first that comes down ends the
+  // proof.
   for (const Triangle& t : moving)
     for (const Vec3& p : t) {
       const Vec3 x = p - centre;
@@ -332,6 +346,7 @@ double apart_by_plane(std::span<const Triangle> moving, std::span<const Triangle
 }
 
 double first_floor_contact(const Vec3& p, const Motion& motion, const Clearance& clearance) {
+  // The target shrinks for a vertex that rests already, so that it can turn over its contact.
   const double f0 = p.z() - clearance.target(p.z());
   return first_zero(height_of_moving_point(f0, Vec3::UnitZ(), p - motion.centre, motion),
                     motion.kind);

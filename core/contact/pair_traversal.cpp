@@ -10,6 +10,7 @@ namespace {
 // No point of the face goes farther until the time t than t times this: of a turn the chord.
 double speed_of(const Triangle& moving, const Motion& motion) {
   if (motion.kind == Motion::Kind::Translation) return 1;
+  // A point's chord grows no faster with s than twice its distance from the axis.
   double squared = 0;
   for (const Vec3& p : moving)
     squared = std::max(squared, motion.axis.cross(p - motion.centre).squaredNorm());
@@ -19,6 +20,12 @@ double speed_of(const Triangle& moving, const Motion& motion) {
 // Largest distance at which anything stops, for all rounding of coordinates up to `spread`.
 double margin(const FirstContactQuery& query, double spread) {
   return query.clearance.largest_stop() * 1.002 + 1e-14 * spread;
+}
+
+// The second child of a node is elsewhere in memory.
+void prefetch(const Bvh& bvh, Index node) {
+  __builtin_prefetch(&bvh.nodes[node]);
+  __builtin_prefetch(&bvh.slabs[node]);
 }
 
 }  // namespace
@@ -33,6 +40,8 @@ LeafInMotion::LeafInMotion(const Body& body, const BvhNode& leaf, const Motion& 
 
 PairMotions::PairMotions(const PairFrames& frames, const Motion& motion)
     : of_moving(motion), of_fixed(motion) {
+  // Directions are rewritten in the fixed body's frame; the fixed body moves the other way as seen
+  // from the moving one.
   const Mat3 moving_from_fixed = frames.fixed_from_moving.transpose();
   of_moving.axis = frames.fixed.direction(motion.axis);
   of_moving.centre = frames.fixed.point(motion.centre);
@@ -64,13 +73,17 @@ PairTraversal::PairTraversal(const FirstContactQuery& query, Index moving, Index
 }
 
 void PairTraversal::search(double until) {
+  // Decisions are made for this part of the motion only; pairs proved apart until its end wait for
+  // the next one.
   m_part.motion.limit = until;
   std::swap(m_waiting, m_woken);
   m_waiting.clear();
+  // Pairs are woken in the order in which they were put off, so that results repeat to the bit.
   for (const Waiting& pair : m_woken) resume(pair);
 }
 
 void PairTraversal::wait(const Waiting& pair) {
+  // A pair is kept only if a later part may still need it.
   const bool is_last = m_part.motion.limit >= m_query.motion.limit;
   if (!is_last && pair.bound <= std::min(m_best.time, m_query.motion.limit))
     m_waiting.push_back(pair);
@@ -88,11 +101,20 @@ void PairTraversal::resume(const Waiting& pair) {
 // The bound of a pair of nodes.
 PairTraversal::Next PairTraversal::next(Index a, Index b) {
   ++m_best.work.node_pairs;
-  const PlacedNode &in_a = node_a(a), &in_b = node_b(b);
-  const double until = m_nodes.apart_until(in_a, in_b, horizon());
-  const double gap =
-      (in_a.centre_in(kFixed) - in_b.centre_in(kFixed)).norm() - in_a.radius - in_b.radius;
-  return {until, gap, a, b};
+  return {m_nodes.apart_until(node_a(a), node_b(b), horizon()), a, b};
+}
+
+// The boxes' spheres are so far apart, at time 0.
+double PairTraversal::gap(const Next& pair) {
+  const PlacedNode &a = node_a(pair.a), &b = node_b(pair.b);
+  return (a.centre_in(kFixed) - b.centre_in(kFixed)).norm() - a.radius - b.radius;
+}
+
+// The one that may touch first goes first; of equals the nearer one. What it finds bounds the
+// other.
+bool PairTraversal::goes_first(const Next& x, const Next& y) {
+  if (x.bound != y.bound) return x.bound < y.bound;
+  return !hopeless(x.bound) && gap(x) < gap(y);
 }
 
 void PairTraversal::visit(Index ia, Index ib) {
@@ -100,11 +122,10 @@ void PairTraversal::visit(Index ia, Index ib) {
   if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
   // The larger node is opened.
   const bool open_a = !a.is_leaf() && (b.is_leaf() || node_a(ia).radius > node_b(ib).radius);
+  open_a ? prefetch(m_a.bvh(), a.second_child) : prefetch(m_b.bvh(), b.second_child);
   Next x = open_a ? next(ia + 1, ib) : next(ia, ib + 1);
   Next y = open_a ? next(a.second_child, ib) : next(ia, b.second_child);
-  // The child that may touch first goes first; of equals the nearer one. What it finds bounds the
-  // other.
-  if (y.bound < x.bound || (y.bound == x.bound && y.gap < x.gap)) std::swap(x, y);
+  if (goes_first(y, x)) std::swap(x, y);
   for (const Next& n : {x, y})
     if (hopeless(n.bound))
       wait({n.bound, n.a, n.b, false});
@@ -114,6 +135,7 @@ void PairTraversal::visit(Index ia, Index ib) {
 
 // The cheapest proof: most faces of two leaves are farther apart than they come nearer.
 double PairTraversal::faces_apart_until(const Aabb& moving, const Aabb& fixed, double speed) const {
+  // The distance of two boxes is no larger than that of their faces.
   const Vec3 beside =
       (moving.lower - fixed.upper).cwiseMax(fixed.lower - moving.upper).cwiseMax(0.0);
   const double gap = beside.norm() - m_world_margin;
@@ -154,6 +176,7 @@ double PairTraversal::decide(const LeafFaces& a, size_t i, const LeafFaces& b, s
       return until;
   const DecidedPair found = decide_faces(m_part, m_moving, m_fixed, a.face[i], b.face[j],
                                          a.corners[i], b.corners[j], m_best);
+  // The normal is kept for this pair only where its plane proved the faces apart until the horizon.
   if (found.normal == Vec3::Zero()) return found.apart_until;
   m_plane = found.normal;
   if (hopeless(found.apart_until)) m_planes.remember(a.face[i], b.face[j], found.normal);

@@ -65,13 +65,14 @@ class PairTraversal {
 
   struct Next {
     double bound;  // beyond the horizon: they are apart until there at least
-    double gap;    // of the boxes' spheres, at time 0
     Index a, b;
   };
 
   const PlacedNode& node_a(Index a) { return m_memory.moving.nodes.get(m_search, a, m_a, a); }
   const PlacedNode& node_b(Index b) { return m_memory.fixed.nodes.get(m_search, b, m_b, b); }
   Next next(Index a, Index b);
+  double gap(const Next& pair);
+  bool goes_first(const Next& x, const Next& y);
   void visit(Index ia, Index ib);
   void try_leaves(Index ia, Index ib);
   double decide(const LeafFaces& a, size_t i, const LeafFaces& b, size_t j);

@@ -9,6 +9,8 @@ Vec3Lanes NodePlacer::in_both(const Vec3& own, const Vec3& other) const {
 PlacedNode::PlacedNode(const NodePlacer& p, Index node) {
   const BvhNode& n = p.m_bvh.nodes[node];
   const BvhSlab& slab = p.m_bvh.slabs[node];
+  // Nodes are stored as float in the object's frame; they are scaled and brought to both bodies'
+  // frames.
   Vec3 own_centre, own_half, own_normal;
   for (int k = 0; k < 3; ++k) {
     const double low = n.lower[k], high = n.upper[k];
@@ -16,6 +18,7 @@ PlacedNode::PlacedNode(const NodePlacer& p, Index node) {
     own_half[k] = p.m_scale * (0.5 * (high - low));
     own_normal[k] = slab.normal[k];
   }
+  // A turned box is no box: the other frame gets the box around it.
   const Vec3 other_centre = p.m_turn * own_centre;
   centre = p.in_both(own_centre, other_centre);
   half = p.in_both(own_half, p.m_abs_turn * own_half);
@@ -23,6 +26,7 @@ PlacedNode::PlacedNode(const NodePlacer& p, Index node) {
   lower = p.m_scale * slab.lower;
   upper = p.m_scale * slab.upper;
   radius = own_half.norm();
+  // A turn needs the circle of the centre, too: its height along the axis, radius and direction.
   if (p.m_motion.kind == Motion::Kind::Translation) return;
   const Vec3 r = other_centre - p.m_motion.centre;
   height = p.m_motion.axis.dot(r);

@@ -17,6 +17,8 @@ struct SeparatingPlanes::Table {
   std::array<Slot, 2048> slots;
 
   Slot& slot(Index face_moving, Index face_fixed) {
+    // Two odd factors spread neighbouring face numbers over the table; a collision costs a plane,
+    // never a wrong answer.
     const auto mixed = static_cast<std::uint32_t>(face_moving) * 2654435761u ^
                        static_cast<std::uint32_t>(face_fixed) * 2246822519u;
     return slots[(mixed >> 16) % slots.size()];
@@ -36,6 +38,7 @@ SeparatingPlanes::SeparatingPlanes() {
     m_table = std::move(unused.back());
     unused.pop_back();
   }
+  // Counting on makes all slots of an earlier use invalid, without touching them.
   ++m_table->use;
 }
 

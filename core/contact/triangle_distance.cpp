@@ -33,6 +33,7 @@ struct TriangleLanes {
       squared_edge[k] = squared_norm(edge[k]);
       inward[k] = cross(normal, edge[k]);
     }
+    // A sliver's plane is rounding; its edges alone give the distance, to 1e-8 of its length.
     const Double2 longest = max(max(squared_edge[0], squared_edge[1]), squared_edge[2]);
     squared_area = squared_area <= kSliver * longest * longest ? both(0) : squared_area;
   }
@@ -51,6 +52,7 @@ struct CornersOver {
 
   CornersOver(const Triangle& a, const Triangle& b)
       : p{lanes(a[0], b[0]), lanes(a[1], b[1]), lanes(a[2], b[2])}, face(b, a) {
+    // Heights are in lengths of the normal, which is not unit; only signs and ratios are used.
     for (int k = 0; k < 3; ++k) height[k] = dot(face.normal, p[k] - face.p[0]);
   }
   Mask2 one_side() const {
@@ -62,6 +64,7 @@ struct CornersOver {
   Mask2 pierces(int k) const {
     const int next = (k + 1) % 3;
     const Double2 h = height[k], h_next = height[next];
+    // The crossing with the plane divides the edge by the heights at its ends.
     const Mask2 misses = (h * h_next > 0.0) | (h == h_next);
     return ~(misses | face.beside(p[k] + h / (h - h_next) * (p[next] - p[k])));
   }
@@ -113,6 +116,8 @@ SegmentPoints with_distance(double s, double t, const Vec3& r, const Vec3& u, co
 // Nearly parallel: the ends decide as well as the badly conditioned crossing.
 SegmentPoints better_end(SegmentPoints best, const Vec3& r, const Vec3& u, const Vec3& v, double uu,
                          double vv, double uv) {
+  // An end that is held makes the nearest place on the other segment a projection, which is well
+  // conditioned at any angle.
   const double ur = u.dot(r), vr = v.dot(r);
   const std::array<std::array<double, 2>, 4> ends{{{0, clamp01(vr / vv)},
                                                    {1, clamp01((vr + uv) / vv)},
@@ -187,6 +192,7 @@ class EdgePairs {
     if (any(~known)) find_others();
   }
   void nearest(double& best, ClosestPoints& out) const {
+    // The first of equals wins here, too.
     int nearest = -1;
     for (int k = 0; k < 9; ++k) {
       const double squared = m_found[kWhere[k].pair].squared_distance[kWhere[k].lane];

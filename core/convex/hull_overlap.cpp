@@ -20,6 +20,7 @@ void farthest(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* out) 
   const Vec3 d(direction->v[0], direction->v[1], direction->v[2]);
   const Vec3* best = nullptr;
   double largest = -kInfinity;
+  // The support function of a hull is its farthest vertex; the first of equals wins.
   for (const Vec3& v : scaled.part.vertices)
     if (const double along = d.dot(v - scaled.centre); along > largest) largest = along, best = &v;
   const Vec3 p = (*best - scaled.centre) * scaled.scale;
@@ -36,6 +37,7 @@ PlacedPart::PlacedPart(const ConvexPart& part, const Affine& world_from_part) {
 }
 
 double penetration_depth(const PlacedPart& a, const PlacedPart& b) {
+  // Most pairs of parts are told apart by their boxes.
   if (a.vertices.empty() || b.vertices.empty() || !overlaps(a.box, b.box)) return 0;
   Aabb both = a.box;
   both.extend(b.box);
@@ -51,6 +53,7 @@ double penetration_depth(const PlacedPart& a, const PlacedPart& b) {
   if (ccdGJKPenetration(&of_a, &of_b, &ccd, &depth, &direction, &position) != 0) return 0;
   // The expanding polytope gives a lower bound, and stops early where it is degenerate.
   const Vec3 along = Vec3(direction.v[0], direction.v[1], direction.v[2]).normalized();
+  // The hulls' overlap along the direction found is exact; of both ways out the shorter counts.
   if (!along.allFinite() || !(along.norm() > 0.5)) return depth / scale;
   double max_a = -kInfinity, min_a = kInfinity, max_b = -kInfinity, min_b = kInfinity;
   for (const Vec3& v : a.vertices)

@@ -19,6 +19,7 @@ constexpr double kThinnestBacking = 1.0 / 16;  // of a shell
 double volume_of_hull(const std::vector<Vec3>& points) {
   const ConvexHull hull = convex_hull(points);
   if (hull.vertices.empty()) return 0;
+  // The hull is a fan of tetrahedra about the mean of its corners, which lies inside.
   Vec3 inside = Vec3::Zero();
   for (const Index v : hull.vertices)
     inside += points[v] / static_cast<double>(hull.vertices.size());
@@ -41,6 +42,7 @@ double size_of(const std::vector<Vec3>& points) {
 HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell, HullMemo* memo)
     : m_mesh(mesh), m_adjacency(adjacency), m_shell(shell), m_memo(memo) {
   const size_t num_components = adjacency.components.size();
+  // A mesh of too many pieces begins as one node, as a simulator could not take a hull for each.
   const bool whole = num_components > kMaxParts;
   std::vector<std::vector<Index>> faces(whole ? 1 : num_components);
   for (size_t f = 0; f < adjacency.face_component.size(); ++f)
@@ -48,6 +50,7 @@ HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell, H
   for (std::vector<Index>& of_root : faces) {
     if (of_root.empty()) continue;
     m_nodes.push_back(known_node(std::move(of_root), m_shell));
+    // A mesh that fills its hull is convex: no cut can bring its hull closer.
     const auto fill = [&] { return whole ? 0 : filled_part(m_num_roots); };
     const double filled = m_memo ? m_memo->filled_part(m_num_roots, fill) : fill();
     m_is_convex.push_back(filled >= 1 - kConvexDefect);
@@ -60,6 +63,7 @@ HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell, H
 // Part of its hull that the mesh fills; 0 for an open mesh.
 double HullTree::filled_part(Index root) const {
   const std::vector<Index>& faces = m_nodes[root].faces;
+  // An open surface encloses nothing that could be compared.
   if (!m_adjacency.components[m_adjacency.face_component[faces[0]]].balanced) return 0;
   const double volume = volume_of_hull(corners_of(m_mesh, faces));
   return volume > 0 ? enclosed_volume(m_mesh, faces) / volume : 0;
@@ -73,6 +77,7 @@ std::vector<ConvexPart> HullTree::parts() const {
 }
 
 bool HullTree::refine(Index leaf) {
+  // A backed node gets closer first by a thinner backing, down to none; its cut comes after.
   if (const double backing = m_nodes[leaf].backing; backing > 0) {
     const bool solid = m_nodes[leaf].solid;
     const bool thin = backing <= kThinnestBacking * m_shell;
@@ -81,27 +86,32 @@ bool HullTree::refine(Index leaf) {
     return true;
   }
   if (m_nodes[leaf].faces.size() < 2) return false;
+  // A single face and a convex piece have no better hulls.
   if (leaf < m_num_roots && m_is_convex[leaf]) return false;
   const std::vector<Index>& faces = m_nodes[leaf].faces;
   const auto halve = [&] { return halves(faces); };
   const auto [a, b] = m_memo ? m_memo->halves(faces, halve) : halve();
   Node of_a, of_b;
+  // Both halves have to have hulls before the tree changes, so that a failure leaves it as it was.
   try {
     of_a = known_node(a, m_shell);
     of_b = known_node(b, m_shell);
   } catch (const Error&) {
     return false;  // too small for hulls of their own
   }
+  // Children are appended, so numbers of other nodes stay; the faces move down to them.
   m_nodes[leaf].children = {static_cast<Index>(m_nodes.size()),
                             static_cast<Index>(m_nodes.size()) + 1};
   m_nodes.push_back(std::move(of_a));
   m_nodes.push_back(std::move(of_b));
+  // Inner nodes give no part, and need their faces no more.
   m_nodes[leaf].faces = {};
   ++m_num_leaves;
   return true;
 }
 
 HullTree::Node HullTree::known_node(std::vector<Index> faces, double shell) const {
+  // Trees with different shells of one mesh ask for the same nodes.
   if (!m_memo) return make_node(std::move(faces), shell);
   return m_memo->node(faces, shell, [&] { return make_node(faces, shell); });
 }
@@ -114,6 +124,8 @@ HullTree::Node HullTree::make_node(std::vector<Index> faces, double shell) const
     points.insert(points.end(), behind.begin(), behind.end());
     return !behind.empty();
   };
+  // A part thinner than a shell is backed up to its thickness; refine() takes that back where there
+  // is no room.
   if (shell > 0 && add_behind(shell)) node.backing = shell;
   // A part that is still flat is thickened behind its faces only: in front of them others may lie.
   if (solid_hull(points, node.part) && add_behind(kFlatPartThickness * size_of(points)))
@@ -125,6 +137,7 @@ HullTree::Node HullTree::make_node(std::vector<Index> faces, double shell) const
 
 // The corners moved back along the mean normal until the part is as thick as a shell.
 std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces, double shell) const {
+  // The mean normal, weighted by area, points to the side that is seen.
   Vec3 normal = Vec3::Zero();
   for (const Index f : faces) {
     const Triangle t = m_mesh.triangle(f);
@@ -134,6 +147,7 @@ std::vector<Vec3> HullTree::backed_corners(std::span<const Index> faces, double 
   normal.normalize();
   std::vector<Vec3> points = corners_of(m_mesh, faces);
   double low = kInfinity, high = -kInfinity;
+  // The extent along the normal is what the part has already; the missing rest is added behind.
   for (const Vec3& p : points) {
     low = std::min(low, normal.dot(p));
     high = std::max(high, normal.dot(p));
@@ -149,14 +163,17 @@ std::array<std::vector<Index>, 2> HullTree::halves(const std::vector<Index>& fac
   std::array<std::vector<Index>, 2> best;
   double least = kInfinity;
   for (int axis = 0; axis < 3; ++axis) {
+    // Faces are ordered by three times the coordinate of their centre.
     const auto where = [&](Index f) {
       const Triangle t = m_mesh.triangle(f);
       return t[0][axis] + t[1][axis] + t[2][axis];
     };
+    // A stable sort keeps faces of equal place in their order: the same tree on every machine.
     std::vector<Index> sorted = faces;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](Index a, Index b) { return where(a) < where(b); });
     const double low = where(sorted.front()), high = where(sorted.back());
+    // The median halves the faces, and the quarters cut the extent.
     std::vector<size_t> cuts{sorted.size() / 2};
     for (const double part : {0.25, 0.5, 0.75}) {
       const double limit = low + part * (high - low);
@@ -164,6 +181,7 @@ std::array<std::vector<Index>, 2> HullTree::halves(const std::vector<Index>& fac
                                            [&](Index f) { return where(f) < limit; });
       cuts.push_back(static_cast<size_t>(it - sorted.begin()));
     }
+    // A cut is good where both hulls together hold little that is not mesh.
     for (const size_t cut : cuts) {
       if (cut == 0 || cut == sorted.size()) continue;
       const std::span<const Index> all(sorted);

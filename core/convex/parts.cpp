@@ -26,9 +26,11 @@ bool hull_part(const std::vector<Vec3>& points, ConvexPart& part) {
   if (hull.vertices.empty()) return false;
   part = {};
   for (const Index v : hull.vertices) part.vertices.push_back(points[v]);
+  // The hull's triangles come without a side: the mean of the corners is inside, and tells it.
   const Vec3 inside = mean_of(part.vertices);
   for (const Index3& t : hull.triangles) {
     Index3 face;
+    // Corners are numbered anew within the part; the hull's list is sorted.
     for (int k = 0; k < 3; ++k)
       face[k] =
           static_cast<Index>(std::lower_bound(hull.vertices.begin(), hull.vertices.end(), t[k]) -
@@ -48,6 +50,8 @@ std::vector<Vec3> thickened(const std::vector<Vec3>& points) {
   const double size = box.diagonal() > 0 ? box.diagonal() : 1.0;
   const double half = kFlatPartThickness * size / 2;
   const Vec3 centre = mean_of(points);
+  // The eigenvectors of the covariance are the directions in which the points lie flat, and those
+  // in which they spread.
   Mat3 covariance = Mat3::Zero();
   for (const Vec3& p : points) covariance += (p - centre) * (p - centre).transpose();
   const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors();
@@ -55,9 +59,11 @@ std::vector<Vec3> thickened(const std::vector<Vec3>& points) {
   for (int k = 0; k < 3; ++k) {
     double extent = 0;
     for (const Vec3& p : points) extent = std::max(extent, std::abs((p - centre).dot(axes.col(k))));
+    // A direction with extent needs no thickness.
     if (extent > half) continue;
     const std::vector<Vec3> before = out;
     out.clear();
+    // Every point is doubled; two flat directions make four copies of each, three make eight.
     for (const Vec3& p : before)
       for (const double side : {-half, half}) out.push_back(as_float32(p + side * axes.col(k)));
   }
@@ -85,6 +91,7 @@ class PartMaker {
     const std::vector<Vec3> points = corners_of(m_mesh, faces);
     add_hull(points);
     if (!decompose) return;
+    // A component that nearly fills its hull is convex enough: its hull is the best part.
     const double hull = volume_of(m_out.parts.back());
     if (m_adjacency.components[component].balanced &&
         enclosed_volume(m_mesh, faces) >= (1 - kConvexEnough) * hull)
@@ -117,6 +124,7 @@ struct Planes {
   std::vector<double> distances;
 
   Planes(const ConvexPart& part, const Vec3& inside) {
+    // Degenerate triangles of the hull have no plane, and their neighbours bound the part.
     for (const Index3& t : part.triangles) {
       const Vec3 a = part.vertices[t[0]] - inside;
       const Vec3 normal = (part.vertices[t[1]] - part.vertices[t[0]])
@@ -136,6 +144,8 @@ struct Planes {
 }  // namespace
 
 bool solid_hull(std::span<const Vec3> points, ConvexPart& part) {
+  // The hull is taken of positions rounded to float32, as files hold them, so that it is convex
+  // there.
   std::vector<Vec3> rounded;
   for (const Vec3& p : points) rounded.push_back(as_float32(p));
   if (hull_part(rounded, part)) return false;
@@ -147,6 +157,7 @@ bool solid_hull(std::span<const Vec3> points, ConvexPart& part) {
 ConvexParts convex_parts(const Mesh& mesh, const Adjacency& adjacency, PartRule rule) {
   PartMaker maker(mesh, adjacency);
   const size_t num_components = adjacency.components.size();
+  // A model of very many components gets one hull, as a simulator could not take a hull for each.
   if (rule == PartRule::Hull || num_components == 0 || num_components > kMaxParts) {
     if (!mesh.vertices.empty()) maker.add_hull(mesh.vertices);
     ConvexParts out = maker.take();
@@ -166,15 +177,18 @@ ConvexParts convex_parts(const Mesh& mesh, const Adjacency& adjacency, PartRule 
 ConvexPart shrunk(const ConvexPart& part, double clearance) {
   const Vec3 inside = mean_of(part.vertices);
   Planes planes(part, inside);
+  // The part never shrinks by more than half the way to its nearest plane, so that it stays solid.
   const double nearest = *std::min_element(planes.distances.begin(), planes.distances.end());
   const double by = std::min(clearance, nearest / 2);
   if (!(by > 0)) return part;
   std::vector<Vec3> dual;
+  // Each plane moves inwards; its dual point moves outwards.
   for (size_t i = 0; i < planes.normals.size(); ++i) {
     planes.distances[i] -= by;
     dual.push_back(planes.normals[i] / planes.distances[i]);
   }
   std::vector<Vec3> corners;
+  // A face of the dual names three planes that meet in a corner of the result.
   for (const Index3& t : convex_hull(dual).triangles) {
     Mat3 rows;
     for (int k = 0; k < 3; ++k) rows.row(k) = dual[t[k]].transpose();
@@ -188,6 +202,7 @@ ConvexPart shrunk(const ConvexPart& part, double clearance) {
 }
 
 double volume_of(const ConvexPart& part) {
+  // The signed volumes of tetrahedra about a point inside add up to that of the part.
   const Vec3 inside = mean_of(part.vertices);
   double volume = 0;
   for (const Index3& t : part.triangles)
@@ -200,6 +215,7 @@ double volume_of(const ConvexPart& part) {
 
 double enclosed_volume(const Mesh& mesh, std::span<const Index> faces) {
   double volume = 0;
+  // A corner of the mesh is the origin, as coordinates far away would cost digits.
   const Vec3& origin = mesh.vertices[mesh.triangles[faces[0]][0]];
   for (const Index f : faces) {
     const Triangle t = mesh.triangle(f);

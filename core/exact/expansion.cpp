@@ -12,6 +12,7 @@ struct Pair {
 
 Pair two_sum(double a, double b) {  // [Knuth 1969]
   const double sum = a + b;
+  // The parts that went into the sum are recovered from it; the rest is what rounding took.
   const double b_part = sum - a, a_part = sum - b_part;
   return {sum, (a - a_part) + (b - b_part)};
 }
@@ -51,6 +52,7 @@ int sum_terms(const double* e, int num_e, const double* f, int num_f, double* ou
 
 // [Shewchuk 1997, theorem 19].
 int scale_terms(const double* e, int num_e, double factor, double* out) {
+  // Zeros are left out: expansions stay short, and their last term carries the sign.
   int size = 0;
   double carry = 0;
   const auto put = [&](double term) {

@@ -51,6 +51,7 @@ Expansion<n + m> operator-(const Expansion<n>& e, const Expansion<m>& f) {
 /// Multiplies term by term of f, which should be the shorter one.
 template <int n, int m>
 Expansion<2 * n * m> operator*(const Expansion<n>& e, const Expansion<m>& f) {
+  // Each term of f scales e exactly; the products are summed as they come.
   Expansion<2 * n * m> out, last;
   for (int i = 0; i < f.size; ++i) {
     std::array<double, 2 * n> scaled;

@@ -71,9 +71,12 @@ std::optional<int> crossing_sign(const UnitRay& ray, const Triangle& t) {
 // True if the start of the ray is inside a closed component; nullopt if the ray grazes.
 std::optional<bool> starts_inside(const UnitRay& ray, const PlacedShape& outer) {
   const Adjacency& adjacency = outer.shape->adjacency;
+  // Balanced components count with their sign, so that nested and overlapping shells add up; others
+  // by parity.
   int winding = 0;                    // of all balanced components together
   std::vector<Index> crossed_by_ray;  // other even components, once per crossing
   bool grazes = false;
+  // The tree of the outer shape is searched along the ray alone.
   const auto axes = SeparatingAxes::of_segment(ray_frame(ray), box_frame(outer));
   visit_near_leaves(ray_tree(), outer.shape->bvh(), axes, [&](const BvhNode&, const BvhNode& leaf) {
     for (Index slot = leaf.second_child; slot < leaf.second_child + leaf.num_faces; ++slot) {
@@ -83,6 +86,7 @@ std::optional<bool> starts_inside(const UnitRay& ray, const PlacedShape& outer) 
       // Open components have no inside.
       if (!component.balanced && !component.even) continue;
       const std::optional<int> sign = crossing_sign(ray, world_triangle(outer, face));
+      // One grazing face makes the whole ray useless; the next attempt tilts it differently.
       grazes = grazes || !sign;
       if (grazes) return false;
       if (component.balanced)
@@ -117,6 +121,7 @@ UnitRay ray_from(const Vec3& point, const PlacedShape& outer, int attempt) {
   return {point, point + height * Vec3(tilt(0.7548776662466927), tilt(0.5698402909980532), 1)};
 }
 
+// The first ray that grazes nothing decides.
 bool is_inside(const Vec3& point, const PlacedShape& outer) {
   for (int attempt = 0; attempt < kMaxRays; ++attempt)
     if (const auto inside = starts_inside(ray_from(point, outer, attempt), outer)) return *inside;
@@ -157,6 +162,7 @@ std::int64_t count_crossings(const PlacedShape& a, const PlacedShape& b, std::in
                              std::optional<CrossingPair>* first) {
   if (first) first->reset();
   if (!has_faces(a) || !has_faces(b) || limit <= 0) return 0;
+  // Boxes that are proved apart hold no crossing; all decisions among the rest are exact.
   const Bvh &tree_a = a.shape->bvh(), &tree_b = b.shape->bvh();
   const SeparatingAxes axes(box_frame(a), box_frame(b));
   std::int64_t count = 0;
@@ -170,6 +176,7 @@ std::int64_t count_crossings(const PlacedShape& a, const PlacedShape& b, std::in
   visit_near_leaves(tree_a, tree_b, axes, [&](const BvhNode& x, const BvhNode& y) {
     for (Index i = x.second_child; i < x.second_child + x.num_faces; ++i) {
       const Triangle triangle_a = world_triangle(a, tree_a.faces[i]);
+      // The limit ends the count early for those who ask only whether there is a crossing.
       for (Index j = y.second_child; j < y.second_child + y.num_faces && count < limit; ++j)
         if (triangles_intersect(triangle_a, world_triangle(b, tree_b.faces[j])))
           add(tree_a.faces[i], tree_b.faces[j]);
@@ -184,6 +191,8 @@ int count_components_inside(const PlacedShape& inner, const PlacedShape& outer) 
   if (!has_faces(inner) || !has_faces(outer)) return 0;
   const auto& components = inner.shape->adjacency.components;
   return static_cast<int>(std::count_if(components.begin(), components.end(), [&](const auto& c) {
+    // One vertex tells for its whole component; a ray is shot only if it is in the box of something
+    // closed.
     const Vec3 sample = inner.position(c.sample_vertex);
     return in_box_of_closed_component(sample, outer) && is_inside(sample, outer);
   }));

@@ -19,6 +19,7 @@ void visit_near_faces(const PlacedShape& a, const PlacedShape& b, double distanc
   const Bvh &tree_a = a.shape->bvh(), &tree_b = b.shape->bvh();
   if (tree_a.nodes.empty() || tree_b.nodes.empty()) return;
   BoxFrame frame_a = box_frame(a);
+  // A larger slack keeps boxes together that are up to the distance apart.
   frame_a.slack += distance;
   const SeparatingAxes axes(frame_a, box_frame(b));
   visit_near_leaves(tree_a, tree_b, axes, [&](const BvhNode& x, const BvhNode& y) {

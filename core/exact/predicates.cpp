@@ -35,6 +35,7 @@ int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
+  // The filter answers nearly always; exact arithmetic takes over where it cannot.
   const std::optional<int> sign = orient2d_filter(a, b, c);
   return sign ? *sign : orient2d_exact(a, b, c);
 }

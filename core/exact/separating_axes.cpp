@@ -19,6 +19,8 @@ SeparatingAxes::SeparatingAxes(const BoxFrame& a, const BoxFrame& b) {
 }
 
 SeparatingAxes SeparatingAxes::of_segment(const BoxFrame& a, const BoxFrame& b) {
+  // A segment has one direction: beside the box's faces only its crosses with the box's edges can
+  // separate.
   SeparatingAxes out;
   out.set_frames(a, b);
   const Mat3& linear = b.world_from_object.linear;

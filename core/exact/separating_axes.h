@@ -58,12 +58,15 @@ class SeparatingAxes {
 template <class Visit>
 void visit_near_leaves(const Bvh& a, const Bvh& b, const SeparatingAxes& axes, const Visit& visit) {
   if (a.nodes.empty() || b.nodes.empty()) return;
+  // A stack of its own replaces recursion, as trees may be deep.
   std::vector<std::array<Index, 2>> stack{{0, 0}};
   while (!stack.empty()) {
     const auto [i, j] = stack.back();
     stack.pop_back();
     const BvhNode &x = a.nodes[i], &y = b.nodes[j];
+    // The larger of two nodes that are not apart is opened, so that both get small together.
     const Aabb box_x = x.box(), box_y = y.box();
+    // Pairs of separated boxes end here, and most of the work with them.
     if (axes.separate(box_x, box_y)) continue;
     if (x.is_leaf() && y.is_leaf()) {
       if (!visit(x, y)) return;

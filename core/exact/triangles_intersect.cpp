@@ -58,6 +58,8 @@ int apex(const Signs& s) {
 // both ends of one come before both ends of the other: four equal signs.
 bool intervals_overlap(const Triangle& a, const Signs& sides_a, const Triangle& b,
                        const Signs& sides_b) {
+  // An apex has the common line between itself and its other corners; its two edges end the
+  // interval.
   const int apex_a = apex(sides_a), apex_b = apex(sides_b);
   int first = 0;
   for (int i = 1; i <= 2; ++i)
@@ -96,6 +98,7 @@ bool comes_before(const Vec3& p, const Vec3& q) {
 }
 
 Simplex simplex_of(const Triangle& t) {
+  // Without area it is a segment between its lexicographic ends, or a point.
   if (projection_axis(t[0], t[1], t[2])) return {3, t};
   const auto [lowest, highest] = std::minmax({t[0], t[1], t[2]}, comes_before);
   return {lowest == highest ? 1 : 2, {lowest, highest, highest}};
@@ -147,12 +150,14 @@ bool simplices_intersect(const Simplex& a, const Simplex& b) {
   if (a.size < b.size) return simplices_intersect(b, a);
   const Triangle &p = a.corners, &q = b.corners;
   if (a.size == 3 && b.size < 3) {
+    // A triangle against less: the plane tells which case it is.
     const Signs s = sides(p, q);
     // Both ends on one side never touch the plane; on different sides the segment pierces it,
     // inside the triangle or not.
     if (s[0] * s[1] > 0) return false;
     if (s[0] != s[1]) return segment_pierces(q[0], q[1], p);
   }
+  // Two segments that span space cannot meet.
   if (a.size == 2 && sign_of(p[0], p[1], q[0], q[1]) != 0) return false;
   return coplanar_intersect(a, b);
 }
@@ -160,6 +165,7 @@ bool simplices_intersect(const Simplex& a, const Simplex& b) {
 }  // namespace
 
 bool triangles_intersect(const Triangle& a, const Triangle& b) {
+  // Boxes reject most pairs; the planes reject most of the rest.
   if (!boxes_overlap(a, b)) return false;
   const Signs sides_b = sides(a, b);
   if (all_equal(sides_b) && sides_b[0] != 0) return false;

@@ -39,6 +39,7 @@ std::vector<Vec2> projected(std::span<const Vec3> corners, int axis, bool turned
 class EarCutter {
  public:
   explicit EarCutter(std::vector<Vec2> points) : m_points(std::move(points)) {
+    // The polygon is a ring of links, from which corners are taken out.
     const Index n = static_cast<Index>(m_points.size());
     for (Index i = 0; i < n; ++i) {
       m_previous.push_back(i == 0 ? n - 1 : i - 1);
@@ -50,6 +51,7 @@ class EarCutter {
 
   /// False: no ear is left before the end.
   bool cut(std::vector<Index3>& triangles) {
+    // Each turn of the loop cuts one ear and leaves a polygon with one corner less.
     Index at = 0;
     for (size_t left = m_points.size(); left > 3; --left) {
       at = ear_from(at, left);
@@ -57,6 +59,7 @@ class EarCutter {
       triangles.push_back({m_previous[at], at, m_next[at]});
       at = remove(at);
     }
+    // The last three corners are the last triangle, which may be flat but not turned over.
     if (turn(at) < 0) return false;
     triangles.push_back({m_previous[at], at, m_next[at]});
     return true;
@@ -69,6 +72,8 @@ class EarCutter {
 
   // An ear with area, else a corner on a line; -1: there is neither.
   Index ear_from(Index at, size_t left) const {
+    // The search goes round once from where it was; corners on a line are cut only when no true ear
+    // is left.
     for (size_t tried = 0; tried < left; ++tried, at = m_next[at])
       if (turn(at) > 0 && is_free(at)) return at;
     for (size_t tried = 0; tried < left; ++tried, at = m_next[at])
@@ -80,6 +85,7 @@ class EarCutter {
   bool is_free(Index ear) const {
     const Vec2 &a = m_points[m_previous[ear]], &b = m_points[ear], &c = m_points[m_next[ear]];
     return std::none_of(m_blunt.begin(), m_blunt.end(), [&](Index i) {
+      // A corner at the same place as one of the ear is touched, not crossed.
       const Vec2& p = m_points[i];
       if (p == a || p == b || p == c) return false;
       return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
@@ -91,6 +97,7 @@ class EarCutter {
     const Index before = m_previous[i], after = m_next[i];
     m_next[before] = after;
     m_previous[after] = before;
+    // A corner may become convex when its neighbour goes, but never the other way round.
     std::erase_if(m_blunt,
                   [&](Index b) { return b == i || ((b == before || b == after) && turn(b) > 0); });
     return m_next[after];
@@ -136,14 +143,18 @@ bool triangulate(std::span<const Vec3> corners, std::vector<Index3>& triangles) 
     triangles.push_back({0, 1, 2});
     return true;
   }
+  // The projection with the largest area comes first; others help where a bent polygon crosses
+  // itself in it.
   const Vec3 normal = newell_normal(corners);
   bool has_area = false;
+  // Each axis is tried until the polygon can be cut without overlap.
   for (const int axis : axes_by_area(normal)) {
     std::vector<Vec2> points = projected(corners, axis, normal[axis] < 0);
     if (is_on_a_line(points)) continue;  // seen edgewise
     has_area = true;
     if (cut(std::move(points), triangles)) return true;
   }
+  // A polygon that crosses itself in every projection gets a fan, and the caller is told.
   add_fan(corners.size(), triangles);
   return !has_area;
 }

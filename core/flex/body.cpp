@@ -14,8 +14,11 @@ void find_edges(Body& body) {
       const auto [low, high] = std::minmax({face[k], face[(k + 1) % 3]});
       if (low != high) body.edges.push_back({low, high});
     }
+  // Faces share their edges: each is named by its ends in order, and kept once.
   std::sort(body.edges.begin(), body.edges.end());
   body.edges.erase(std::unique(body.edges.begin(), body.edges.end()), body.edges.end());
+  // A sorted list finds a face's edges by halving; a cable's faces, which are segments, have one
+  // edge.
   for (const auto& face : body.faces) {
     auto& edges = body.face_edges.emplace_back();
     for (int k = 0; k < 3; ++k) {
@@ -30,6 +33,7 @@ void find_edges(Body& body) {
 // Two columns: the places of b and c seen from a, in the plane of the triangle.
 Membrane membrane(const std::array<int, 3>& corners, const Vec2& b, const Vec2& c) {
   Membrane out{corners, 0, {}};
+  // Gradients of the shape functions are the rows of the inverse of (b c).
   const double determinant = b[0] * c[1] - b[1] * c[0];
   out.area = std::abs(determinant) / 2;
   out.gradient[1][0] = c[1] / determinant, out.gradient[1][1] = -c[0] / determinant;
@@ -49,6 +53,7 @@ void spread_areas(Body& body, size_t num_vertices) {
   body.edge_area.assign(body.edges.size(), 0);
   body.mass.assign(num_vertices, 0);
   body.pinned.assign(num_vertices, false);
+  // Each vertex and each edge of a face has a third of its area.
   for (size_t f = 0; f < body.faces.size(); ++f)
     for (int k = 0; k < 3; ++k) {
       body.vertex_area[body.faces[f][k]] += body.face_area[f] / 3;
@@ -62,6 +67,7 @@ void add_faces(Body& body, const Grid& grid) {
     for (int i = 0; i < grid.num_u; ++i) {
       const int a = grid.vertex(i, j), b = grid.vertex(i + 1, j), c = grid.vertex(i, j + 1),
                 d = grid.vertex(i + 1, j + 1);
+      // Diagonals alternate from cell to cell, so that the sheet has no preferred slant.
       if ((i + j) % 2 == 0)
         body.faces.insert(body.faces.end(), {{a, b, d}, {a, d, c}});
       else
@@ -76,6 +82,7 @@ bool is_rim(int i, int last) { return i == 0 || i == last; }
 void add_bending(Body& body, const Grid& grid) {
   const FlexMaterial& m = body.material;
   const double du = grid.length_u / grid.num_u, dv = grid.length_v / grid.num_v;
+  // The second difference of three vertices in a row is their curvature times the squared distance.
   const auto row = [&](int a, int b, int c, double stiffness, bool rim) {
     body.stencils.push_back({3, {a, b, c, 0}, {1, -2, 1, 0}, stiffness * (rim ? 0.5 : 1)});
   };
@@ -87,6 +94,7 @@ void add_bending(Body& body, const Grid& grid) {
     for (int j = 1; j < grid.num_v; ++j)
       row(grid.vertex(i, j - 1), grid.vertex(i, j), grid.vertex(i, j + 1),
           m.bending * du / (dv * dv * dv), is_rim(i, grid.num_u));
+  // The twist of a cell is the mixed difference of its four corners.
   for (int j = 0; j < grid.num_v; ++j)
     for (int i = 0; i < grid.num_u; ++i)
       body.stencils.push_back({4,
@@ -103,6 +111,7 @@ double cotangent(const Vec3& u, const Vec3& v) { return u.dot(v) / u.cross(v).no
 void add_hinge(Body& body, const Points& x, const std::array<int, 2>& edge, int left, int right,
                double area) {
   const Vec3 &a = x[edge[0]], &b = x[edge[1]], &p = x[left], &q = x[right];
+  // Cotangents of the angles at the edge make the discrete Laplacian of the two faces.
   const double at_a_p = cotangent(b - a, p - a), at_b_p = cotangent(a - b, p - b);
   const double at_a_q = cotangent(b - a, q - a), at_b_q = cotangent(a - b, q - b);
   const std::array<double, 4> factors{at_b_p + at_b_q, at_a_p + at_a_q, -(at_a_p + at_b_p),
@@ -112,6 +121,7 @@ void add_hinge(Body& body, const Points& x, const std::array<int, 2>& edge, int 
 }
 
 void add_hinges(Body& body, const Points& x) {
+  // An edge with one face is a rim, and bends freely.
   std::vector<std::array<int, 2>> faces_of(body.edges.size(), {-1, -1});
   for (size_t f = 0; f < body.faces.size(); ++f)
     for (const int edge : body.face_edges[f])
@@ -148,6 +158,7 @@ Body make_sheet(const Grid& grid, const FlexMaterial& material) {
   body.material = material;
   add_faces(body, grid);
   find_edges(body);
+  // The rest shape is the flat sheet, warp along u and weft along v.
   for (int j = 0; j <= grid.num_v; ++j)
     for (int i = 0; i <= grid.num_u; ++i)
       body.rest.emplace_back(grid.length_u * i / grid.num_u, grid.length_v * j / grid.num_v);
@@ -171,6 +182,7 @@ Body make_cable(int num_segments, double length, const FlexMaterial& material) {
   body.material = material;
   const double l = length / num_segments, area = l * material.thickness;
   body.cell = l;
+  // Segments are faces of two equal corners, so that contact needs no case for cables.
   for (int i = 0; i < num_segments; ++i) {
     body.faces.push_back({i, i + 1, i + 1});
     body.springs.push_back({i, i + 1, l, material.stretch / l});
@@ -181,6 +193,7 @@ Body make_cable(int num_segments, double length, const FlexMaterial& material) {
   body.edge_area.assign(num_segments, area);
   body.vertex_area.assign(count, area);
   body.mass.assign(count, l * material.density);
+  // The ends stand for half a segment.
   for (const size_t end : {size_t{0}, count - 1}) body.vertex_area[end] /= 2, body.mass[end] /= 2;
   body.pinned.assign(count, false);
   for (size_t i = 0; i < count; ++i) body.rest.emplace_back(l * static_cast<double>(i), 0);
@@ -197,11 +210,13 @@ Body make_mesh(const Points& rest, std::vector<std::array<int, 3>> faces,
   body.faces = std::move(faces);
   find_edges(body);
   body.cell = kInfinity;
+  // A face is laid flat: its first edge along u, the third corner beside it.
   for (const auto& f : body.faces) {
     const Vec3 ab = rest[f[1]] - rest[f[0]], ac = rest[f[2]] - rest[f[0]];
     const double length = ab.norm(), along = ab.dot(ac) / length;
     add_membrane(body, f, {length, 0}, {along, ab.cross(ac).norm() / length});
   }
+  // The shortest edge is the cell, against which steps and layers are measured.
   for (const auto& [a, b] : body.edges) body.cell = std::min(body.cell, (rest[a] - rest[b]).norm());
   spread_areas(body, rest.size());
   add_hinges(body, rest);

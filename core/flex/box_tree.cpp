@@ -19,6 +19,7 @@ BoxTree::BoxTree(std::span<const Aabb> boxes) : m_boxes(boxes.begin(), boxes.end
 void BoxTree::split(int first, int last) {
   const size_t id = m_nodes.size();
   m_nodes.emplace_back();
+  // The node holds all boxes of its items; their centres tell where to cut.
   Aabb box, centres;
   for (int i = first; i < last; ++i) {
     box.extend(m_boxes[m_items[i]]);
@@ -26,6 +27,8 @@ void BoxTree::split(int first, int last) {
   }
   m_nodes[id] = {box, first, last - first};
   if (last - first <= kLeafItems) return;
+  // Items are halved along the widest direction of their centres, ties by number: the same tree on
+  // every machine.
   int axis = 0;
   (centres.upper - centres.lower).maxCoeff(&axis);
   const int middle = (first + last) / 2;
@@ -35,6 +38,7 @@ void BoxTree::split(int first, int last) {
   std::nth_element(
       m_items.begin() + first, m_items.begin() + middle, m_items.begin() + last,
       [&](int a, int b) { return centre(a) != centre(b) ? centre(a) < centre(b) : a < b; });
+  // The first child follows its parent; the second one's place is known when the first is whole.
   split(first, middle);
   m_nodes[id].second = static_cast<int>(m_nodes.size());
   m_nodes[id].count = 0;
@@ -43,6 +47,7 @@ void BoxTree::split(int first, int last) {
 
 void BoxTree::refit(std::span<const Aabb> boxes) {
   m_boxes.assign(boxes.begin(), boxes.end());
+  // Children come behind their parents, so that one pass from the end fits all boxes anew.
   for (size_t i = m_nodes.size(); i-- > 0;) {
     Node& node = m_nodes[i];
     node.box = {};

@@ -25,11 +25,13 @@ class BoxTree {
   template <class Visit>
   void visit(const Aabb& box, const Visit& call) const {
     if (m_nodes.empty()) return;
+    // A median split halves the count at each level: a depth of 64 is never reached.
     int stack[64], depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
       const Node& node = m_nodes[stack[--depth]];
       if (!overlaps(node.box, box)) continue;
+      // The first child lies behind its parent in memory; it is visited first.
       if (node.count == 0) {
         stack[depth++] = node.second;
         stack[depth++] = static_cast<int>(&node - m_nodes.data()) + 1;

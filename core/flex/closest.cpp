@@ -8,6 +8,8 @@ constexpr double kParallelSegments = 1e-14;  // squared sine of an angle that co
 }  // namespace
 
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  // Each corner and edge has a region whose points are nearest to it; the signs below tell the
+  // region.
   const Vec3 ab = b - a, ac = c - a;
   const double ab_a = ab.dot(p - a), ac_a = ac.dot(p - a);
   if (ab_a <= 0 && ac_a <= 0) return {1, 0, 0};
@@ -30,6 +32,7 @@ Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
     const double share = to_b / (to_b + to_c);
     return {0, 1 - share, share};
   }
+  // The foot is inside the triangle: its shares are the areas beside the edges.
   const double scale = 1 / (beside_bc + beside_ac + beside_ab);
   const double of_b = beside_ac * scale, of_c = beside_ab * scale;
   return {1 - of_b - of_c, of_b, of_c};
@@ -39,13 +42,17 @@ SegmentShares closest_on_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0
   const Vec3 u = p1 - p0, v = q1 - q0, r = p0 - q0;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
   const double ur = u.dot(r), vr = v.dot(r);
+  // A segment without length is a point.
   const auto unit = [](double share) { return std::clamp(share, 0.0, 1.0); };
   if (uu == 0 && vv == 0) return {};
   if (uu == 0) return {0, unit(vr / vv)};
   if (vv == 0) return {unit(-ur / uu), 0};
+  // Segments that are parallel to rounding meet in the middle, so that the contact does not jump to
+  // an end.
   const double determinant = uu * vv - uv * uv;
   double s = 0.5;
   if (determinant > kParallelSegments * uu * vv) s = unit((uv * vr - ur * vv) / determinant);
+  // The end that clamps one share decides the other one anew.
   const double t = unit((uv * s + vr) / vv);
   s = unit((uv * t - ur) / uu);
   return {s, unit((uv * s + vr) / vv)};

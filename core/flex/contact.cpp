@@ -29,6 +29,8 @@ Contact::Contact(Surroundings& surroundings, const ContactOptions& options)
       m_slack(std::max(2 * options.layer, 0.05 * surroundings.body().cell)) {}
 
 double Contact::offset(const NearPair& pair) const {
+  // Obstacles are met at half the thickness, the body itself at the whole one, or less where it
+  // began nearer.
   if (!pair.is_own()) return distance_outside();
   const auto it = std::lower_bound(
       m_kept.begin(), m_kept.end(), pair,
@@ -38,6 +40,8 @@ double Contact::offset(const NearPair& pair) const {
 }
 
 void Contact::keep_distances_of(const Points& x) {
+  // Pairs that begin nearer than the thickness would have no gap, and could never move: they keep
+  // half of their distance.
   const double reach = 1.01 * m_surroundings.body().material.thickness;
   std::vector<Aabb> boxes(x.size());
   for (size_t v = 0; v < x.size(); ++v) boxes[v].extend(x[v]);
@@ -56,12 +60,15 @@ void Contact::keep_distances_of(const Points& x) {
 
 bool Contact::holds(const Points& x) const {
   if (m_gathered_at.size() != x.size()) return false;
+  // The list holds while no vertex has gone farther than half the slack: two that approach take
+  // half each.
   for (size_t v = 0; v < x.size(); ++v)
     if ((x[v] - m_gathered_at[v]).squaredNorm() > m_slack * m_slack / 4) return false;
   return true;
 }
 
 void Contact::gather(const Points& x) {
+  // Candidates reach farther than the layer by the slack, so that many steps need no new search.
   m_gathered_at = x;
   m_candidates.clear();
   std::vector<Aabb> boxes(x.size());
@@ -93,8 +100,10 @@ Mollifier Contact::mollifier(const ContactPair& of) const {
   if (of.pair.kind != PairKind::EdgeEdge && of.pair.kind != PairKind::OwnEdgeEdge) return {};
   const Vec3 &a = of.points.edge_a, &b = of.points.edge_b;
   const double cell = m_surroundings.body().cell, squared_cell = cell * cell;
+  // An obstacle's own edge may be of any length; the body's edges are about a cell long.
   const double of_other = of.pair.is_own() ? squared_cell : b.squaredNorm();
   const double c = a.cross(b).squaredNorm(), limit = kNearlyParallel * squared_cell * of_other;
+  // The polynomial rises from zero at parallel edges to one with a flat end.
   if (c >= limit) return {};
   return {c / limit * (2 - c / limit), 2 / limit * (1 - c / limit), -2 / (limit * limit)};
 }
@@ -102,11 +111,13 @@ Mollifier Contact::mollifier(const ContactPair& of) const {
 bool Contact::find(const Points& x, std::vector<ContactPair>& out) {
   if (!holds(x)) gather(x);
   out.clear();
+  // A hostile mesh may have all pairs near; the caller then gives up.
   if (m_candidates.size() > kMostPairs) return false;
   for (const NearPair& near : m_candidates) {
     ContactPair pair{near, m_surroundings.points(near, x), {}};
     pair.offset = offset(near);
     pair.gap = pair.points.distance - pair.offset;
+    // A gap that is gone means that the step was not safe.
     if (!(pair.gap > 0)) return false;
     if (pair.gap >= m_options.layer) continue;
     pair.stiffness = m_stiffness * area(near);

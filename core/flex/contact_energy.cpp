@@ -28,6 +28,7 @@ Vec12 distance_gradient(const PairPoints& p, const Vec3& n) {
 
 // Takes away what the free parameters give way.
 void relax(const PairPoints& p, const Vec3& n, Mat12& out) {
+  // The mixed derivatives tell how the points slide along the elements as the vertices move.
   Vec12 mixed[2] = {Vec12::Zero(), Vec12::Zero()};
   for (int q = 0; q < p.num_free; ++q)
     for (int i = 0; i < p.count; ++i)
@@ -37,6 +38,8 @@ void relax(const PairPoints& p, const Vec3& n, Mat12& out) {
   const double aa = p.num_free > 0 ? p.slope[0].squaredNorm() / l : 0;
   const double bb = p.num_free > 1 ? p.slope[1].squaredNorm() / l : 0;
   const double ab = p.num_free > 1 ? p.slope[0].dot(p.slope[1]) / l : 0;
+  // Two free parameters need the inverse of a symmetric matrix of two rows; nearly singular ones
+  // count as one.
   const double determinant = aa * bb - ab * ab;
   if (p.num_free == 2 && determinant > kSingular * aa * bb) {
     add_outer(out, mixed[0], mixed[0], -bb / determinant);
@@ -50,6 +53,7 @@ void relax(const PairPoints& p, const Vec3& n, Mat12& out) {
 
 Mat12 distance_curvature(const PairPoints& p, const Vec3& n) {
   Mat12 out = Mat12::Zero();
+  // The distance bends across the direction alone.
   const Mat3 across = (Mat3::Identity() - outer(n, n)) / p.distance;
   for (int i = 0; i < p.count; ++i)
     for (int j = 0; j < p.count; ++j)
@@ -66,6 +70,8 @@ struct CrossSquare {
   CrossSquare(const PairPoints& p, bool is_own) {
     const Vec3 &a = p.edge_a, &b = p.edge_b;
     const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b);
+    // The gradient of |a x b|^2 by an edge is twice the other edge's square times it, less their
+    // product.
     put(0, 2 * (bb * a - ab * b));
     put(0, 0, 2 * (bb * Mat3::Identity() - outer(b, b)));
     if (!is_own) return;
@@ -91,6 +97,7 @@ struct CrossSquare {
 // The Jacobian of a x b by the end `end`, times its transpose by the end `other`: what is positive
 // of the mollifier's curvature.
 Mat3 turned(const PairPoints& p, int end, int other) {
+  // The derivative of a x b by an end is the cross product with the other edge, as a matrix.
   const auto by = [&](int k) {
     const Vec3 e = k < 2 ? Vec3(-p.edge_b) : p.edge_a;
     Mat3 m;
@@ -105,11 +112,14 @@ Mat3 turned(const PairPoints& p, int end, int other) {
 
 void add_positive(const ContactPair& pair, const Barrier& barrier, BlockMatrix& hessian) {
   const PairPoints& p = pair.points;
+  // The barrier is convex along the normal; what it adds across the normal is negative, and left
+  // out.
   const Vec3 n = p.direction();
   const Mat3 along = outer(n, n) * (pair.stiffness * pair.mollifier.value * barrier.second);
   for (int i = 0; i < p.count; ++i)
     for (int j = 0; j < p.count; ++j)
       hessian.add(p.vertices[i], p.vertices[j], along * (p.weights[i] * p.weights[j]));
+  // A whole mollifier has no derivatives.
   if (pair.mollifier.value == 1) return;
   const double factor = 2 * pair.stiffness * barrier.value * pair.mollifier.first;
   for (int i = 0; i < p.count; ++i)
@@ -120,6 +130,7 @@ void add_positive(const ContactPair& pair, const Barrier& barrier, BlockMatrix& 
 void add_exact(const ContactPair& pair, const Barrier& barrier, BlockMatrix& hessian) {
   const PairPoints& p = pair.points;
   const Mollifier& m = pair.mollifier;
+  // The chain rule over distance and mollifier gives all second derivatives, signs included.
   const Vec3 n = p.direction();
   const Vec12 slope = distance_gradient(p, n);
   Mat12 all = distance_curvature(p, n) * (m.value * barrier.first);
@@ -152,6 +163,7 @@ double Contact::energy(const std::vector<ContactPair>& pairs, Total& total) cons
   double sum = 0;
   for (const ContactPair& pair : pairs) {
     const Barrier barrier(pair.gap, m_options.layer);
+    // Inside the layer each pair adds its barrier; a pair at the border adds nothing.
     sum += pair.stiffness * pair.mollifier.value * barrier.value;
     if (total.gradient) add_gradient(pair, barrier, total);
     if (!total.hessian) continue;

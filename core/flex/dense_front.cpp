@@ -27,8 +27,10 @@ class Rest {
 
   void divide(const std::vector<double>& lower, std::vector<double>& packed) {
     const int tile = m_kernels.rows, count = m_size - m_first;
+    // Packed rows lie side by side as the tiles read them; zeros fill the last tile.
     packed.assign(static_cast<size_t>((count + tile - 1) / tile) * tile * kPanel, 0);
     m_packed = packed.data();
+    // Rows do not depend on each other: blocks of them are divided in parallel.
     for_all((count + kBlock - 1) / kBlock, [&](int block) {
       for (int row = block * kBlock; row < std::min(count, (block + 1) * kBlock); row += tile)
         m_kernels.divide_rows(at(m_column, m_first + row), m_size, m_panel,
@@ -38,6 +40,7 @@ class Rest {
 
   // Subtracts L L' from the lower triangle.
   void update() {
+    // Blocks below the diagonal suffice, as the matrix is symmetric; they are numbered row by row.
     const int blocks = (m_size - m_first + kBlock - 1) / kBlock;
     for_all(blocks * (blocks + 1) / 2, [&](int number) {
       int i = 0;
@@ -49,6 +52,7 @@ class Rest {
  private:
   template <class F>
   void for_all(int count, F f) const {
+    // Small fronts are done before other threads would have begun.
     if (m_size - m_first < kManyThreads)
       for (int i = 0; i < count; ++i) f(i);
     else
@@ -61,6 +65,7 @@ class Rest {
   }
   void update_block(int i, int j) {
     const int count = m_size - m_first, tile = m_kernels.rows;
+    // Tiles begin at the diagonal: the part above it is never read.
     for (int column = j * kBlock; column < std::min(count, (j + 1) * kBlock); column += 4)
       for (int row = std::max(i * kBlock, column / tile * tile);
            row < std::min(count, (i + 1) * kBlock); row += tile)
@@ -80,6 +85,7 @@ constinit const DenseKernels kKernelsOfTwo = DenseTiles<Double2>::kernels();
 
 const std::vector<const DenseKernels*>& usable_kernels() {
   static const std::vector<const DenseKernels*> usable = [] {
+    // The widest registers come first.
     std::vector<const DenseKernels*> out;
 #ifdef TRIVET_WIDE_KERNELS
     if (__builtin_cpu_supports("avx512f")) out.push_back(&kKernelsOfEight);
@@ -94,6 +100,7 @@ const std::vector<const DenseKernels*>& usable_kernels() {
 bool factor_front(double* a, int size, int num_own, const DenseKernels& kernels) {
   std::vector<double> packed, lower;
   for (int column = 0; column < num_own; column += kPanel) {
+    // Each panel is factored, and then subtracted from all behind it at once, which caches like.
     const int panel = std::min(kPanel, num_own - column);
     lower.assign(square(kPanel), 0);
     double* const block = a + static_cast<size_t>(column) * (size + 1);
@@ -106,6 +113,7 @@ bool factor_front(double* a, int size, int num_own, const DenseKernels& kernels)
 }
 
 void solve_forward(const double* a, int size, int num_own, double* x, double* below) {
+  // Columns go from the first to the last: each is solved before it is taken off those below.
   for (int k = 0; k < num_own; ++k) {
     const double* const column = a + static_cast<size_t>(k) * size;
     x[k] /= column[k];
@@ -115,6 +123,7 @@ void solve_forward(const double* a, int size, int num_own, double* x, double* be
 }
 
 void solve_backward(const double* a, int size, int num_own, double* x, const double* below) {
+  // The transpose goes the other way: each entry takes off what is solved behind it.
   for (int k = num_own - 1; k >= 0; --k) {
     const double* const column = a + static_cast<size_t>(k) * size;
     double sum = x[k];

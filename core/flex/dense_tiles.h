@@ -30,6 +30,7 @@ class DenseTiles {
   static void store(Lanes values, double* to) { __builtin_memcpy(to, &values, sizeof values); }
 
   static void subtract(double* to, const double* from, double factor, int count) {
+    // Whole registers come first and single elements last: each has the same operations.
     int i = 0;
     for (; i + kLanes <= count; i += kLanes) store(load(to + i) - factor * load(from + i), to + i);
     for (; i < count; ++i) to[i] -= factor * from[i];
@@ -38,10 +39,13 @@ class DenseTiles {
   static bool factor_block(double* a, int size, int panel, double* lower) {
     for (int j = 0; j < panel; ++j) {
       double* const own = a + static_cast<long>(j) * size;
+      // The columns before it in the panel are taken off first.
       for (int k = 0; k < j; ++k) {
         const double* const before = a + static_cast<long>(k) * size;
         subtract(own + j, before + j, before[j], panel - j);
       }
+      // A pivot that is not positive means that the matrix is not positive definite; the caller
+      // takes another one.
       if (!(own[j] > 0) || !__builtin_isfinite(own[j])) return false;
       own[j] = __builtin_sqrt(own[j]);
       const double inverse = 1 / own[j];
@@ -54,6 +58,7 @@ class DenseTiles {
   static void divide_rows(double* a, int size, int panel, int count, const double* lower,
                           double* packed) {
     const auto column = [&](int k) { return a + static_cast<long>(k) * size; };
+    // Rows are packed, divided in place, and put back into their columns.
     for (int k = 0; k < panel; ++k)
       for (int i = 0; i < count; ++i) packed[k * kRows + i] = column(k)[i];
     for (int j = 0; j < panel; j += kColumns) divide_columns(j, panel, lower, packed);
@@ -63,6 +68,7 @@ class DenseTiles {
 
   // Four columns by those before, then by each other; behind the panel all are zero.
   static void divide_columns(int first, int panel, const double* lower, double* packed) {
+    // Four columns of a tile stay in registers while those before run past them.
     Tile sums;
     for (int c = 0; c < kColumns; ++c) {
       sums.top[c] = load(packed + (first + c) * kRows);
@@ -75,6 +81,7 @@ class DenseTiles {
         sums.top[c] -= factor * top, sums.bottom[c] -= factor * bottom;
       }
     }
+    // Within the four each column takes off those in front of it, and is divided by its pivot.
     for (int c = 0; c < kColumns && first + c < panel; ++c) {
       const double* const row = lower + (first + c) * kPanel + first;
       for (int k = 0; k < c; ++k) {
@@ -90,6 +97,7 @@ class DenseTiles {
   // Each sum over the panel runs from its first column to its last.
   static void update_tile(double* a, int size, int panel, int num_rows, int num_columns, int above,
                           const double* rows, const double* columns) {
+    // A tile of sums stays in registers while the panel runs past it.
     Tile sums = {};
     for (int k = 0; k < panel; ++k, rows += kRows, columns += kRows) {
       const Lanes top = load(rows), bottom = load(rows + kLanes);
@@ -98,6 +106,7 @@ class DenseTiles {
         sums.bottom[c] += columns[c] * bottom;
       }
     }
+    // Only a whole tile below the diagonal can be written by registers.
     if (num_rows == kRows && num_columns == kColumns && above + kColumns <= 1)
       subtract_whole(a, size, sums);
     else

@@ -50,6 +50,7 @@ class Level {
     share_weight(forces, out);
     out.layer = m_model.contact().layer();
     out.friction.assign(m_body.size(), Vec3::Zero());
+    // Friction at rest is stored, as positions alone do not tell it.
     Total slope{&out.friction, nullptr, Curvature::Exact};
     m_model.friction().energy(m_state.x, slope);
     for (Vec3& force : out.friction) force = -force;
@@ -57,6 +58,7 @@ class Level {
 
  private:
   static Body made_of(const DrapeProblem& problem, const FlexMaterial& material) {
+    // Only the finest level has the material itself; others are softened.
     DrapeProblem level = problem;
     level.material = material;
     return body_of(level);
@@ -64,12 +66,14 @@ class Level {
   MinimiserOptions minimiser_options(const DrapeOptions& options) const {
     MinimiserOptions out = options.minimiser;
     out.tolerance = m_settings.tolerance;
+    // Cables always use exact derivatives.
     if (m_body.is_cable) out.exact_below = kInfinity;
     return out;
   }
 
   // Friction at a vertex counts for the obstacle that bears most there.
   void share_weight(const NodalForces& forces, DrapeResult& out) const {
+    // The vertical force of each obstacle, in parts of the weight, says who carries how much.
     const double weight = m_body.weight();
     out.shares.assign(m_surroundings.obstacles().num_owners(), 0);
     out.touches.assign(out.shares.size(), false);
@@ -84,6 +88,7 @@ class Level {
       const double friction = m_model.friction().force(m_state.x, v)[2];
       const auto most = std::max_element(by.begin(), by.end()) - by.begin();
       if (friction != 0) out.shares[most] += friction / weight, up += friction;
+      // A pin carries the force that is left at its vertex.
       if (!m_body.pinned[v]) continue;
       out.pin_shares[v] = m_state.gradient[v][2] / weight;
       out.pin_share += out.pin_shares[v];
@@ -117,6 +122,8 @@ Body body_of(const DrapeProblem& problem) {
 
 DrapeResult drape(const DrapeProblem& problem, const Obstacles& obstacles,
                   const DrapeOptions& options, const Watch& watch) {
+  // The coarsest level turns flaps and finds its place in few steps; each finer one begins where it
+  // ended.
   const int levels = num_levels(problem, options);
   std::vector<DrapeProblem> all{problem};  // the finest first
   while (static_cast<int>(all.size()) < levels) all.push_back(coarser(all.back()));
@@ -129,12 +136,14 @@ DrapeResult drape(const DrapeProblem& problem, const Obstacles& obstacles,
     out.certificate.num_steps += level.num_steps();
     if (above == 0) level.report(out);
     if (out.ending == Ending::Stopped) return out;
+    // Cells are halved along straight lines, so that no crossing appears.
     if (above > 0) out.x = refined(all[above], out.x);
   }
   return out;
 }
 
 std::optional<StartContact> start_contact(const DrapeProblem& problem, const Obstacles& obstacles) {
+  // The start has to be clear of everything, as no step may undo a crossing.
   const Body body = body_of(problem);
   Surroundings surroundings(body, obstacles);
   std::vector<Aabb> boxes(body.size());

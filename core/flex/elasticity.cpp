@@ -22,11 +22,14 @@ struct Stress {
 
   /// Without compression: its positive part.
   Stress tension() const {
+    // Principal stresses follow from the circle through both directions and the shear.
     const double middle = (u + v) / 2, half = (u - v) / 2;
     const double radius = std::sqrt(half * half + shear * shear);
     const double largest = middle + radius;
+    // Compression is left out, as the matrix stays positive definite with tension alone.
     if (middle - radius >= 0) return *this;
     if (largest <= 0) return {0, 0, 0};
+    // The projection keeps the part along the tensile principal direction.
     const double cosine = radius > 0 ? half / radius : 1, sine = radius > 0 ? shear / radius : 0;
     return {largest * (1 + cosine) / 2, largest * (1 - cosine) / 2, largest * sine / 2};
   }
@@ -37,10 +40,12 @@ class StretchedFace {
  public:
   StretchedFace(const Membrane& m, const FlexMaterial& material, const Points& x)
       : m_face(m), m_material(material) {
+    // The deformed warp and weft are sums over the corners by the rest shape's gradients.
     for (int k = 0; k < 3; ++k) {
       m_u += m.gradient[k][0] * x[m.corners[k]];
       m_v += m.gradient[k][1] * x[m.corners[k]];
     }
+    // Green's strain is zero under any rotation, so that turning costs nothing.
     m_strain = {(m_u.squaredNorm() - 1) / 2, (m_v.squaredNorm() - 1) / 2, m_u.dot(m_v)};
     m_stress = {material.stretch * m_strain.u + material.coupling * m_strain.v,
                 material.stretch * m_strain.v + material.coupling * m_strain.u,
@@ -61,6 +66,7 @@ class StretchedFace {
   // B' C B, and the stress on the diagonal.
   void add_curvature(BlockMatrix& hessian, bool exact) const {
     const Stress stress = exact ? m_stress : m_stress.tension();
+    // The matrix is symmetric: each pair of corners is computed once.
     for (int a = 0; a < 3; ++a)
       for (int b = a; b < 3; ++b) {
         Mat3 block = stiff_block(a, b);
@@ -109,6 +115,7 @@ double stretch_faces(const Body& body, const Points& x, const Total& total) {
 double bend(const Body& body, const Points& x, const Total& total) {
   double sum = 0;
   for (const Stencil& s : body.stencils) {
+    // Bending is quadratic in the positions: its second derivative is constant.
     Vec3 bent = Vec3::Zero();
     for (int k = 0; k < s.count; ++k) bent += s.factors[k] * x[s.vertices[k]];
     sum += s.stiffness * bent.squaredNorm() / 2;
@@ -127,6 +134,7 @@ void add_spring(const Spring& s, const Vec3& along, double length, const Total& 
   total.add(s.b, force);
   total.add(s.a, -force);
   if (!total.hessian) return;
+  // A compressed spring pushes sideways; without that part the matrix stays positive definite.
   double across = 1 - s.rest / length;
   if (total.curvature != Curvature::Exact) across = std::max(0.0, across);
   const Mat3 direction = outer(along, along);

@@ -30,6 +30,8 @@ NodalForces nodal_forces(const Surroundings& surroundings, const std::vector<Con
   out.own = out.outside;
   std::vector<double> magnitude(body.size(), 0), weighted(body.size(), 0);
   if (with_owners) out.by.assign(body.size(), std::vector<double>(obstacles.num_owners(), 0));
+  // Each pair pushes its vertices by their shares, and its friction is the lesser of both
+  // materials.
   for (const ContactPair& pair : pairs) {
     const Vec3 push = pair.force(layer) * pair.points.direction();
     const bool is_own = pair.pair.is_own();
@@ -45,6 +47,8 @@ NodalForces nodal_forces(const Surroundings& surroundings, const std::vector<Con
       if (with_owners) out.by[v][owner] += force[2];
     }
   }
+  // The cap is the mean coefficient times the normal force, weighted by how hard each contact
+  // pushes.
   for (size_t v = 0; v < body.size(); ++v)
     out.outside_cap.push_back(magnitude[v] > 0 ? weighted[v] / magnitude[v] * out.outside[v].norm()
                                                : 0);
@@ -59,6 +63,7 @@ Friction::Friction(const Body& body, double slip)
       m_own(body.size()) {}
 
 Vec3 Friction::slipped(const Points& x, size_t vertex, const Anchor& anchor) const {
+  // A point of the own body moves with its face; one of the world stands still.
   Vec3 from = anchor.point;
   if (anchor.face >= 0)
     for (int k = 0; k < 3; ++k) from += anchor.weights[k] * x[m_body.faces[anchor.face][k]];
@@ -69,6 +74,7 @@ Vec3 Friction::slipped(const Points& x, size_t vertex, const Anchor& anchor) con
 Vec3 Friction::kept_slip(const Points& x, size_t vertex, const Anchor& anchor, const Vec3& normal,
                          double cap) const {
   if (!anchor.is_on) return Vec3::Zero();
+  // The spring's force is kept when the cap changes: the slip is rescaled, and cut at the cone.
   const Vec3 force = at_most(slipped(x, vertex, anchor), m_slip) * (anchor.cap / cap);
   return at_most(tangential(force, normal), m_slip);
 }
@@ -77,6 +83,7 @@ void Friction::update_outside(const Points& x, const NodalForces& forces) {
   for (size_t v = 0; v < m_outside.size(); ++v) {
     Anchor& anchor = m_outside[v];
     const double size = forces.outside[v].norm(), cap = forces.outside_cap[v];
+    // A vertex that hardly touches has no friction, and forgets its anchor.
     if (!(size > m_least) || !(cap > 0)) {
       anchor = {};
       continue;
@@ -89,6 +96,7 @@ void Friction::update_outside(const Points& x, const NodalForces& forces) {
 
 void Friction::update_own(const Points& x, const std::vector<ContactPair>& pairs,
                           const NodalForces& forces, bool keep_faces) {
+  // The nearest face of the other layer holds the anchor.
   std::vector<const ContactPair*> nearest(m_own.size(), nullptr);
   for (const ContactPair& pair : pairs) {
     if (pair.pair.kind != PairKind::OwnVertexFace) continue;
@@ -105,6 +113,7 @@ void Friction::update_own(const Points& x, const std::vector<ContactPair>& pairs
     // Both layers have anchors: each bears half.
     Anchor next{true, Vec3::Zero(), forces.own[v] / size, m_body.material.friction * size / 2};
     const Vec3 slip = kept_slip(x, v, anchor, next.normal, next.cap);
+    // Near rest the face stays, as the nearest one may flip from step to step.
     if (keep_faces && anchor.is_on) {
       next.face = anchor.face, next.weights = anchor.weights;
     } else {
@@ -112,6 +121,7 @@ void Friction::update_own(const Points& x, const std::vector<ContactPair>& pairs
       next.face = nearest[v]->pair.b;
       next.weights = Vec3(-w[1], -w[2], m_body.is_cable ? 0 : -w[3]);
     }
+    // The anchor lies so that the force before the update is the force after it.
     next.point = slipped(x, v, next) - slip;
     anchor = next;
   }
@@ -125,11 +135,13 @@ void Friction::update(const Points& x, const std::vector<ContactPair>& pairs,
 }
 
 double Friction::add(const Points& x, size_t vertex, const Anchor& anchor, Total& total) const {
+  // Up to the slip the anchor is a spring; beyond it, it pulls with its cap.
   const Vec3 u = slipped(x, vertex, anchor);
   const double l = u.norm();
   const bool sticks = l <= m_slip;
   const double factor = sticks ? anchor.cap / m_slip : anchor.cap / l;
   const bool is_own = anchor.face >= 0;
+  // An anchor on the body itself pulls both layers: the vertex and the corners of the face.
   const std::array<int, 3> face = is_own ? m_body.faces[anchor.face] : std::array<int, 3>{};
   const int vertices[4] = {static_cast<int>(vertex), face[0], face[1], face[2]};
   const double weights[4] = {1, -anchor.weights[0], -anchor.weights[1], -anchor.weights[2]};
@@ -137,6 +149,7 @@ double Friction::add(const Points& x, size_t vertex, const Anchor& anchor, Total
   for (int i = 0; i < count; ++i)
     if (weights[i] != 0) total.add(vertices[i], weights[i] * factor * u);
   if (total.hessian) {
+    // The spring acts in the plane of contact; a slipping one gives no stiffness along the slip.
     Mat3 across = Mat3::Identity() - outer(anchor.normal, anchor.normal);
     if (!sticks) across -= outer(u, u) / (l * l);
     across *= factor;

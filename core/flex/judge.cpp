@@ -42,12 +42,14 @@ Judgement judge(const Flexible& flexible, const Affine& world_from_object,
                 const Obstacles& obstacles) {
   Judgement out;
   State state;
+  // The state is judged in the world, where gravity and the obstacles are.
   state.x = moved(flexible.vertices, world_from_object);
   if (!flexible.is_cable) {
     out.crosses_itself = self_crossing(state.x, flexible.faces).has_value();
     out.crosses_itself_in_float32 =
         self_crossing(rounded_to_float32(flexible.vertices), flexible.faces).has_value();
   }
+  // A file may claim anything: shape and vertices have to fit before anything is computed.
   if (!fits(flexible) || out.crosses_itself) {
     out.is_clear = false;
     return out;
@@ -57,6 +59,7 @@ Judgement judge(const Flexible& flexible, const Affine& world_from_object,
   EnergyModel model(body, surroundings, {flexible.layer, flexible.pressure}, DrapeOptions{}.slip);
   out.is_clear = model.evaluate(state);
   if (!out.is_clear) return out;
+  // Stored friction takes the place of anchors; the net force is what is left.
   for (size_t v = 0; v < state.x.size(); ++v)
     state.gradient[v] -= world_from_object.apply_direction(flexible.friction[v]);
   out.net_force = model.residual(state.gradient);

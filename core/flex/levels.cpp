@@ -14,6 +14,7 @@ constexpr double kBendCells = 0.7;  // bending length of coarser levels, at leas
 constexpr double kCoarseTolerance = 0.02;
 
 bool can_halve(const DrapeProblem& p) {
+  // Loads belong to single vertices, which a coarser level may lack.
   if (!p.loads.empty()) return false;
   if (!p.grid) return p.num_segments % 2 == 0 && p.num_segments / 2 >= kCoarseSegments;
   return p.grid->num_u % 2 == 0 && p.grid->num_v % 2 == 0 &&
@@ -22,6 +23,7 @@ bool can_halve(const DrapeProblem& p) {
 }
 
 bool keeps_pins(const DrapeProblem& p) {
+  // Pins have to lie on vertices that the coarser level keeps.
   for (size_t v = 0; v < p.pinned.size(); ++v) {
     if (!p.pinned[v]) continue;
     const int row = p.grid ? p.grid->num_u + 1 : static_cast<int>(p.pinned.size());
@@ -44,8 +46,11 @@ double root(double x, int n) {
 }
 
 void soften(FlexMaterial& m, const Grid& grid, int above, int levels) {
+  // A strip of the sheet hangs by its own weight: tension of some weights is stiff enough for a
+  // coarse level.
   const double soft = kSoft * m.density * kGravity * std::max(grid.length_u, grid.length_v);
   if (levels < 2 || above == 0 || soft >= m.stretch) return;
+  // From level to level the stiffness grows by one factor, up to the material's own.
   const double step = root(soft / m.stretch, levels - 1);
   double factor = 1;
   for (int i = 0; i < above; ++i) factor *= step;
@@ -69,6 +74,7 @@ int num_levels(const DrapeProblem& problem, const DrapeOptions& options) {
 
 DrapeProblem coarser(const DrapeProblem& fine) {
   DrapeProblem out = fine;
+  // Every second vertex stays, in each direction, at its place and with its pin.
   out.start.clear();
   out.pinned.clear();
   const auto keep = [&](int v) {
@@ -102,6 +108,8 @@ Points refined(const DrapeProblem& coarse, const Points& x) {
   const auto at = [&](int i, int j) -> const Vec3& { return x[grid.vertex(i, j)]; };
   for (int j = 0; j <= 2 * grid.num_v; ++j)
     for (int i = 0; i <= 2 * grid.num_u; ++i) {
+      // Even places are old vertices; odd ones are the middle of an edge, or of the cell's
+      // diagonal.
       const int a = i / 2, b = j / 2, c = (i + 1) / 2, d = (j + 1) / 2;
       const bool rises = (a + b) % 2 == 0;
       out.push_back(rises ? middle(at(a, b), at(c, d)) : middle(at(c, b), at(a, d)));
@@ -111,6 +119,7 @@ Points refined(const DrapeProblem& coarse, const Points& x) {
 
 LevelSettings level_settings(const DrapeProblem& level, const DrapeOptions& options, int above,
                              int levels) {
+  // The layer doubles from level to level.
   LevelSettings out{level.material, options.layer, options.minimiser.tolerance};
   for (int i = 0; i < above; ++i) out.layer *= 2;
   if (above == 0) return out;
@@ -119,6 +128,7 @@ LevelSettings level_settings(const DrapeProblem& level, const DrapeOptions& opti
   soften(out.material, *level.grid, above, levels);
   const double cell =
       std::min(level.grid->length_u / level.grid->num_u, level.grid->length_v / level.grid->num_v);
+  // A coarse sheet may not bend within a cell: its bending length is most of one.
   const double reach = kBendCells * cell;
   out.material.bending =
       std::max(out.material.bending, level.material.density * kGravity * reach * reach * reach);

@@ -27,6 +27,8 @@ Minimiser::Minimiser(const Body& body, Surroundings& surroundings, EnergyModel& 
       m_limits(surroundings, model.contact()) {}
 
 bool Minimiser::has_come_to_rest(State& state) {
+  // Friction is updated, and the force that is left afterwards decides: before it, rest would be a
+  // matter of old anchors.
   m_model.update_friction(state, !m_flows);
   m_residual = m_model.residual(state.gradient);
   m_frozen = 0;
@@ -39,26 +41,31 @@ bool Minimiser::has_come_to_rest(State& state) {
 void Minimiser::choose_phase(State& state) {
   const auto mark = [&] { m_marked_step = m_step, m_marked_energy = state.energy; };
   if (m_flows) {
+    // A calm body freezes its friction, so that the energy can truly be minimised.
     if (m_residual < kCalm && m_h > 1) m_flows = false;
     if (m_step - m_marked_step < kStallSteps) return;
     const double least = kStall * m_body.weight() * m_model.friction().slip();
+    // Friction that goes round in circles stops the fall of energy: then it is frozen, too.
     if (m_marked_energy - state.energy < least) m_flows = false, ++m_stalls;
     mark();
   } else if (++m_frozen > kMostFrozen) {
     m_model.update_friction(state, true);
     m_frozen = 0;
+    // A large residual after the update means that it slides again.
     if (m_model.residual(state.gradient) > 1 && m_stalls < kMostStalls) m_flows = true, mark();
   }
 }
 
 bool Minimiser::find_exact_direction(const State& state, Points& step) {
   if (m_newton.solve(m_model, state, Curvature::Exact, m_h, step)) return true;
+  // A shorter horizon makes the matrix more definite, at the price of a shorter step.
   if (m_h <= 1 || !m_newton.solve(m_model, state, Curvature::Exact, m_h / 100, step)) return false;
   m_h /= 100;
   return true;
 }
 
 bool Minimiser::find_direction(const State& state, Points& step) {
+  // Exact derivatives converge fastest near the end, and may fail far from it.
   if (m_residual < m_options.exact_below && find_exact_direction(state, step)) return true;
   return m_newton.solve(m_model, state, Curvature::Hybrid, m_h, step) ||
          m_newton.solve(m_model, state, Curvature::Positive, m_h, step);
@@ -67,12 +74,14 @@ bool Minimiser::find_direction(const State& state, Points& step) {
 void Minimiser::shorten(Points& step) const {
   double longest = 0;
   for (const Vec3& s : step) longest = std::max(longest, s.norm());
+  // A step much longer than a cell leaves what the model knows of contacts.
   const double limit = kLongestStep * m_body.cell;
   if (longest <= limit) return;
   for (Vec3& s : step) s *= limit / longest;
 }
 
 bool Minimiser::is_lower(const State& state, const State& next) const {
+  // Rounding may hide the last falls of energy: then the residual has to halve.
   if (next.energy <= state.energy + kRounding * std::abs(state.energy) + 1e-16) return true;
   return next.energy <= state.energy + 1e-9 * std::abs(state.energy) &&
          m_model.residual(next.gradient) < 0.5 * m_residual;
@@ -83,8 +92,10 @@ bool Minimiser::is_lower(const State& state, const State& next) const {
 // stretches the membrane, and the step is cut again and again.
 bool Minimiser::take_step(State& state, Points step) {
   shorten(step);
+  // Limits come before the search, so that every tried state is free of crossings.
   std::vector<HalfSpace> hits = m_limits.limit(state.x, step);
   double part = 1;
+  // The step is cut to a third until the energy falls.
   for (int back = 0; back < kBackSteps; ++back) {
     m_next.x = state.x;
     for (size_t v = 0; v < step.size(); ++v) m_next.x[v] += part * step[v];
@@ -94,6 +105,7 @@ bool Minimiser::take_step(State& state, Points step) {
       return true;
     }
     part /= 3;
+    // The first refusal solves again with springs at what was hit; later ones only cut.
     if (back > 0 || hits.empty() || !m_newton.solve_again(state, hits, step)) continue;
     shorten(step);
     m_limits.limit(state.x, step);
@@ -104,6 +116,7 @@ bool Minimiser::take_step(State& state, Points step) {
 
 void Minimiser::follow_up(State& state, double part) {
   if (part == 1) {
+    // Whole steps lengthen the horizon, cut ones shorten it.
     m_h = std::min(m_h * (++m_full > 2 ? 2 : 1.3), kLargestH);
   } else {
     m_full = 0;
@@ -117,6 +130,7 @@ Ending Minimiser::run(State& state, const Watch& watch, int level) {
   m_model.update_friction(state, false);
   m_marked_energy = state.energy;
   Points step;
+  // Each step: judge, choose the phase of friction, find a direction, go along it.
   for (m_step = 0; m_step < m_options.max_steps; ++m_step) {
     m_residual = m_model.residual(state.gradient);
     if (watch && !watch({level, m_step, m_residual, state.energy, &state.x}))
@@ -125,6 +139,7 @@ Ending Minimiser::run(State& state, const Watch& watch, int level) {
       choose_phase(state);
     else if (has_come_to_rest(state))
       return Ending::AtRest;
+    // Without direction or descent the horizon shrinks; a tiny one means that it is stuck.
     if (!find_direction(state, step)) {
       m_h /= 4;
     } else if (!take_step(state, step)) {

@@ -19,6 +19,7 @@ void EnergyModel::sum_up(State& state) const {
 }
 
 bool EnergyModel::evaluate(State& state) {
+  // Contacts are found first; a state that touches has no finite energy.
   if (!m_contact.find(state.x, state.pairs)) return false;
   sum_up(state);
   return true;
@@ -45,6 +46,7 @@ double EnergyModel::residual(const Points& gradient, int* at) const {
   double largest = 0;
   for (size_t v = 0; v < gradient.size(); ++v) {
     if (m_body.pinned[v]) continue;
+    // Each vertex is judged by its own weight, so that large and small sheets have one tolerance.
     const double here = gradient[v].norm() / (m_body.mass[v] * kGravity);
     if (!(here > largest)) continue;
     largest = here;

@@ -41,6 +41,7 @@ bool share_a_vertex(const A& a, const B& b) {
 }
 
 Vec3 face_weights(const Vec3& p, const Points& x, const std::array<int, 3>& face) {
+  // A segment is a face with two equal corners.
   if (face[1] != face[2]) return closest_on_triangle(p, x[face[0]], x[face[1]], x[face[2]]);
   const double share = closest_on_segment(p, x[face[0]], x[face[1]]);
   return {1 - share, share, 0};
@@ -55,6 +56,7 @@ Vec3 weighted(const Vec3& w, const Points& x, const std::array<int, 3>& face) {
 //   pair's vertices; -1: the obstacle's.
 void free_in_face(PairPoints& out, const Vec3& w, const Points& x, const std::array<int, 3>& face,
                   double sign, int at) {
+  // The first corner with a share follows from the others, as shares add up to one.
   int first = -1;
   for (int k = 0; k < 3; ++k) {
     if (!(w[k] > 0)) continue;
@@ -71,6 +73,7 @@ void free_in_face(PairPoints& out, const Vec3& w, const Points& x, const std::ar
 bool is_inside(double share) { return share > 0 && share < 1; }
 
 void free_on_edges(PairPoints& out, const SegmentShares& shares, bool is_own) {
+  // A place inside an edge may slide along it; an end may not.
   if (is_inside(shares.s)) {
     const int q = out.num_free++;
     out.slope[q] = out.edge_a;
@@ -97,17 +100,20 @@ Surroundings::Surroundings(const Body& body, const Obstacles& obstacles)
       m_face_tree(rest_boxes(body, body.faces)) {}
 
 bool Surroundings::are_neighbours(const NearPair& pair) const {
+  // Segments of a cable that are near along it are no contact.
   return m_body.is_cable && pair.is_own() &&
          std::abs(pair.a - pair.b) * m_body.cell < kArc * m_body.material.thickness;
 }
 
 void Surroundings::find_outside(std::span<const Aabb> boxes, double margin,
                                 std::vector<NearPair>& out) const {
+  // Too many pairs are given up, whoever made the mesh.
   const auto search = [&](const BoxTree& tree, PairKind kind, size_t a, Aabb box) {
     if (out.size() > kMostPairs) return;
     grow(box, margin);
     tree.visit(box, [&](int b) { out.push_back({kind, static_cast<int>(a), b}); });
   };
+  // Vertices against faces, both ways, and edges against edges are all ways in which surfaces meet.
   for (size_t v = 0; v < boxes.size(); ++v)
     search(m_obstacles.face_tree(), PairKind::VertexFace, v, boxes[v]);
   for (size_t e = 0; e < m_body.edges.size(); ++e)
@@ -118,6 +124,7 @@ void Surroundings::find_outside(std::span<const Aabb> boxes, double margin,
 
 void Surroundings::find_own(std::span<const Aabb> boxes, double margin,
                             std::vector<NearPair>& out) {
+  // The trees keep their order and take the new boxes.
   m_face_tree.refit(boxes_of(m_body.faces, boxes));
   m_edge_tree.refit(boxes_of(m_body.edges, boxes));
   const auto add = [&](PairKind kind, int a, int b) {
@@ -125,6 +132,7 @@ void Surroundings::find_own(std::span<const Aabb> boxes, double margin,
     if (!are_neighbours(pair)) out.push_back(pair);
   };
   for (size_t v = 0; v < boxes.size() && out.size() <= kMostPairs; ++v) {
+    // Elements that share a vertex are always near, and no contact.
     Aabb box = boxes[v];
     grow(box, margin);
     const std::array<int, 1> vertex{static_cast<int>(v)};
@@ -163,6 +171,7 @@ PairPoints Surroundings::vertex_face(const NearPair& pair, const Points& x) cons
 
 PairPoints Surroundings::face_vertex(const NearPair& pair, const Points& x) const {
   const auto& face = m_body.faces[pair.a];
+  // The vertex is the obstacle's: the face's corners alone are free.
   const Vec3& p = m_obstacles.vertices()[pair.b];
   const Vec3 w = face_weights(p, x, face);
   PairPoints out;
@@ -178,6 +187,7 @@ PairPoints Surroundings::edge_edge(const NearPair& pair, const Points& x) const 
   const auto [a, b] = m_body.edges[pair.a];
   const auto [p, q] = m_obstacles.edges()[pair.b];
   const Points& fixed = m_obstacles.vertices();
+  // Shares tell where on each edge the closest points are; the obstacle's edge stands still.
   const SegmentShares shares = closest_on_segments(x[a], x[b], fixed[p], fixed[q]);
   PairPoints out;
   out.count = out.first = 2;
@@ -192,6 +202,8 @@ PairPoints Surroundings::edge_edge(const NearPair& pair, const Points& x) const 
 
 PairPoints Surroundings::own_vertex_face(const NearPair& pair, const Points& x) const {
   const auto& face = m_body.faces[pair.b];
+  // The face's corners count with negative weights: the difference goes from the face to the
+  // vertex.
   const Vec3 w = face_weights(x[pair.a], x, face);
   PairPoints out;
   out.count = m_body.is_cable ? 3 : 4, out.first = 1;

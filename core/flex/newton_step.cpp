@@ -19,13 +19,18 @@ bool is_finite(const Points& points) {
 }  // namespace
 
 void NewtonStep::prepare(const EnergyModel& model, const State& state, Curvature which, double h) {
+  // Mass over h keeps the step near: a small h trusts the model less.
   model.curvature(state, which, m_matrix);
   for (size_t v = 0; v < m_body.size(); ++v) {
     const int i = static_cast<int>(v);
     m_matrix.add(i, i, Mat3::Identity() * (m_body.mass[v] / h));
+    // Pinned vertices have a row of their own, and do not move.
     if (m_body.pinned[v]) m_matrix.pin(i, kPinnedPerWeight * m_body.mean_weight());
   }
+  // The order of elimination stays good while the pattern does.
   if (m_is_ordered && m_factors.covers(m_matrix)) return;
+  // Contacts of the body with itself join what the rest shape has apart: positions help to find
+  // cuts then.
   Multifrontal::Coordinates coordinates(has_own_contact(state) ? 5 : 2);
   for (size_t k = 0; k < coordinates.size(); ++k)
     for (size_t v = 0; v < m_body.size(); ++v)
@@ -58,6 +63,7 @@ bool NewtonStep::solve_again(const State& state, const std::vector<HalfSpace>& h
     step[v] = m_body.pinned[v] ? Vec3(Vec3::Zero()) : Vec3(-state.gradient[v]);
   for (const HalfSpace& hit : hits) {
     if (m_body.pinned[hit.vertex]) continue;
+    // A spring as stiff as the vertex holds it off the half-space, so that its neighbours know.
     Mat3& diagonal = *m_matrix.find(hit.vertex, hit.vertex);
     const double stiffness = diagonal.trace();
     diagonal += stiffness * outer(hit.normal, hit.normal);

@@ -19,6 +19,7 @@ BoxTree tree_of(const std::vector<Element>& elements, const Points& x) {
 int Obstacles::add(const Points& vertices, std::span<const std::array<Index, 3>> triangles,
                    double friction) {
   const auto first = static_cast<int>(m_vertices.size());
+  // Vertices of an obstacle follow each other, and each knows whose it is, for friction and shares.
   const int owner = num_owners();
   m_friction.push_back(friction);
   m_vertices.insert(m_vertices.end(), vertices.begin(), vertices.end());
@@ -28,6 +29,7 @@ int Obstacles::add(const Points& vertices, std::span<const std::array<Index, 3>>
 }
 
 void Obstacles::build() {
+  // Shared edges are kept once.
   for (const auto& face : m_faces)
     for (int k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax({face[k], face[(k + 1) % 3]});

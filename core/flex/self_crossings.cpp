@@ -46,6 +46,7 @@ bool are_folded(const Points& x, const Face& face, const Face& other) {
 }
 
 bool cross(const Points& x, const Face& a, const Face& b) {
+  // Neighbours always touch where they share a corner or an edge: what counts is the rest of them.
   const auto shared = std::count_if(a.begin(), a.end(), [&](int v) { return has(b, v); });
   if (shared == 0) return triangles_intersect(triangle(x, a), triangle(x, b));
   if (shared == 1) return meets_beyond(x, a, b) || meets_beyond(x, b, a);
@@ -55,6 +56,7 @@ bool cross(const Points& x, const Face& a, const Face& b) {
 }  // namespace
 
 std::optional<FacePair> self_crossing(const Points& x, const std::vector<Face>& faces) {
+  // The tree finds pairs whose boxes overlap; the first pair by numbers is named.
   std::vector<Aabb> boxes(faces.size());
   for (size_t f = 0; f < faces.size(); ++f)
     for (const int v : faces[f]) boxes[f].extend(x[v]);

@@ -14,6 +14,8 @@ constexpr double kRoundOff = 1e-15;  // m
 
 // Onto the half-spaces one after another, again and again.
 void project(const std::vector<HalfSpace>& half_spaces, Vec3& step) {
+  // Each sweep moves the step to the borders that it has left; a few sweeps are near enough, as it
+  // is cut afterwards.
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     bool is_inside = true;
     for (const HalfSpace& h : half_spaces) {
@@ -28,6 +30,7 @@ void project(const std::vector<HalfSpace>& half_spaces, Vec3& step) {
 
 // The part of the step that stays in the box and in all half-spaces.
 double allowed_part(const std::vector<HalfSpace>& half_spaces, const Aabb& room, const Vec3& step) {
+  // The step was searched within its box: beyond it, unknown pairs could be met.
   double part = 1;
   for (int k = 0; k < 3; ++k) {
     if (step[k] > room.upper[k]) part = std::min(part, room.upper[k] / step[k]);
@@ -47,6 +50,7 @@ StepLimits::StepLimits(Surroundings& surroundings, const Contact& contact)
 
 // Only where it cuts the vertex's room.
 void StepLimits::add(int vertex, const Vec3& normal, double distance) {
+  // The vertex keeps a tenth of its distance, so that it never reaches the plane.
   const double room = kKeep * std::max(0.0, distance);
   const Aabb& box = m_room[vertex];
   const double lowest = normal.cwiseMax(0).dot(box.lower) + normal.cwiseMin(0).dot(box.upper);
@@ -54,6 +58,7 @@ void StepLimits::add(int vertex, const Vec3& normal, double distance) {
 }
 
 void StepLimits::add_pair(const Points& x, const NearPair& pair) {
+  // The plane between the closest points separates the two elements as they are.
   const PairPoints points = m_surroundings.points(pair, x);
   const double offset = m_contact.offset(pair);
   double first = 0, second = 0;  // longest steps of the sides
@@ -61,6 +66,7 @@ void StepLimits::add_pair(const Points& x, const NearPair& pair) {
     double& longest = i < points.first ? first : second;
     longest = std::max(longest, m_length[points.vertices[i]]);
   }
+  // Elements that are farther apart than both can go need no plane.
   if (points.distance - offset >= kReach * (first + second)) return;
   const Vec3 normal = points.direction();
   const auto height = [&](int i) { return normal.dot(x[points.vertices[i]]); };
@@ -84,6 +90,7 @@ void StepLimits::find_half_spaces(const Points& x, const Points& step) {
   m_room.assign(x.size(), {});
   m_length.resize(x.size());
   std::vector<Aabb> reached(x.size());
+  // The box holds the step and some room around it, within which it may be turned aside.
   for (size_t v = 0; v < x.size(); ++v) {
     m_length[v] = step[v].norm();
     for (const Vec3& end : {Vec3(Vec3::Zero()), step[v]}) {
@@ -93,6 +100,7 @@ void StepLimits::find_half_spaces(const Points& x, const Points& step) {
     }
     reached[v] = {x[v] + m_room[v].lower, x[v] + m_room[v].upper};
   }
+  // All pairs whose boxes meet are found, so that no pair without a plane can meet.
   std::vector<NearPair> near;
   m_surroundings.find(reached, m_contact.distance_outside(),
                       m_surroundings.body().material.thickness, near);
@@ -102,9 +110,11 @@ void StepLimits::find_half_spaces(const Points& x, const Points& step) {
 std::vector<HalfSpace> StepLimits::limit(const Points& x, Points& step) {
   find_half_spaces(x, step);
   std::vector<HalfSpace> hits;
+  // A vertex without planes is free to go its whole step.
   for (size_t v = 0; v < x.size(); ++v) {
     const auto& own = m_half_spaces[v];
     if (own.empty()) continue;
+    // Hits of the wanted step are told, so that the next model knows of them.
     for (const HalfSpace& h : own)
       if (h.normal.dot(step[v]) + h.room < -kHit * m_contact.layer()) hits.push_back(h);
     project(own, step[v]);

@@ -46,6 +46,7 @@ Points vertex_normals(const Points& x, const std::vector<std::array<int, 3>>& fa
   Points out(x.size(), Vec3::Zero());
   for (const auto& f : faces) {
     const Vec3 normal = (x[f[1]] - x[f[0]]).cross(x[f[2]] - x[f[0]]);
+    // The cross product weighs each face by its area.
     for (const int v : f) out[v] += normal;
   }
   for (Vec3& n : out) n = unit(n, Vec3::UnitZ());
@@ -61,6 +62,7 @@ std::vector<std::array<int, 2>> rim_of(const std::vector<std::array<int, 3>>& fa
       all.push_back({std::min(a, b), std::max(a, b), a, b});
     }
   std::sort(all.begin(), all.end());
+  // An edge that comes once is a rim.
   const auto same = [&](size_t i, size_t j) {
     return j < all.size() && all[i][0] == all[j][0] && all[i][1] == all[j][1];
   };
@@ -73,10 +75,12 @@ std::vector<std::array<int, 2>> rim_of(const std::vector<std::array<int, 3>>& fa
 // Directions across a line at each vertex, turned as little as possible from one to the next.
 Points frames(const Points& line, Points& across) {
   Points along;
+  // The direction at a vertex is that of its neighbours' chord.
   for (size_t i = 0; i < line.size(); ++i)
     along.push_back(
         unit(line[std::min(i + 1, line.size() - 1)] - line[i > 0 ? i - 1 : 0], Vec3::UnitX()));
   Vec3 u = std::abs(along[0].x()) > 0.9 ? Vec3::UnitY() : Vec3::UnitX();
+  // The last frame is carried on, without its part along the line: no twist is added.
   for (const Vec3& t : along) {
     u = unit(u - t * t.dot(u), t.unitOrthogonal());
     across.push_back(u);
@@ -101,12 +105,14 @@ ThickShape thick_sheet(const Points& middle, const std::vector<std::array<int, 3
   const Points normals = vertex_normals(middle, faces);
   Builder builder;
   const auto count = static_cast<int>(middle.size());
+  // Two sheets, one on each side, with opposite faces.
   for (const double side : {radius, -radius})
     for (size_t v = 0; v < middle.size(); ++v) builder.vertex(middle[v] + side * normals[v]);
   for (const auto& [a, b, c] : faces) {
     builder.face({a, b, c}, {normals[a], normals[b], normals[c]});
     builder.face({count + a, count + c, count + b}, {-normals[a], -normals[c], -normals[b]});
   }
+  // Rims are closed by a quad each.
   for (const auto& [a, b] : rim_of(faces)) {
     const Vec3 out = unit((middle[b] - middle[a]).cross(normals[a]), Vec3::UnitZ());
     builder.quad(b, a, count + a, count + b, out, out, out, out);
@@ -124,10 +130,12 @@ ThickShape thick_cable(const Points& line, double radius) {
     const Vec3 v = along[i].cross(across[i]);
     rings.emplace_back(), normals.emplace_back();
     for (int k = 0; k < kSides; ++k) {
+      // The sine is the cosine a quarter turn, or nine of twelve sides, on.
       normals[i].push_back(kCosines[k] * across[i] + kCosines[(k + 9) % kSides] * v);
       rings[i].push_back(builder.vertex(line[i] + radius * normals[i][k]));
     }
   }
+  // Neighbouring rings are joined by quads; caps close the ends.
   for (size_t i = 0; i + 1 < line.size(); ++i)
     for (int k = 0; k < kSides; ++k) {
       const int m = (k + 1) % kSides;

@@ -75,6 +75,7 @@ double estimated_pairs(const std::vector<FloatBox>& a, const std::vector<FloatBo
   const size_t num_tries = kTriesPerBox * (a.size() + b.size());
   const auto num_pairs = static_cast<double>(a.size()) * static_cast<double>(b.size());
   if (num_pairs <= static_cast<double>(num_tries)) return num_pairs;
+  // Pairs are taken at pseudo-random steps, the same on every machine.
   size_t num_hits = 0, i = 0, j = 0;
   for (size_t n = 0; n < num_tries; ++n) {
     num_hits += overlap(a[i], b[j]);

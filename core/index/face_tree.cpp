@@ -135,6 +135,7 @@ class FaceTree {
 
   // --- where to split; all faces: a leaf ---------------------------------------------------------
 
+  // The surface area heuristic: a split costs the area of each side times its faces.
   size_t divide(Faces faces) const {
     if (faces.size() == 1) return 1;
     if (faces.size() <= kFewOfTree) return divide_few(faces);
@@ -153,6 +154,8 @@ class FaceTree {
   // Few enough share a leaf unless their boxes are small against that of all.
   size_t divide_few(Faces faces) const {
     const bool may_be_leaf = faces.size() <= kMaxLeafFaces;
+    // Few faces are sorted along each axis in turn: all their splits are compared, where bins would
+    // round them off.
     Split best;
     Few chosen;
     for (int axis = 0; axis < 3; ++axis) {
@@ -161,6 +164,7 @@ class FaceTree {
       if (found.cost < best.cost) best = found, chosen = order;
     }
     if (may_be_leaf && !(best.cost < leaf_cost(faces))) return faces.size();
+    // Costs that overflow name no split: halves are as good.
     if (best.axis < 0) return halve(faces);
     std::copy_n(chosen.begin(), faces.size(), faces.begin());
     return static_cast<size_t>(best.bin);
@@ -210,6 +214,7 @@ class FaceTree {
   template <int kBins>
   Split best_split(Faces faces, const Bins& bins) const {
     std::array<std::array<Bin, kBins>, 3> filled;
+    // One pass fills the bins of all three axes.
     for (const Index f : faces) {
       const FaceBox& box = m_boxes[f];
       const Eigen::Array4i at = bins.of(box.lower + box.upper);
@@ -251,6 +256,7 @@ class FaceTree {
 
   size_t halve(Faces faces) const {
     if (faces.size() <= kMaxLeafFaces) return faces.size();
+    // The widest axis is cut in the middle.
     const int axis = bounds_of_centres(faces).widest_axis();
     const size_t half = faces.size() / 2;
     // Equal centres are told apart by their numbers, so that every library orders them alike.
@@ -267,6 +273,7 @@ class FaceTree {
 
 std::vector<FaceBox> face_boxes(const Mesh& mesh) {
   const Aabb box = mesh.box();
+  // Boxes are scaled about the mesh's centre, so that float32 has digits to spare.
   const Vec3 centre = box.centre();
   const double scale =
       1 / std::max(box.half_extent().maxCoeff(), std::numeric_limits<double>::min());

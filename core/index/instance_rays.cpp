@@ -56,6 +56,7 @@ EmbreePointer<RTCGeometry> make_triangles(RayMesh& mesh, std::vector<Index3>& fa
 }
 
 void copy_rays(const RayPacket& rays, RTCRay8& out) {
+  // Lanes are laid out alike in both: whole arrays are copied.
   const std::size_t bytes = sizeof rays.nearest;
   std::memcpy(out.org_x, rays.origin[0], bytes);
   std::memcpy(out.org_y, rays.origin[1], bytes);
@@ -93,6 +94,7 @@ std::uint32_t InstanceRays::add_mesh(std::span<const Vec3f> vertices,
   mesh->passed_at = std::move(passed_at);
   for (const Vec3f& v : vertices)
     mesh->vertices.insert(mesh->vertices.end(), {v.x(), v.y(), v.z()});
+  // Six floats behind the last vertex are no vertices: Embree may read past the end.
   mesh->vertices.insert(mesh->vertices.end(), 6, 0.0f);
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     // Only see-through faces pay for a callback.
@@ -103,6 +105,7 @@ std::uint32_t InstanceRays::add_mesh(std::span<const Vec3f> vertices,
   }
   mesh->scene.reset(rtcNewScene(embree_device()));
   if (mesh->scene) rtcSetSceneFlags(mesh->scene.get(), RTC_SCENE_FLAG_ROBUST);
+  // Opaque faces end shadow rays at once; see-through ones ask pass_face() how much is left.
   for (std::vector<Index3>* faces : {&mesh->opaque, &mesh->see_through}) {
     if (faces->empty()) continue;
     const EmbreePointer<RTCGeometry> geometry = make_triangles(*mesh, *faces);
@@ -153,6 +156,7 @@ HitPacket InstanceRays::first_hits(const RayPacket& rays) const {
   for (int i = 0; i < kRayLanes; ++i) {
     out.face[i] = kNoFace;
     if (!valid[i] || query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    // The hit names an instance and a face of one of its two geometries.
     out.instance[i] = query.hit.instID[0][i];
     const RayMesh& mesh = *m_state->meshes[m_state->mesh_of[out.instance[i]]];
     const auto& ids = query.hit.geomID[i] == 0 ? mesh.opaque_ids : mesh.see_through_ids;
@@ -172,6 +176,7 @@ std::array<Vec3f, kRayLanes> InstanceRays::passed(const RayPacket& rays) const {
   out.fill(Vec3f::Ones());
   PassQuery context;
   context.passed = &out;
+  // A ray that found an opaque face ends with a negative length.
   occlude_packet(m_state->scene.get(), valid, context, query);
   for (int i = 0; i < kRayLanes; ++i)
     if (valid[i] && query.tfar[i] < 0) out[i].setZero();

@@ -19,6 +19,7 @@ struct LocalRay {
   Vec3 shear;
 
   LocalRay(const Affine& world_from_object, const Ray& ray) {
+    // Scales are uniform, so that the transpose over the squared scale is the inverse.
     const Mat3& m = world_from_object.linear;
     const double squared_scale = m.col(0).squaredNorm();
     origin = m.transpose() * (ray.origin - world_from_object.translation) / squared_scale;
@@ -56,6 +57,7 @@ struct LocalRay {
 void keep_earlier(const LocalRay& ray, const Mesh& mesh, Index face, double until,
                   std::optional<RayHit>& best) {
   const double time = ray.meets(mesh.triangle(face));
+  // The earliest hit wins, the smallest face among equals.
   if (!(time < kInfinity) || time > until) return;
   if (!best || time < best->time || (time == best->time && face < best->face))
     best = RayHit{time, face};

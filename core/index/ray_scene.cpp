@@ -26,11 +26,13 @@ struct ScaledMesh {
 
 void give_face_box(const RTCBoundsFunctionArguments* arguments) {
   auto& faces = *static_cast<ScaledMesh*>(arguments->geometryUserPtr);
+  // Embree calls this on its threads, whose order sanitizers do not see.
   const OrderedStep step(faces.order);
   Aabb box;
   for (const Vec3& p : faces.mesh.triangle(static_cast<Index>(arguments->primID)))
     box.extend((p - faces.centre) * faces.scale);
   RTCBounds& out = *arguments->bounds_o;
+  // Boxes grow and are rounded outwards: Embree reads them in float32.
   out.lower_x = float_below(box.lower.x() - kRayGrowth);
   out.lower_y = float_below(box.lower.y() - kRayGrowth);
   out.lower_z = float_below(box.lower.z() - kRayGrowth);
@@ -50,6 +52,7 @@ struct FaceQuery : EmbreeRayQuery {
 void visit_face(const RTCIntersectFunctionNArguments* arguments) {
   if (!arguments->valid[0]) return;
   const auto& query = *static_cast<const FaceQuery*>(arguments->context);
+  // The visit tells until when faces matter; Embree shortens the ray by it.
   const double until = (*query.visit)(static_cast<Index>(arguments->primID));
   float& end = RTCRayN_tfar(RTCRayHitN_RayN(arguments->rayhit, 1), 1, 0);
   end = std::min(end, query.length_until(until));
@@ -63,6 +66,7 @@ struct RayPiece {
 RayPiece ray_piece(const Vec3& origin, const Vec3& direction, double until) {
   RayPiece out{0, until};
   for (int k = 0; k < 3; ++k) {
+    // Along an axis of no motion the ray is within reach all the time, or never.
     if (direction[k] == 0) {
       if (std::abs(origin[k]) > kRayReach) return {0, -1};
       continue;
@@ -95,6 +99,7 @@ RayScene::RayScene(const Mesh& mesh) : m_num_faces(static_cast<Index>(mesh.trian
   const Aabb box = mesh.box();
   const double half = box.half_extent().maxCoeff();
   m_centre = box.centre();
+  // Meshes of extreme sizes are left to brute force.
   if (!(half > 1e-100 && half < 1e100) || m_num_faces == 0) return;
   const RTCDevice device = embree_device();
   ScaledMesh faces{mesh, m_centre, 1 / half};
@@ -109,6 +114,7 @@ RayScene::RayScene(const Mesh& mesh) : m_num_faces(static_cast<Index>(mesh.trian
     rtcSetGeometryIntersectFunction(geometry.get(), visit_face);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(m_scene.get(), geometry.get());
+    // Embree's threads read `faces` in between, which sanitizers are told.
     faces.order.give();
     rtcCommitScene(m_scene.get());
     faces.order.take();

@@ -51,6 +51,7 @@ class SlabMaker {
 
   void set_sums(Index id) {
     const BvhNode& node = m_bvh.nodes[id];
+    // Children have higher ids and are summed before their parents.
     if (!node.is_leaf()) {
       const Index first = id + 1, second = node.second_child;
       m_areas[id] = m_areas[first] + m_areas[second];
@@ -67,6 +68,7 @@ class SlabMaker {
 
   void set_normal(Index id) {
     const double largest = m_areas[id].cwiseAbs().maxCoeff();
+    // A node whose areas cancel, or overflow, has no slab.
     if (!(largest > 0 && 1 / largest < kInfinity && largest < kInfinity)) return;
     const Vec3 unit = kNearlyOne * (m_areas[id] / largest).normalized();
     for (int k = 0; k < 3; ++k) m_slabs[id].normal[k] = static_cast<float>(unit[k]);
@@ -78,6 +80,7 @@ class SlabMaker {
     const Aabb box = m_bvh.nodes[id].box();
     const Range range =
         m_slots[id].count <= kFewFaces ? range_of_faces(id, box) : range_of_children(id, box);
+    // Ranges are rounded outwards, so that a slab never misses its faces.
     const double rounding = kSlabRounding * box.max_abs_coordinate();
     if (!(range.lower - rounding > -kInfinity && range.upper + rounding < kInfinity)) {
       slab = {};

@@ -17,6 +17,7 @@ bool is_symmetric(const Mat3& m) {
 // Some distribution of mass has it: no principal moment exceeds the sum of the two others.
 bool is_inertia(const Mat3& m) {
   if (!m.allFinite() || !is_symmetric(m)) return false;
+  // Eigenvalues come in ascending order.
   const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(m, Eigen::EigenvaluesOnly).eigenvalues();
   return moments[0] > 0 && moments[2] <= (1 + kTriangleSlack) * (moments[0] + moments[1]);
 }

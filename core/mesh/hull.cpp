@@ -33,6 +33,8 @@ class QhullRun {
 
   /// Returns whether the points have a solid hull.
   bool compute(std::vector<double>& coordinates) {
+    // Points on a plane or a line are refused by Qhull, not by a throw: the caller takes another
+    // way.
     char command[] = "qhull Qt Pp";  // triangles only; no warnings about precision
     const int num_points = static_cast<int>(coordinates.size()) / kDimension;
     return qh_new_qhull(&m_qhull, kDimension, num_points, coordinates.data(), False, command,
@@ -42,6 +44,7 @@ class QhullRun {
   std::vector<Index3> triangles() {
     std::vector<Index3> out;
     for (facetT* facet = m_qhull.facet_list; facet && facet->next; facet = facet->next) {
+      // Facets that are not triangles have no place in a triangulated hull.
       if (qh_setsize(&m_qhull, facet->vertices) != kDimension) continue;
       Index3& triangle = out.emplace_back();
       for (int k = 0; k < kDimension; ++k) {
@@ -78,11 +81,13 @@ std::vector<double> normalised(std::span<const Vec3> points) {
 
 ConvexHull convex_hull(std::span<const Vec3> points) {
   ConvexHull hull;
+  // Fewer than four points enclose nothing.
   if (points.size() < kDimension + 1) return hull;
   std::vector<double> coordinates = normalised(points);
   QhullRun run;
   if (!run.compute(coordinates)) return hull;
   hull.triangles = run.triangles();
+  // The vertices are those that triangles name, each once.
   for (const Index3& t : hull.triangles)
     hull.vertices.insert(hull.vertices.end(), t.begin(), t.end());
   std::sort(hull.vertices.begin(), hull.vertices.end());

@@ -26,11 +26,14 @@ MeshMoments integrate(const Mesh& mesh, const Adjacency& adjacency, const SolidF
                       const Vec3& origin) {
   MeshMoments out;
   for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f) {
+    // Coordinates about the box's centre keep digits where the model lies far from its origin.
     const Triangle t = relative_to(origin, mesh.triangle(f));
     const double area = area_of(t);
+    // The surface counts for all parts: it decides the mass where too little is closed.
     out.surface.add(area, t, 3);
     if (!solid.closed[adjacency.face_component[f]]) continue;
     out.closed_area += area;
+    // A tetrahedron from the origin to each face: those outside the body cancel.
     out.solid.add(solid_sign(solid, adjacency, f) * signed_volume(t), t, 4);
   }
   return out;
@@ -40,6 +43,7 @@ MeshMoments integrate(const Mesh& mesh, const Adjacency& adjacency, const SolidF
 bool is_solid(const MeshMoments& moments, const Aabb& box) {
   constexpr double kLeast = 1e-9;  // of area x box diagonal; below, a volume is rounding error
   if (!(moments.solid.measure > kLeast * moments.surface.measure * box.diagonal())) return false;
+  // A centre outside the box is no body's: the winding was wrong somewhere.
   return (moments.solid.centre().cwiseAbs().array() <= box.half_extent().array()).all();
 }
 
@@ -53,6 +57,7 @@ InsideFindings findings_of(const Adjacency& adjacency, const SolidFaces& solid) 
   out.num_double_faces = solid.num_double;
   out.num_flipped_faces = solid.num_flipped;
   for (size_t c = 0; c < solid.closed.size(); ++c) {
+    // Open parts weigh nothing in a solid's mass, which the user should know.
     out.num_open_parts += !solid.closed[c];
     out.num_turned_parts += solid.closed[c] && adjacency.components[c].winding < 0;
   }
@@ -98,6 +103,7 @@ void set_centre(MassProperties& out, MassRule rule, const Moments& moments, cons
 
 /// Fallback for meshes without area.
 void set_hull(MassProperties& out, const Mesh& mesh, const Vec3& box_centre) {
+  // A hull with volume is next best; without one, the points themselves have to do.
   const ConvexHull hull = convex_hull(mesh.vertices);
   if (!hull.vertices.empty()) {
     const Vec3 inside = mean_of(mesh, hull.vertices);
@@ -126,6 +132,7 @@ const char* to_string(MassRule rule) {
 
 MassProperties mass_properties(const Mesh& mesh, const Adjacency& adjacency) {
   MassProperties out;
+  // An empty mesh keeps its zeros.
   if (mesh.vertices.empty()) {
     out.rule = MassRule::Hull;
     return out;
@@ -137,8 +144,11 @@ MassProperties mass_properties(const Mesh& mesh, const Adjacency& adjacency) {
   out.area = moments.surface.measure;
   out.findings = findings_of(adjacency, solid);
   const bool has_solid = is_solid(moments, box);
+  // Open parts beside a solid leave two rules: the distance of their centres tells how much they
+  // differ.
   if (has_solid && out.findings.num_open_parts > 0)
     out.findings.other_centre_distance = (moments.solid.centre() - moments.surface.centre()).norm();
+  // The best rule that holds is taken: the solid, the surface, the hull.
   if (has_solid && is_mostly_closed(moments)) {
     out.volume = moments.solid.measure;
     set_centre(out, MassRule::Volume, moments.solid, origin);
@@ -147,6 +157,7 @@ MassProperties mass_properties(const Mesh& mesh, const Adjacency& adjacency) {
   } else {
     set_hull(out, mesh, origin);
   }
+  // A mesh of one point has no radius, and rounding may leave none: the box's stands in.
   if (!(out.radius_squared > 0) || !std::isfinite(out.radius_squared)) {
     const Vec3 size = 2 * box.half_extent();
     out.radius_squared = box.diagonal() * box.diagonal() / 12;  // that of a box full of mass

@@ -21,6 +21,8 @@ struct Moments {
         corners[0].squaredNorm() + corners[1].squaredNorm() + corners[2].squaredNorm();
     measure += size;
     first += size / num_corners * sum;
+    // Integrals of products over a simplex of k corners: (sum sum^T + the corners' own) / (k (k +
+    // 1)).
     const double weight = size / (num_corners * (num_corners + 1));
     second += weight * (squares + sum.squaredNorm());
     products += weight * sum * sum.transpose();

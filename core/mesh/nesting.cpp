@@ -34,6 +34,7 @@ class PartFaces {
 
 // Sign of the area of a, b, p seen from above; nullopt: too near to tell.
 std::optional<int> side_of(const Vec3& a, const Vec3& b, const Vec3& p) {
+  // The bound is relative to the two products, as their rounding is.
   const double left = (b.x() - a.x()) * (p.y() - a.y()), right = (b.y() - a.y()) * (p.x() - a.x());
   const double difference = left - right;
   if (std::abs(difference) <= kNear * (std::abs(left) + std::abs(right))) return std::nullopt;
@@ -43,6 +44,7 @@ std::optional<int> side_of(const Vec3& a, const Vec3& b, const Vec3& p) {
 // +1 or -1: the ray from p upwards goes through the face, from below or above; 0: it misses it.
 std::optional<int> crossing(const Triangle& t, const Vec3& p) {
   if (!side_of(t[0], t[1], t[2])) return 0;  // upright: its neighbours tell
+  // The point is inside the face as seen from above if it is on the same side of all edges.
   int sides[3];
   for (int k = 0; k < 3; ++k) {
     const auto side = side_of(t[k], t[(k + 1) % 3], p);
@@ -50,6 +52,7 @@ std::optional<int> crossing(const Triangle& t, const Vec3& p) {
     sides[k] = *side;
   }
   if (sides[0] != sides[1] || sides[1] != sides[2]) return 0;
+  // The point is above or below the plane by the sign of its height; near it, nothing is told.
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const double height = normal.dot(p - t[0]);
   if (std::abs(height) <= kNear * normal.norm() * (p - t[0]).norm()) return std::nullopt;
@@ -73,11 +76,13 @@ class Columns {
   // nullopt: on the surface, or the ray grazes.
   std::optional<bool> holds(const Vec3& p, std::int64_t& num_tests) const {
     int winding = 0;
+    // A ray upwards meets only faces of its own column.
     const auto& faces = m_cells[cell(column(p.x(), 0), column(p.y(), 1))];
     num_tests += static_cast<std::int64_t>(faces.size());
     for (const Index f : faces) {
       const auto sign = crossing(m_mesh.triangle(f), p);
       if (!sign) return std::nullopt;
+      // Faces count by their weights: copies and walls were left out.
       winding += *sign * static_cast<int>(m_solid.weight(f));
     }
     return winding != 0;
@@ -127,9 +132,11 @@ Vec3 sample_of(const Triangle& t) { return 0.5123 * t[0] + 0.2914 * t[1] + 0.196
 bool is_inside(const Mesh& mesh, const std::vector<Index>& faces, const Columns& outer,
                std::int64_t& num_tests) {
   bool any = false;
+  // At most kMaxSamples faces are asked, spread over the part.
   const size_t step = faces.size() / kMaxSamples + 1;
   for (size_t i = 0; i < faces.size(); i += step) {
     const auto inside = outer.holds(sample_of(mesh.triangle(faces[i])), num_tests);
+    // One sample outside settles it, as closed parts that do not cross are wholly in or out.
     if (inside && !*inside) return false;
     any |= inside.has_value();
   }
@@ -147,6 +154,7 @@ class Nesting {
       : m_mesh(mesh), m_solid(solid), m_parts(adjacency.components), m_adjacency(adjacency) {}
 
   void find() {
+    // Parts without volume hold nothing and lie in nothing.
     measure();
     for (Index c = 0; c < static_cast<Index>(m_parts.size()); ++c)
       if (m_solid.closed[c] && std::abs(m_volumes[c]) > kLeastVolume * m_sizes[c])
@@ -155,12 +163,15 @@ class Nesting {
     for (const auto& [outer, inner] : candidates()) {
       if (num_tests > kMaxTests) break;
       if (!m_faces) m_faces.emplace(m_adjacency, m_solid);
+      // Pairs come by the outer part, whose columns serve all of its inner ones.
       if (outer != m_columns_of) {
         m_columns.emplace(m_mesh, m_solid, (*m_faces)[outer], m_parts[outer].box);
         m_columns_of = outer;
       }
       m_parts[inner].depth += is_inside(m_mesh, (*m_faces)[inner], *m_columns, num_tests);
     }
+    // A part of odd depth is a cavity, wound inwards: the winding tells which parts are not as they
+    // should be.
     for (const Index c : m_solids)
       m_parts[c].winding = (m_volumes[c] > 0) == (m_parts[c].depth % 2 == 0) ? 1 : -1;
   }
@@ -172,6 +183,7 @@ class Nesting {
     for (Index f = 0; f < static_cast<Index>(m_mesh.triangles.size()); ++f) {
       const Index c = m_adjacency.face_component[f];
       if (!m_solid.closed[c]) continue;
+      // Volumes about the part's own middle lose no digits to its place.
       const Triangle t = relative_to(m_parts[c].box.centre(), m_mesh.triangle(f));
       m_volumes[c] += m_solid.weight(f) * signed_volume(t);
       m_sizes[c] += area_of(t);
@@ -187,6 +199,7 @@ class Nesting {
     });
     std::vector<std::pair<Index, Index>> out;
     std::vector<Index> open;
+    // Parts whose box ended before this one begins cannot hold it, nor lie in it.
     for (size_t i = 0; i < order.size() && out.size() < kMaxPairs; ++i) {
       const Aabb& box = m_parts[order[i]].box;
       std::erase_if(open, [&](Index c) { return m_parts[c].box.upper.x() < box.lower.x(); });

@@ -19,6 +19,7 @@ PartMass part_mass(const Component& part, bool closed, const PartMoments& moment
   out.num_triangles = part.num_faces;
   out.area = moments.surface.measure;
   const double volume = std::abs(moments.solid.measure);
+  // A closed part of almost no volume is a sheet that was folded onto itself.
   const bool solid = closed && volume > kLeast * out.area * part.box.diagonal();
   out.rule = solid ? MassRule::Volume : MassRule::Surface;
   out.centre = part.box.centre();
@@ -40,6 +41,7 @@ std::vector<PartMass> part_masses(const Mesh& mesh, const Adjacency& adjacency) 
   std::vector<PartMoments> moments(adjacency.components.size());
   for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f) {
     const Index part = adjacency.face_component[f];
+    // Coordinates about the part's own middle keep its digits.
     const Triangle t = relative_to(adjacency.components[part].box.centre(), mesh.triangle(f));
     moments[part].solid.add(solid.weight(f) * signed_volume(t), t, 4);
     moments[part].surface.add(area_of(t), t, 3);
@@ -61,6 +63,7 @@ std::vector<Sentence> mass_notes(const MassProperties& mass) {
   note("faces of closed parts wound the other way than most, turned round for mass",
        found.num_flipped_faces);
   note("copies of faces and walls between parts, left out for mass", found.num_double_faces);
+  // All further notes are about open parts.
   if (mass.rule == MassRule::Hull || found.num_open_parts == 0) return out;
   if (mass.rule == MassRule::Volume)
     note("open parts without an inside, which weigh nothing", found.num_open_parts);

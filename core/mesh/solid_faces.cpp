@@ -15,13 +15,17 @@ class PartCleaner {
       : m_mesh(mesh), m_adjacency(adjacency), m_out(out), m_turn(mesh.triangles.size(), 0) {}
 
   void clean(Index component, const std::vector<Index>& all) {
+    // Copies are tried first: one of each is kept, and the rest may be a solid.
     std::vector<Index> faces = all;
     Index num_double = drop_copies(faces, Copies::KeepOne);
     bool closed = orient(faces) || (num_double == 0 && m_adjacency.components[component].balanced);
+    // The copies may also be walls between solids side by side: both faces go then, the outside
+    // remains.
     if (!closed && num_double > 0) {
       std::vector<Index> outer = all;
       const Index num_walls = drop_copies(outer, Copies::DropPairs);
       closed = orient(outer) || is_balanced(outer);
+      // The part stays open, with one face of each, if neither closes it.
       num_double = closed ? num_walls : drop_copies(faces = all, Copies::KeepOne);
     }
     m_out.num_double += num_double;
@@ -46,6 +50,7 @@ class PartCleaner {
 
   // Each edge is run through as often forward as backward. False without faces.
   bool is_balanced(const std::vector<Index>& faces) const {
+    // Each edge's wings are summed over the faces that are kept.
     for (const Index face : faces)
       for (const Index edge : m_adjacency.face_edges[face]) {
         int sum = 0;
@@ -62,6 +67,7 @@ class PartCleaner {
   // Faces with the same corners.
   Index drop_double(std::vector<Index>& faces, Copies copies) {
     std::vector<std::pair<Index3, Index>> sorted;
+    // Corners in order make faces equal whatever their first corner and winding.
     for (const Index f : faces) {
       Index3 corners = m_mesh.triangles[f];
       std::sort(corners.begin(), corners.end());
@@ -70,6 +76,7 @@ class PartCleaner {
     std::sort(sorted.begin(), sorted.end());
     Index count = 0;
     for (size_t i = 0, end = 0; i < sorted.size(); i = end) {
+      // Equal faces are neighbours now; copies beyond those that are kept get no weight.
       while (end < sorted.size() && sorted[end].first == sorted[i].first) ++end;
       for (size_t k = i + num_kept(end - i, copies); k < end; ++k, ++count)
         m_out.weights[sorted[k].second] = 0;
@@ -91,6 +98,7 @@ class PartCleaner {
   Patch patch_of(Index first) {
     Patch out{{first}, {}, Vec3::Zero(), 0};
     m_is_reached[first] = 1;
+    // The patch grows over edges of exactly two faces.
     for (size_t i = 0; i < out.faces.size(); ++i) {
       const Triangle t = m_mesh.triangle(out.faces[i]);
       const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -98,6 +106,7 @@ class PartCleaner {
       out.size += normal.norm();
       for (const Index edge : m_adjacency.face_edges[out.faces[i]]) {
         const Index other = across(out.faces[i], edge);
+        // An edge where it cannot go on is part of the outline.
         if (other < 0)
           out.outline.push_back(edge);
         else if (!m_is_reached[other])
@@ -110,6 +119,7 @@ class PartCleaner {
 
   // Polygons that were cut along other diagonals.
   Index drop_double_patches(std::vector<Index>& faces, Copies copies) {
+    // Two flat patches of one outline are the same polygon.
     std::map<std::vector<Index>, std::vector<std::vector<Index>>> of_outlines;
     for (const Index first : faces) {
       if (m_is_reached[first]) continue;
@@ -151,6 +161,7 @@ class PartCleaner {
     const Index num_flipped = m_out.num_flipped;
     for (const Index first : faces) {
       if (m_turn[first] != 0) continue;
+      // Without its copies a part may be in pieces: each is oriented from its first face.
       std::vector<Index> reached{first};
       m_turn[first] = 1;
       for (size_t i = 0; i < reached.size(); ++i)
@@ -165,6 +176,7 @@ class PartCleaner {
     for (const Index edge : m_adjacency.face_edges[face]) {
       const Index other = across(face, edge);
       if (other < 0) return false;
+      // Two faces agree if they run along their edge in opposite directions.
       const bool alike = runs_forward(face, edge) != runs_forward(other, edge);
       const auto wanted = static_cast<std::int8_t>(alike ? m_turn[face] : -m_turn[face]);
       if (m_turn[other] == 0) reached.push_back(other), m_turn[other] = wanted;
@@ -174,6 +186,7 @@ class PartCleaner {
   }
 
   void keep_most(const std::vector<Index>& reached) {
+    // The winding of most faces is kept; the others count as flipped.
     const auto count = static_cast<Index>(
         std::count_if(reached.begin(), reached.end(), [&](Index f) { return m_turn[f] < 0; }));
     const auto size = static_cast<Index>(reached.size());
@@ -194,6 +207,7 @@ bool is_clean(const Component& c) { return c.balanced && c.manifold; }
 
 // Parts that neither are clean nor have an edge of one face, which nothing can close.
 std::vector<char> doubtful_parts(const Adjacency& adjacency) {
+  // An edge of one face alone means an open surface: no cleaning closes it.
   std::vector<char> out;
   for (const Component& c : adjacency.components) out.push_back(!is_clean(c));
   for (Index e = 0; e < adjacency.edge_faces.size(); ++e)
@@ -208,6 +222,7 @@ SolidFaces solid_faces(const Mesh& mesh, const Adjacency& adjacency) {
   SolidFaces out;
   for (const Component& c : adjacency.components) out.closed.push_back(is_clean(c));
   const std::vector<char> doubtful = doubtful_parts(adjacency);
+  // Most meshes are clean: they pay for nothing more.
   if (std::find(doubtful.begin(), doubtful.end(), 1) == doubtful.end()) return out;
   std::vector<std::vector<Index>> faces_of(doubtful.size());
   for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f)

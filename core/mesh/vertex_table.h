@@ -25,6 +25,7 @@ class VertexTable {
     const Index id = static_cast<Index>(m_vertices.size());
     slot = id;
     m_vertices.push_back(point);
+    // The table stays at most half full, so that probes are short.
     if (2 * m_vertices.size() > m_slots.size()) grow(4 * m_slots.size());
     return id;
   }
@@ -56,6 +57,7 @@ class VertexTable {
 
   /// Slot that holds this point, or the free one for it.
   Index& slot_of(const Key& key) {
+    // The size is a power of two: a mask replaces the division.
     const size_t mask = m_slots.size() - 1;
     size_t i = hash(key) & mask;
     while (m_slots[i] >= 0 && key_of(m_vertices[m_slots[i]]) != key) i = (i + 1) & mask;

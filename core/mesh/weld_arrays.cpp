@@ -33,6 +33,7 @@ void check(std::span<const Vec3> vertices, std::span<const Index3> triangles) {
 
 WeldedMesh weld(std::span<const Vec3> vertices, std::span<const Index3> triangles) {
   check(vertices, triangles);
+  // Vertices that no triangle names are not in the mesh.
   WeldedMesh out{{}, std::vector<Index>(vertices.size(), -1)};
   out.mesh.triangles.reserve(triangles.size());
   VertexTable table(out.mesh.vertices);

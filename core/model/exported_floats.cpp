@@ -51,6 +51,7 @@ float finite_float(double value, const ExportObject& object) {
 }  // namespace
 
 Vec3 export_origin(const Aabb& scene_box) {
+  // Scenes near their origin are exported as they are.
   const double size = scene_box.diagonal(), reach = scene_box.max_abs_coordinate();
   if (!(size > 0) || !(reach > std::max(kFarScene, kFarSceneInDiagonals * size)))
     return Vec3::Zero();
@@ -66,10 +67,12 @@ Vec3 export_place(const Affine& from_object, const Aabb& mesh_box) {
   Vec3 place = Vec3::Zero();
   if (mesh_box.empty()) return place;
   const Vec3 centre = from_object.apply(mesh_box.centre());
+  // A place of its own is worth it only where float32 would lose what the object's size shows.
   const double size = mesh_box.diagonal() * from_object.linear.col(0).norm();
   const double near = std::max(kFarScene, kFarObjectInDiagonals * size);
   if (!centre.allFinite() || !(centre.cwiseAbs().maxCoeff() > near)) return place;
   const double grid = std::ldexp(1.0, std::ilogb(near));
+  // The place must be exact in float32, as it goes to the file; farther away there is none.
   constexpr double kExactInFloat32 = 1 << 24;
   if (centre.cwiseAbs().maxCoeff() > kExactInFloat32 * grid) return place;
   for (int i = 0; i < 3; ++i) place[i] = grid * std::round(centre[i] / grid) + 0.0;
@@ -88,6 +91,7 @@ ExportObject relative_to(const Vec3& origin, ExportObject object) {
 
 LocalVertices local_vertices(const Model& model) {
   LocalVertices out;
+  // Vertices about the centre lose least when they become float32.
   out.centre = export_centre(&model, model.mesh.box());
   out.positions.reserve(model.mesh.vertices.size());
   for (const Vec3& p : model.mesh.vertices) out.positions.push_back((p - out.centre).cast<float>());
@@ -108,6 +112,7 @@ ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mes
     : m_place(export_place(object.world_from_object, mesh_box)),
       m_centre(export_centre(object.model.get(), mesh_box)),
       m_has_look(object.model && object.model->appearance && !object.model->rounded_appearance) {
+  // The numbers as the file has them, so that positions are those of a reader.
   const NodeMatrix rows = node_matrix(relative_to(m_place, object), m_centre);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) m_y_up_from_local.linear(r, c) = rows[r][c];
@@ -116,6 +121,7 @@ ExportedPlacement::ExportedPlacement(const ExportObject& object, const Aabb& mes
 }
 
 Vec3 ExportedPlacement::operator()(const Vec3& vertex) const {
+  // The order of roundings is the reader's: vertex, then matrix, then the place.
   Vec3 local = vertex - m_centre;
   // An appearance's float32 vertices pass through its own nodes, in double, as on import.
   if (!m_has_look) local = as_float32(local);

@@ -12,6 +12,7 @@ Rotation operator*(const Rotation& a, const Rotation& b) {
 
 Rotation Rotation::normalized() const {
   const double length = std::sqrt(w * w + x * x + y * y + z * z);
+  // A quaternion without length, of zeros or of no numbers, is no rotation: the unit stands for it.
   if (!(length > 0)) return {};
   return {w / length, x / length, y / length, z / length};
 }

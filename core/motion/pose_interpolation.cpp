@@ -18,6 +18,8 @@ struct Turn {
 
 Turn turn_between(const Rotation& from, const Rotation& to) {
   const Rotation d = (to * inverse(from)).normalized();
+  // A quaternion and its negative are the same rotation; the one with positive w turns the shorter
+  // way.
   const double side = d.w < 0 ? -1 : 1;
   const Vec3 v = side * Vec3(d.x, d.y, d.z);
   const double sine = v.norm();
@@ -37,6 +39,7 @@ double path_length(const Pose& from, const Pose& to, double radius) {
 }
 
 Pose carried_pose(const Pose& now, const Pose& object_end, const Pose& end) {
+  // A carried object keeps its place relative to its carrier, which ends elsewhere.
   const Rotation turn = (now.rotation * inverse(object_end.rotation)).normalized();
   return {(turn * end.rotation).normalized(),
           Vec3(now.translation + turn.matrix() * (end.translation - object_end.translation))};

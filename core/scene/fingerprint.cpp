@@ -12,6 +12,7 @@ void add_to(Hash& hash, const Vec3& v) {
 }
 
 void add_to(Hash& hash, const std::vector<Index>& ids) {
+  // Counts go first, so that lists do not run into each other.
   hash.add(std::uint64_t{ids.size()});
   for (const Index id : ids) hash.add(static_cast<std::uint64_t>(id));
 }
@@ -27,6 +28,7 @@ void add_to(Hash& hash, const ContactPoint& p) {
 
 void add_to(Hash& hash, const ObjectContact& entry) {
   const Contact& c = entry.contact;
+  // The floor has a number that no slot has.
   hash.add(entry.with.is_object() ? std::uint64_t{entry.with.object().index} : ~std::uint64_t{0});
   hash.add(static_cast<std::uint64_t>(c.type));
   hash.add(std::uint64_t{c.points.size()});
@@ -60,6 +62,7 @@ void add_to(Hash& hash, const std::optional<GivenMass>& mass) {
 void add_to(Hash& hash, const Scene& scene) {
   hash.add(std::uint64_t{scene.floor});
   add_to(hash, scene.floor_material);
+  // Rules add nothing where there are none: states of older journals stay what they were.
   if (!scene.pair_rules) return;
   hash.add(static_cast<std::uint64_t>(scene.floor_kind));
   for (const auto& [kinds, rule] : scene.pair_rules->all()) {
@@ -74,6 +77,7 @@ void add_to(Hash& hash, const Object& object) {
   hash.add(object.name).add(object.scale).add(object.group);
   hash.add(static_cast<std::uint64_t>(object.up));
   hash.add(static_cast<std::uint64_t>(object.state));
+  // The flags share one number.
   hash.add(std::uint64_t{object.fixed} | std::uint64_t{object.placed} << 1 |
            std::uint64_t{object.locked} << 2);
   add_to(hash, object.material);
@@ -85,6 +89,7 @@ void add_to(Hash& hash, const Object& object) {
   hash.add(object.stability_margin).add(object.least_friction);
   // Links across gaps follow from the rest, and journals of earlier versions know none.
   const auto is_counted = [](const ObjectContact& entry) { return !entry.across_gap; };
+  // The count is of those entries that follow.
   hash.add(static_cast<std::uint64_t>(
       std::count_if(object.contacts.begin(), object.contacts.end(), is_counted)));
   for (const ObjectContact& entry : object.contacts)
@@ -95,6 +100,7 @@ void add_to(Hash& hash, const Object& object) {
 std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids) {
   Hash hash(ids.size());
   for (const ObjectId id : ids) {
+    // A slot counts even where its object is gone.
     hash.add(std::uint64_t{id.index});
     if (scene.contains(id)) add_to(hash, scene.at(id));
   }
@@ -122,6 +128,7 @@ void SceneState::update(const Scene& scene, std::span<const ObjectId> changed) {
       add_to(of_object, scene.at(id));
       hash = of_object.value();
     }
+    // The state is a sum over slots: a change replaces its own part alone.
     m_sum += hash - slot.hash;
     slot = {id.generation, hash};
   }

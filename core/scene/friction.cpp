@@ -20,6 +20,7 @@ const PhysicsMaterial& material_of(const Scene& scene, const Support& support) {
 double friction_between(const Scene& scene, const Surface& surface, const Support& with) {
   const PairRule* const rule = rule_of(scene, surface.kind, kind_of(scene, with));
   if (rule && rule->friction) return *rule->friction;
+  // The smoother of two surfaces decides.
   return std::min(surface.friction, material_of(scene, with).friction);
 }
 

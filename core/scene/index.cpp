@@ -42,6 +42,7 @@ void SceneIndex::reserve(size_t num_slots) {
 }
 
 void SceneIndex::set(Index slot, const Object* object) noexcept {
+  // A slot without an object leaves all tables, and is free for the next one.
   if (!object) {
     m_free.insert(slot);
     m_names.erase(slot);
@@ -50,6 +51,7 @@ void SceneIndex::set(Index slot, const Object* object) noexcept {
     m_tree.erase(slot);
     return;
   }
+  // Each table holds those objects alone that its question is about.
   m_free.erase(slot);
   m_names.set(slot, hash_of(object->name));
   if (object->group.empty())

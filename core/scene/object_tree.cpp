@@ -47,6 +47,7 @@ void ObjectTree::Extent::unite(const Extent& other) {
 
 void ObjectTree::reserve(size_t num_slots) {
   const size_t before = m_nodes.size();
+  // Room is made before anything is inserted, so that inserting never allocates.
   if (before >= 2 * num_slots) return;
   m_nodes.resize(2 * num_slots);
   for (size_t inner = before + 1; inner < m_nodes.size(); inner += 2)
@@ -58,6 +59,7 @@ void ObjectTree::set(Index slot, const Extent& extent) noexcept {
                    extent.smallest_diagonal > 0 ? extent.smallest_diagonal : kInfinity,
                    extent.leaning_reach, extent.coarse_size};
   Node& leaf = m_nodes[leaf_of(slot)];
+  // An object that did not move costs nothing.
   if (leaf.height == 0 && same(leaf.extent, now)) return;
   erase(slot);
   leaf.extent = now;
@@ -71,6 +73,7 @@ void ObjectTree::insert(Index leaf) noexcept {
     m_root = leaf;
     return;
   }
+  // The leaf joins the sibling whose box grows least by it.
   const Index sibling = sibling_for(m_nodes[leaf].extent.box);
   const Index inner = std::exchange(m_free, m_nodes[m_free].parent);
   replace_child(m_nodes[sibling].parent, sibling, inner);
@@ -103,6 +106,7 @@ void ObjectTree::erase(Index slot) noexcept {
     m_root = -1;
     return;
   }
+  // The sibling takes the place of the parent, which becomes free.
   const auto& child = m_nodes[parent].child;
   const Index sibling = child[child[0] == leaf_of(slot) ? 1 : 0];
   const Index above = m_nodes[parent].parent;
@@ -137,6 +141,7 @@ void ObjectTree::update(Index inner) noexcept {
 
 void ObjectTree::refit_from(Index inner) noexcept {
   while (inner >= 0) {
+    // Every node on the way up is balanced, renewed and shrunk.
     inner = balanced(inner);
     update(inner);
     shrink_children(inner);
@@ -154,6 +159,8 @@ Index ObjectTree::balanced(Index inner) noexcept {
   if (std::abs(height(a) - height(b)) < 2) return inner;
   const int tall = height(b) > height(a) ? 1 : 0;
   const Index up = tall ? b : a, low = tall ? a : b;
+  // One grandchild goes below the node in place of the lifted child: the lower one, or at equal
+  // heights the one that makes the smaller box there.
   auto [stays, goes] = m_nodes[up].child;
   const auto area_with_low = [&](Index node) {
     return area(united(m_nodes[low].extent.box, m_nodes[node].extent.box));
@@ -173,6 +180,7 @@ Index ObjectTree::balanced(Index inner) noexcept {
 // all heights stay balanced and the node keeps its own.
 void ObjectTree::shrink_children(Index inner) noexcept {
   double best_gain = 0;
+  // The best of four exchanges is taken, if any makes a box smaller.
   int best_side = 0, best_grandchild = 0;
   for (int side = 0; side < 2; ++side)
     for (int k = 0; k < 2; ++k)
@@ -193,6 +201,7 @@ double ObjectTree::gain_of_exchange(Index inner, int side, int k) const noexcept
   const Node& other = m_nodes[m_nodes[inner].child[1 - side]];
   if (other.height == 0) return 0;
   const Node &comes = m_nodes[other.child[k]], &remains = m_nodes[other.child[1 - k]];
+  // The exchange may change no height by more than the tree allows.
   const int height = 1 + std::max(alone.height, remains.height);
   const bool balanced = std::abs(alone.height - remains.height) < 2 &&
                         std::abs(comes.height - height) < 2 &&
@@ -214,6 +223,7 @@ ObjectTree::Extent ObjectTree::extent_without(std::span<const Index> slots) cons
   if (opened.empty()) return extent();
   std::sort(opened.begin(), opened.end());
   opened.erase(std::unique(opened.begin(), opened.end()), opened.end());
+  // Opened nodes are replaced by their children that do count; all others count as a whole.
   Extent out;
   for (const Index node : opened)
     if (m_nodes[node].height > 0)

@@ -45,6 +45,7 @@ ObjectId Scene::add(Object object) {
   if (find(object.name))
     throw Error(Error::Kind::BadInput, "two objects are named \"%1\"; names must be unique",
                 object.name);
+  // The lowest free slot is used again; its generation tells old ids from new ones.
   const Index free = m_index.first_free();
   const size_t index = free >= 0 ? free : m_slots.size();
   if (free < 0) {
@@ -67,6 +68,7 @@ ObjectId Scene::add(Object object) {
 void Scene::remove(ObjectId id) {
   assert(contains(id));
   keep(id.index);
+  // Partners lose their contacts with the object before it goes.
   set_contacts(id, {});
   m_slots[id.index].object.reset();
   --m_num_objects;
@@ -84,6 +86,7 @@ const Object& Scene::at(ObjectId id) const {
 }
 
 std::optional<ObjectId> Scene::find(const std::string& name) const {
+  // Names hash to chains: those that meet by chance are told apart here.
   std::optional<ObjectId> found;
   m_index.visit_named(name, [&](Index slot) {
     if (m_slots[slot].object->name == name) found = id_of(slot);
@@ -166,8 +169,10 @@ bool is_within(const Aabb& inner, const Aabb& outer) {
 SceneExtent Scene::extent_near(const Aabb& box, double margin) const {
   const ObjectTree& tree = m_index.tree();
   const SceneExtent all = tree.extent();
+  // Most scenes lie within the margin as a whole.
   if (is_within(all.box, {box.lower.array() - margin, box.upper.array() + margin})) return all;
   SceneExtent out;
+  // A subtree that would change neither box nor sizes is left out.
   const auto adds = [&](const SceneExtent& there) {
     return !is_within(there.box, out.box) || there.coarse_size > out.coarse_size ||
            there.smallest_diagonal < out.smallest_diagonal;
@@ -246,6 +251,7 @@ void Scene::swap_with(SceneChange& change) noexcept {
 }
 
 bool Scene::is_consistent() const {
+  // Everything is found anew from the objects and compared with what the indices say.
   const std::vector<ObjectId> ids = this->ids();
   ObjectTree::Extent all;
   for (const ObjectId id : ids) {
@@ -300,6 +306,7 @@ std::vector<ObjectId> unsound_supports(const Scene& scene, ObjectId id) {
     return state == ObjectState::Held || state == ObjectState::Invalid ||
            state == ObjectState::Unsupported;
   };
+  // The search goes down from support to support, each once; a fixed one needs none.
   std::vector<ObjectId> waiting{id}, out;
   std::set<std::uint32_t> seen{id.index};
   for (size_t i = 0; i < waiting.size(); ++i) {
@@ -330,6 +337,7 @@ LoadSupport load_support(const Scene& scene) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
     LoadSupport::Entry entry{id, false, {}, {}};
+    // A contact may both hold the object up and bear on it, by different points.
     for (const ObjectContact& l : object.contacts) {
       if (holds_up(l)) {
         if (l.with.is_object())
@@ -339,6 +347,7 @@ LoadSupport load_support(const Scene& scene) {
       }
       if (l.with.is_object() && weighs_on(l)) entry.loads.push_back(l.with.object());
     }
+    // Lists are sorted by slot, so that they do not depend on who was linked first.
     sort_by_slot(entry.supports);
     sort_by_slot(entry.loads);
     out.entries.push_back(std::move(entry));

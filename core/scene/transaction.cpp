@@ -17,6 +17,7 @@ Transaction::~Transaction() {
 void Transaction::rollback() noexcept {
   assert(is_innermost());
   m_open = false;
+  // All slots that were touched change places with what they were before.
   m_scene.m_open.change = m_outer;
   m_scene.swap_with(m_before);
 }
@@ -49,6 +50,7 @@ Object& Transaction::Refresh::object() const { return *m_scene.m_slots[m_index].
 std::vector<ObjectId> Transaction::touched() const {
   std::vector<ObjectId> out;
   for (const auto& [index, before] : m_before.m_slots) {
+    // A slot may have lost one object and got another.
     const Scene::Slot& now = m_scene.m_slots[index];
     if (before.object) out.push_back({static_cast<std::uint32_t>(index), before.generation});
     if (now.object && !(before.object && before.generation == now.generation))

@@ -35,6 +35,7 @@ class ComputeRaster : public ZListRaster {
 };
 
 void ComputeRaster::clear(const ZListBatch& batch) {
+  // Each plane of a batch starts with its own empty value: minima high, maxima low.
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_image.id());
   const std::size_t plane = sizeof(std::uint32_t) * batch.layers.size() * batch.layer_pixels;
   for (std::size_t i = 0; i < kNumPlanes; ++i)
@@ -48,6 +49,7 @@ std::vector<ZLists> ComputeRaster::rasterise(std::span<const ZListView> views, Z
   const ZListBatch batch = make_batch(views);
   clear(batch);
   m_passes.start(batch);
+  // Moving faces come first: fixed ones are looked at only where a moving one is.
   m_passes.run(batch, Pass::Moving);
   m_passes.run(batch, Pass::Fixed);
   return m_passes.finish(batch, output);

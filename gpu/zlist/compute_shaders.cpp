@@ -277,6 +277,7 @@ std::string over_pixels(Depths depths, const std::string& body) {
 }  // namespace
 
 std::string compute(Motion::Kind kind, Pass pass, Depths depths) {
+  // Passes that list need room for entries and know the doubtful pixels; all share the rest.
   const bool lists = pass == Pass::MovingLists || pass == Pass::FixedLists;
   return compute_source(model(kind) + kOrdered + buffers(depths) +
                         (lists ? std::string(kDoubtful) + kAddEntry : std::string()) +

@@ -47,6 +47,7 @@ ZListAnswer answer_of(const ZListAsk& ask, const ZListView& view, ZLists& lists)
 
 ZListAnswer answer_in_software(const ZListAsk& ask, const ZListView& view, const ZLists& lists,
                                DoubtfulLists& software) {
+  // The lists of handed over pixels are empty: their places tell software where to look.
   Doubt doubt;
   for (const ZListEntry& e : lists.entries) doubt.pixels.push_back(e.pixel);
   if (lists.upper < view.horizon) doubt.upper = lists.upper;
@@ -58,6 +59,7 @@ ZListAnswer answer_in_software(const ZListAsk& ask, const ZListView& view, const
 void set_bounds(const ZListAsk& ask, const ZListView& view, const ZLists& lists,
                 ZListAnswer& answer) {
   CandidatePairs& p = answer.proposal;
+  // Bounds of a GPU hold for software, too, which may have found better ones.
   p.lower = std::max(p.lower, std::min(ask.frame.time_before(lists.lower), ask.horizon));
   if (!answer.in_software && lists.upper < view.horizon)
     p.upper = ask.frame.time_after(lists.upper);
@@ -114,8 +116,10 @@ const char* to_string(ZListTrouble trouble) {
 
 ZListDevice::ZListDevice(const GpuZListOptions& options)
     : m_options(options), m_context(checked_options(options)) {
+  // The context is current for this block, and given back to the caller's afterwards.
   const EglContext::Current current(m_context);
   m_raster = make_raster(options, gl_version());
+  // Memory for results is fixed; meshes get all that is left.
   const std::size_t needed = m_raster->num_bytes() + kLeastMeshBytes;
   if (needed > options.memory_bytes) {
     m_raster.reset();
@@ -123,6 +127,7 @@ ZListDevice::ZListDevice(const GpuZListOptions& options)
         say("z-lists need %1 KiB of graphics memory, more than the %2 KiB allowed", needed >> 10,
             options.memory_bytes >> 10));
   }
+  // A mesh has to fit into one buffer of the driver.
   GLint64 max_buffer_bytes = std::numeric_limits<GLint64>::max();
   if (gl_version() >= kComputes)
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &max_buffer_bytes);
@@ -132,6 +137,7 @@ ZListDevice::ZListDevice(const GpuZListOptions& options)
 
 ZListDevice::~ZListDevice() {
   try {
+    // Objects of a lost context cannot be deleted, only forgotten.
     const EglContext::Current current(m_context);
     m_meshes.reset();
     m_raster.reset();
@@ -156,6 +162,7 @@ std::string ZListDevice::description() const {
 ListCosts ZListDevice::list_costs(Motion::Kind kind) {
   if (m_options.list_costs) return *m_options.list_costs;
   if (m_context.is_software()) return list_costs_of_llvmpipe(kind);
+  // A process asks the same device again and again: it is measured once.
   static std::mutex mutex;
   static std::map<std::tuple<std::string, std::string, Motion::Kind>, ListCosts> known;
   const std::lock_guard lock(mutex);
@@ -166,6 +173,7 @@ ListCosts ZListDevice::list_costs(Motion::Kind kind) {
 }
 
 std::uint32_t ZListDevice::most_handed_over(const ZListView& view, ZListWanted wanted) {
+  // The number of doubtful pixels decides: few are listed by software, many on the GPU.
   if (wanted == ZListWanted::SoftwareLists) return kAllHandedOver;
   if (wanted != ZListWanted::Chosen) return 0;
   const ListCosts costs = list_costs(view.kind);
@@ -175,6 +183,7 @@ std::uint32_t ZListDevice::most_handed_over(const ZListView& view, ZListWanted w
 std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,
                                              std::span<const ZListView> views, ZListWanted wanted) {
   const bool bounds_alone = wanted == ZListWanted::Bounds;
+  // One draw answers all; each answer is judged on its own.
   std::vector<ZLists> lists =
       m_raster->rasterise(views, bounds_alone ? ZListOutput::Bounds : ZListOutput::Lists);
   m_options.faults.check_no_reset();
@@ -190,6 +199,7 @@ std::vector<ZListAnswer> ZListDevice::answer(std::span<const ZListAsk> asks,
       out.push_back(answer_of(asks[i], views[i], lists[i]));
     set_bounds(asks[i], views[i], lists[i], out.back());
     set_work(asks[i], lists[i], out.back().proposal);
+    // The first answer stands for the draw that all share.
     out.back().proposal.work.draws = i == 0;
   }
   return out;
@@ -201,6 +211,7 @@ std::vector<ZListAnswer> ZListDevice::find_candidates(std::span<const ZListAsk> 
   // Before the meshes are named: it may send others.
   if (wanted == ZListWanted::Chosen) list_costs(asks.front().query->motion.kind);
   m_meshes->begin_query();
+  // All meshes have to be in graphics memory before anything is drawn.
   std::vector<ZListView> views;
   int width = 0, height = 0;
   for (const ZListAsk& ask : asks) {
@@ -211,6 +222,7 @@ std::vector<ZListAnswer> ZListDevice::find_candidates(std::span<const ZListAsk> 
     width = std::max(width, ask.frame.width);
     height = std::max(height, ask.frame.height);
   }
+  // Limits of textures and layers depend on the driver.
   if (!m_raster->has_room(asks.size(), num_bodies(views), width, height))
     return std::vector<ZListAnswer>(asks.size(), {ZListTrouble::Bodies, false, {}});
   return answer(asks, views, wanted);

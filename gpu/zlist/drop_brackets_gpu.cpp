@@ -81,6 +81,7 @@ struct GpuDropBrackets::State {
     const EglContext::Current current(context);
     std::vector<DropBracket> out(size_t(columns) * rows);
     if (out.empty()) return out;
+    // Maps and results are buffers of this call; maps change with every call.
     const GlBuffer buffers[] = {
         upload(object), upload(scene),
         make_buffer(GL_SHADER_STORAGE_BUFFER, nullptr, out.size() * sizeof(DropBracket))};
@@ -91,6 +92,7 @@ struct GpuDropBrackets::State {
     glUniform1i(program->uniform("scene_width"), scene.width);
     glUniform1i(program->uniform("columns"), columns);
     glUniform1i(program->uniform("num_places"), static_cast<GLint>(out.size()));
+    // A thread per place; the last group may have idle ones.
     glDispatchCompute(static_cast<GLuint>((out.size() + kGroup - 1) / kGroup), 1, 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffers[2].id());
@@ -118,6 +120,8 @@ bool is_exact(const std::vector<DropBracket>& found, const HeightMap& object,
 
 GpuDropBrackets::GpuDropBrackets(const EglOptions& options, const GpuFaults& faults)
     : m_state(std::make_unique<State>(options, faults)) {
+  // Thirds, sevenths and tenths have differences that a driver gets wrong if it fuses or rounds
+  // otherwise.
   HeightMap object(1, 1, 0), scene(256, 1, 0);
   object.bound[0] = 1.0F / 3;
   object.sample[0] = 1e4F / 7;

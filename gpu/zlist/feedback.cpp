@@ -55,6 +55,7 @@ constexpr std::size_t kTexelFloats = 6;
 ZLists lists_of(const ZListView& view, const Texels& texels) {
   ZLists out;
   out.upper = out.lower = view.horizon;
+  // A first pass finds the bounds, a second one the pixels within them.
   for (std::size_t i = 0; i < texels.nearest.size(); ++i) {
     if (!texels.has_both(i)) continue;
     ++out.num_pixels;
@@ -158,6 +159,7 @@ void draw_bodies(const GlProgram& program, const std::vector<ZListBody>& bodies,
 
 // All layers of both textures, in one read.
 std::vector<ZLists> FeedbackRaster::read_depths(std::span<const ZListView> views) {
+  // The read waits once for all layers: copies go into one buffer.
   std::size_t num_texels = 0;
   for (const ZListView& v : views) num_texels += static_cast<std::size_t>(v.width) * v.height;
   const std::size_t bytes = sizeof(float) * kTexelFloats * num_texels;
@@ -172,6 +174,7 @@ std::vector<ZLists> FeedbackRaster::read_depths(std::span<const ZListView> views
     glReadPixels(0, 0, v.width, v.height, format, GL_FLOAT, const_cast<void*>(buffer_offset(at)));
     at += sizeof(float) * floats * v.width * v.height;
   };
+  // Both textures of a layer follow each other.
   for (std::size_t i = 0; i < views.size(); ++i) {
     read(m_target->moving.id(), i, GL_RGBA, 4);
     read(m_target->nearest.id(), i, GL_RG, 2);
@@ -181,6 +184,7 @@ std::vector<ZLists> FeedbackRaster::read_depths(std::span<const ZListView> views
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   check_gl("reading depths back");
+  // The copy is cut into views again.
   std::vector<ZLists> out;
   const float* next = texels.data();
   for (const ZListView& v : views) {
@@ -214,6 +218,7 @@ GLuint FeedbackRaster::draw_lists(const ZListView& view, Pass pass, int layer, i
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, m_records.id());
   glBeginQuery(GL_PRIMITIVES_GENERATED, m_generated.id());
   glBeginTransformFeedback(GL_POINTS);
+  // An instance handles a run of pixels, so that a face over many of them is split.
   draw_bodies(p, pass == Pass::MovingLists ? view.moving : view.fixed,
               (num_doubtful + pixels_per_run - 1) / pixels_per_run);
   glEndTransformFeedback();
@@ -228,6 +233,7 @@ GLuint FeedbackRaster::draw_lists(const ZListView& view, Pass pass, int layer, i
 bool FeedbackRaster::list(const ZListView& view, Pass pass, int layer, int pixels_per_run,
                           ZLists& lists) {
   const GLuint num_records = draw_lists(view, pass, layer, pixels_per_run, lists);
+  // Entries beyond the buffer are lost: all of them have to be made in another way.
   if (num_records > m_max_entries) return false;
   if (num_records == 0) return true;
   const std::size_t before = lists.entries.size();
@@ -239,6 +245,7 @@ bool FeedbackRaster::list(const ZListView& view, Pass pass, int layer, int pixel
   lists.bytes_read_back += static_cast<std::int64_t>(bytes);
   ++lists.read_backs;
   check_gl("reading z-lists back");
+  // A run that had too many ends with a mark.
   const auto added = lists.entries.begin() + static_cast<std::ptrdiff_t>(before);
   const bool complete = std::none_of(added, lists.entries.end(), [](const ZListEntry& e) {
     return e.pixel == zlist_shaders::kTooMany;
@@ -255,11 +262,13 @@ void FeedbackRaster::list(const ZListView& view, int layer, ZLists& lists) {
     doubtful.push_back(static_cast<std::uint16_t>(e.pixel / view.width));
   }
   lists.entries.clear();
+  // Doubtful pixels beyond the buffer need larger pixels.
   lists.overflow = doubtful.size() / 2 > kMaxDoubtful;
   if (doubtful.empty() || lists.overflow) return;
   glBindBuffer(GL_TEXTURE_BUFFER, m_doubtful.id());
   glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(doubtful.size() * 2),
                   doubtful.data());
+  // Long runs are fast; where a face has too many entries in one, short ones are tried.
   for (const Pass pass : {Pass::MovingLists, Pass::FixedLists})
     lists.overflow =
         lists.overflow || (!list(view, pass, layer, zlist_shaders::kManyPixelsPerRun, lists) &&

@@ -82,6 +82,7 @@ std::size_t ZListFramebuffers::num_bytes() { return kTexelBytes * kMostTexels; }
 
 bool ZListFramebuffers::has_room(std::size_t num_views, std::size_t num_bodies, int width,
                                  int height) const {
+  // Targets have sizes of powers of two, so that few of them serve all views.
   const std::size_t deep = std::bit_ceil(num_views);
   const auto wide = static_cast<std::size_t>(rounded(static_cast<GLuint>(width)));
   const auto high = static_cast<std::size_t>(rounded(static_cast<GLuint>(height)));
@@ -108,6 +109,7 @@ const ZListTarget& ZListFramebuffers::target_for(const ZListBatch& batch) {
   const auto num_texels = [](const std::array<int, 3>& s) {
     return static_cast<std::size_t>(s[0]) * s[1] * s[2];
   };
+  // A new size may not push all targets beyond the limit.
   std::size_t sum = num_texels(size);
   for (const auto& target : m_targets) sum += num_texels(target.first);
   if (sum > kMostTexels) m_targets.clear();
@@ -115,6 +117,7 @@ const ZListTarget& ZListFramebuffers::target_for(const ZListBatch& batch) {
 }
 
 void ZListFramebuffers::draw(const ZListBatch& batch, Pass pass, const ZListTarget& target) {
+  // Instances and layers are read from texels, as OpenGL 3.3 has no storage buffers.
   const GlProgram& p = program(batch.kind, pass);
   p.use();
   bind_texture(0, GL_TEXTURE_2D_ARRAY, target.moving.id());
@@ -128,8 +131,10 @@ void ZListFramebuffers::draw(const ZListBatch& batch, Pass pass, const ZListTarg
   glBindFramebuffer(GL_FRAMEBUFFER,
                     (moves ? target.moving_framebuffer : target.nearest_framebuffer).id());
   const float none[] = {kNone, kNone, kNone, kNone};
+  // Maxima are blended over this value, which is below all depths.
   glClearBufferfv(GL_COLOR, 0, none);
   const GLint first_instance = p.uniform("first_instance");
+  // All bodies of one mesh are instances of one call.
   for (const ZListJob& job : moves ? batch.moving : batch.fixed) {
     glUniform1i(first_instance, static_cast<GLint>(job.first_instance));
     glBindVertexArray(job.mesh->vertex_array.id());

@@ -21,6 +21,7 @@ class FramebufferRaster : public ZListRaster {
   }
 
   std::vector<ZLists> rasterise(std::span<const ZListView> views, ZListOutput output) override {
+    // The depths are drawn as with OpenGL 3.3; compute shaders read them from the textures.
     const ZListBatch batch = make_batch(views);
     const ZListTarget& target = m_framebuffers.draw(batch);
     bind_texture(1, GL_TEXTURE_2D_ARRAY, target.nearest.id());

@@ -28,6 +28,7 @@ double milliseconds_of(ZListDevice& device, const ZListAsk& ask, ZListWanted wan
 }
 
 double least_ms(ZListDevice& device, const ZListAsk& ask, ZListWanted wanted, ListSample& sample) {
+  // The first run compiles and sends; the least of the others is free of interruptions.
   milliseconds_of(device, ask, wanted, sample);
   double out = kInfinity;
   for (int i = 0; i < kListRepeats; ++i)
@@ -37,6 +38,7 @@ double least_ms(ZListDevice& device, const ZListAsk& ask, ZListWanted wanted, Li
 
 /// A body that falls, or turns by half a right angle, onto another one of its shape.
 ListSample sample_of(ZListDevice& device, const Shape& shape, bool flat, Motion::Kind kind) {
+  // Flat squares touch everywhere and make doubtful pixels; spheres make few.
   const double height = flat ? 1 : 3;
   Motion motion = Motion::translation(-Vec3::UnitZ(), height);
   Pose start{{}, Vec3(flat ? 0.1 : 0.3, 0.2, height)};
@@ -61,11 +63,14 @@ ListSample sample_of(ZListDevice& device, const Shape& shape, bool flat, Motion:
 
 /// Cost by the times of software, or the GPU, for a small sphere, a large one and flat squares.
 ListCost cost_of(const std::array<ListSample, 3>& samples, double ListSample::*ms) {
+  // Lists cost what comes beyond the bounds.
   const auto beyond = [&](const ListSample& s) { return std::max(0.0, s.*ms - s.bounds_ms); };
   const auto& [small, large, flat] = samples;
   ListCost out;
+  // A way that failed once is never chosen.
   for (const ListSample& s : samples)
     if (s.*ms == kInfinity) return {kInfinity, 0, 0};  // it cannot
+  // Two sizes give the cost of a face and the rest; flat squares give that of a pixel.
   out.ms_per_face =
       std::max(0.0, (beyond(large) - beyond(small)) / (large.num_faces - small.num_faces));
   out.fixed_ms = std::max(0.0, beyond(small) - out.ms_per_face * small.num_faces);

@@ -13,6 +13,7 @@ std::size_t bytes_of(const Mesh& mesh) {
 }
 
 GpuMesh send(const Shape& shape) {
+  // Positions are sent about the box's centre, where float32 is finest.
   const Vec3 centre = shape.box.centre();
   std::vector<float> vertices;
   std::vector<std::uint32_t> corners;
@@ -37,6 +38,7 @@ GpuMesh send(const Shape& shape) {
 }  // namespace
 
 bool ZListMeshCache::make_room(std::size_t bytes) {
+  // The mesh that has not been used for longest goes first; those of this query stay.
   while (m_bytes + bytes > m_max_bytes) {
     const auto oldest = std::min_element(
         m_meshes.begin(), m_meshes.end(),
@@ -49,12 +51,14 @@ bool ZListMeshCache::make_room(std::size_t bytes) {
 }
 
 const GpuMesh* ZListMeshCache::get(const Shape& shape) {
+  // Shapes without an id are sent for this query and never found again.
   const std::uint64_t id = shape.id != 0 ? shape.id : m_next_unnamed--;
   const auto known = m_meshes.find(id);
   if (known != m_meshes.end()) {
     known->second.last_query = m_query;
     return &known->second.mesh;
   }
+  // A mesh beyond the driver's limit is not sent at all.
   const std::size_t num_items = std::max(shape.mesh.vertices.size(), shape.mesh.triangles.size());
   if (kItemBytes * num_items > m_max_buffer_bytes) return nullptr;
   if (!make_room(bytes_of(shape.mesh))) return nullptr;

@@ -30,6 +30,7 @@ double time_of(CandidateFinder& stage, const Shape& sphere) {
   const Body fixed(sphere, world_from_object({}, UpAxis::Z, 1));
   const Body moving(sphere, world_from_object({{}, Vec3(0.3, 0.2, 3)}, UpAxis::Z, 0.5));
   double sum = 0;
+  // A fall and a turn count alike.
   for (const Motion& motion : {Motion::translation(-Vec3::UnitZ(), 3),
                                Motion::rotation(Vec3(2.5, 0, 1), -Vec3::UnitY(), 1)}) {
     const FirstContactQuery query{{&moving, 1}, {&fixed, 1}, false, motion, {1e-6}};
@@ -100,6 +101,7 @@ GpuMethodTimes measure_gpu_methods(const GpuZListOptions& options) {
 }
 
 std::unique_ptr<CandidateFinder> make_faster_candidate_finder(GpuZListOptions options) {
+  // Without OpenGL 4.3 there is nothing to choose.
   options.method = GpuMethod::Framebuffer;
   const EglContext context(egl_options(options));
   if (std::min(context.gl_version(), options.most_gl_version) < 43)

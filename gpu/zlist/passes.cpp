@@ -59,6 +59,7 @@ bool may_make_lists(const ZListBatch& batch) {
 std::vector<ZLists> bounds_of(const ZListBatch& batch, const char* layers) {
   std::vector<ZLists> out(batch.layers.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
+    // Layers are copied out, as the buffer has no alignment of its own.
     glsl::Layer layer;
     std::memcpy(&layer, layers + i * sizeof layer, sizeof layer);
     out[i].upper = unordered(layer.upper);
@@ -73,6 +74,7 @@ std::vector<ZLists> bounds_of(const ZListBatch& batch, const char* layers) {
 }  // namespace
 
 GlBuffer make_storage(std::size_t bytes) {
+  // Immutable storage that the processor does not map may stay in graphics memory.
   GlBuffer buffer = GlBuffer::create();
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.id());
   const auto size = static_cast<GLsizeiptr>(bytes);
@@ -113,11 +115,13 @@ const GlProgram& ZListPasses::program(Motion::Kind kind, Pass pass) {
 }
 
 void ZListPasses::start(const ZListBatch& batch) {
+  // Instances and layers of the whole batch are sent once.
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, m_instances.id());
   const std::size_t instance_bytes = batch.instances.size() * sizeof(glsl::Instance);
   glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(instance_bytes),
                batch.instances.data(), GL_STREAM_DRAW);
   const std::size_t layer_bytes = batch.layers.size() * sizeof(glsl::Layer);
+  // Counters and layers share one upload and, later, one read.
   std::vector<char> head(kAlignment + layer_bytes);
   std::memcpy(head.data(), &kNothingCounted, sizeof kNothingCounted);
   std::memcpy(head.data() + kAlignment, batch.layers.data(), layer_bytes);
@@ -139,6 +143,7 @@ void ZListPasses::run(const ZListBatch& batch, Pass pass) {
   p.use();
   set_batch(p, batch, m_max_entries);
   glUniform1ui(p.uniform("max_large"), kMaxLarge);
+  // Lists are made of the same bodies as depths.
   const bool moves = pass == Pass::Moving || pass == Pass::MovingLists;
   for (const ZListJob& job : moves ? batch.moving : batch.fixed) run_job(p, job);
   check_gl("drawing z-lists");
@@ -147,12 +152,14 @@ void ZListPasses::run(const ZListBatch& batch, Pass pass) {
 void ZListPasses::run_job(const GlProgram& program, const ZListJob& job) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, job.mesh->vertices.id());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, job.mesh->corners.id());
+  // The first dispatch takes a thread per face; a face over many pixels is put aside.
   const auto num_faces = static_cast<GLuint>(job.mesh->num_faces);
   glUniform1ui(program.uniform("num_faces"), num_faces);
   glUniform1ui(program.uniform("first_instance"), job.first_instance);
   glUniform1ui(program.uniform("group_per_face"), 0);
   const GLuint num_groups = (num_faces + 63) / 64, wide = std::min(num_groups, 65535u);
   glDispatchCompute(wide, (num_groups + wide - 1) / wide, job.num_instances);
+  // The number of faces put aside is read by the GPU itself: the processor does not wait.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   glUniform1ui(program.uniform("group_per_face"), 1);
   glDispatchComputeIndirect(offsetof(glsl::Counters, large_groups));
@@ -174,6 +181,7 @@ void ZListPasses::over_pixels(const GlProgram& program, const ZListBatch& batch)
 }
 
 void ZListPasses::find_upper_bounds(const ZListBatch& batch) {
+  // The shader is compiled when framebuffers are first used so.
   if (!m_upper_bounds)
     m_upper_bounds.emplace(
         "z-list bounds",
@@ -183,6 +191,7 @@ void ZListPasses::find_upper_bounds(const ZListBatch& batch) {
 
 std::vector<ZLists> ZListPasses::finish(const ZListBatch& batch, ZListOutput output) {
   over_pixels(m_reduction, batch);
+  // Bounds alone, or pixels handed over, need no lists.
   if (output == ZListOutput::Lists && may_make_lists(batch)) {
     run(batch, Pass::MovingLists);
     run(batch, Pass::FixedLists);
@@ -202,12 +211,14 @@ void ZListPasses::read(std::size_t first, void* to, std::size_t bytes) {
 
 std::vector<ZLists> ZListPasses::read_back(const ZListBatch& batch) {
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  // The head holds counters, layers and the first entries, which are mostly all.
   const std::size_t entries_at = first_entry(batch);
   const std::uint32_t num_first = std::min(kFirstEntries, m_max_entries);
   std::vector<char> head(entries_at + num_first * sizeof(ZListEntry));
   read(0, head.data(), head.size());
   glsl::Counters counters;
   std::memcpy(&counters, head.data(), sizeof counters);
+  // Entries beyond the buffer were counted and not written.
   const bool overflow = counters.num_entries > m_max_entries;
   std::vector<ZListEntry> entries(overflow ? 0 : counters.num_entries);
   const std::size_t with_head = std::min<std::size_t>(entries.size(), num_first);
@@ -220,6 +231,7 @@ std::vector<ZLists> ZListPasses::read_back(const ZListBatch& batch) {
   for (ZLists& lists : out) lists.overflow = overflow;
   out[0].bytes_read_back = static_cast<std::int64_t>(head.size() + rest);
   out[0].read_backs = rest > 0 ? 2 : 1;
+  // Entries of all views come in any order; the pixel's number tells the view.
   for (ZListEntry e : entries) {
     ZLists& lists = out[e.pixel / batch.layer_pixels];
     if (!lists.handed_over && e.face == glsl::kNoFace) continue;  // too many to be handed over

@@ -89,6 +89,7 @@ class GpuZListStage : public CandidateFinder {
 // Recreates a lost context and retries.
 std::optional<std::vector<ZListAnswer>> GpuZListStage::try_asking(std::span<const ZListAsk> asks,
                                                                   ZListWanted wanted) {
+  // A lost context takes all its objects with it: a new device starts from nothing.
   while (m_num_errors < (m_options.recreates_context ? kMostErrors : 1)) {
     try {
       if (!m_device) m_device = std::make_unique<ZListDevice>(m_options);
@@ -144,10 +145,12 @@ CandidatePairs GpuZListStage::with_aside(CandidatePairs proposal) {
 // A proposal, or trouble that another resolution may avoid.
 CandidatePairs GpuZListStage::answer_of(const ZListAsk& ask, Trouble& trouble) {
   const ZListWanted first = wanted();
+  // The chosen way is tried first, and the other one where its lists are too long.
   auto answers = try_asking({&ask, 1}, first);
   const bool too_long = answers && (answers->front().trouble == Trouble::Entries ||
                                     answers->front().trouble == Trouble::Pairs);
   const bool gave_up = answers && answers->front().in_software && !answers->front().proposal.usable;
+  // Work of answers that are not used still counts.
   if ((too_long && first == ZListWanted::Chosen) || gave_up) {
     put_aside(answers->front().proposal);
     answers = try_asking({&ask, 1}, gave_up ? ZListWanted::GpuLists : ZListWanted::SoftwareLists);
@@ -158,8 +161,10 @@ CandidatePairs GpuZListStage::answer_of(const ZListAsk& ask, Trouble& trouble) {
 
 CandidatePairs GpuZListStage::find_candidates(const FirstContactQuery& query, double horizon) {
   Trouble trouble = Trouble::None;
+  // Lists that do not fit get one more try with other pixels.
   for (int resolution = resolution_of(query), tries = 0; resolution > 0 && tries < 2; ++tries) {
     const ZListAsk ask{&query, horizon, make_zlist_frame(query, horizon, resolution)};
+    // Bodies that never meet need no image.
     if (ask.frame.empty()) return nothing_touches(horizon);
     CandidatePairs proposal = answer_of(ask, trouble);
     if (trouble == Trouble::None) return proposal;
@@ -175,6 +180,7 @@ bool GpuZListStage::add(ZListAsk& ask, Group& group) const {
       group.num_bodies + ask.frame.moving.size() + ask.frame.fixed.size();
   const int width = std::max(group.width, ask.frame.width);
   const int height = std::max(group.height, ask.frame.height);
+  // A query alone always fits a group; what it needs is found when it is drawn.
   if (!group.asks.empty() &&
       (!m_device || !m_device->raster().has_room(group.asks.size() + 1, num_bodies, width, height)))
     return false;
@@ -190,6 +196,7 @@ bool GpuZListStage::add(ZListAsk& ask, Group& group) const {
 void GpuZListStage::ask_together(Group& group, std::span<const FirstContactQuery> queries,
                                  std::vector<CandidatePairs>& out) {
   if (group.asks.empty()) return;
+  // The group shares a draw and a read.
   auto answers = try_asking(group.asks, wanted());
   for (std::size_t i = 0; i < group.asks.size(); ++i) {
     const ZListAsk& ask = group.asks[i];
@@ -199,6 +206,7 @@ void GpuZListStage::ask_together(Group& group, std::span<const FirstContactQuery
       continue;
     }
     ZListAnswer& answer = (*answers)[i];
+    // An answer counts unless it is in trouble, or software gave it up.
     if (answer.trouble == Trouble::None && (answer.proposal.usable || !answer.in_software)) {
       proposal = with_aside(std::move(answer.proposal));
     } else {
@@ -212,6 +220,7 @@ void GpuZListStage::ask_together(Group& group, std::span<const FirstContactQuery
 std::vector<CandidatePairs> GpuZListStage::find_candidates_for_all(
     std::span<const FirstContactQuery> queries, std::span<const double> horizons) {
   std::vector<CandidatePairs> out(queries.size());
+  // A batch has one kind of motion, as shaders differ.
   for (const auto kind : {Motion::Kind::Translation, Motion::Kind::Rotation}) {
     Group group;
     for (std::size_t i = 0; i < queries.size(); ++i) {

@@ -23,6 +23,8 @@ Vec3 place_error(const Affine& pixels, const Vec3& half_extent) {
 
 ZListBody make_body(const Body& body, const ZListFrame& frame, double growth) {
   const Aabb& box = body.shape->box;
+  // Positions are sent about the box's centre, so that the matrix places that instead of the
+  // origin.
   Affine pixels = frame.pixels_from_object(body);
   pixels.translation = pixels.apply(box.centre());
   const Vec3 error = place_error(pixels, box.half_extent());
@@ -32,6 +34,7 @@ ZListBody make_body(const Body& body, const ZListFrame& frame, double growth) {
     out.rows[4 * r + 3] = static_cast<float>(pixels.translation[r]);
   }
   const bool turning = frame.kind == Motion::Kind::Rotation;
+  // Across the image the growth joins the error; a turn mixes all three coordinates.
   const double across = turning ? error.sum() : std::max(error.x(), error.y());
   out.blur = static_cast<float>(1.00001 * (across + growth) + 1e-6);
   out.depth_blur = static_cast<float>(1.00001 * (error.z() + growth) + 1e-6);
@@ -60,10 +63,12 @@ ZListView make_view(const FirstContactQuery& query, const ZListFrame& frame,
   view.height = frame.height;
   view.first_radius = static_cast<float>(frame.first_radius);
   view.horizon = static_cast<float>(1.00001 * frame.reach + 1e-5);
+  // The circle of a turn is cut in the middle of the angles that no moving face has.
   if (frame.kind == Motion::Kind::Rotation) {
     view.period = static_cast<float>(kTurn);
     view.first_depth = static_cast<float>(-0.5 * std::max(0.0, kTurn - frame.moving_depth));
   }
+  // Faces of all bodies are numbered in one row, moving ones first.
   std::uint32_t num_faces = 0;
   const auto add = [&](std::vector<ZListBody>& out, const Body& body, Index i, double growth) {
     const GpuMesh* mesh = meshes.get(*body.shape);
@@ -79,6 +84,7 @@ ZListView make_view(const FirstContactQuery& query, const ZListFrame& frame,
   for (const Index i : frame.moving)
     fits = fits && add(view.moving, query.moving[i], i, frame.growth);
   for (const Index i : frame.fixed) fits = fits && add(view.fixed, query.fixed[i], i, 0);
+  // A view without fixed bodies tells that the meshes did not fit.
   if (!fits) view.fixed.clear();
   if (fits) view.sample_error = sample_error(view, frame);
   return view;

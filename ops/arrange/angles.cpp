@@ -25,6 +25,7 @@ double angle_between_deg(const Vec2& a, const Vec2& b) {
 }
 
 Rotation turned_about_z(double angle_deg) {
+  // Whole quarters are exact, so that a thing turned by 90 degrees stays axis-aligned.
   const double quarters = std::floor(angle_deg / 90 + 0.5);
   const double s = turn_time(angle_deg - 90 * quarters);
   const Rotation rest{1, 0, 0, s};
@@ -34,9 +35,11 @@ Rotation turned_about_z(double angle_deg) {
 }
 
 Rotation smallest_rotation(const Vec3& from, const Vec3& to) {
+  // Half of the turn's angle has this cosine and sine, but for their common length.
   const double cosine = from.dot(to);
   const Vec3 axis = from.cross(to);
   if (1 + cosine > 1e-12) return Rotation{1 + cosine, axis.x(), axis.y(), axis.z()}.normalized();
+  // Opposite directions have no shortest way round: any axis across them will do.
   const Vec3 other = std::abs(from.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
   const Vec3 across = (other - other.dot(from) * from).normalized();
   return Rotation{0, across.x(), across.y(), across.z()}.normalized();

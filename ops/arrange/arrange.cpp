@@ -68,18 +68,23 @@ ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
   each.time_budget_s = 0;  // of the whole, not of each PUT
   ShapeFacts facts;
   std::optional<Conflict> before;  // of the last attempt
+  // Each attempt works in a transaction of its own, which only a whole arrangement commits.
   for (int attempt = 0; attempt < std::max(1, arrangement.max_attempts); ++attempt) {
     Transaction trial(transaction);
     World world(trial, arrangement, {options, each, &interrupt, &facts});
     out.conflict.reset();
     ++out.num_attempts;
+    // Bounds alone may already show that nothing can work; this is asked once, as it does not
+    // depend on the seed.
     if (attempt == 0 && contradicts(world, out)) {
       out.milliseconds = stopwatch.milliseconds();
       return out;
     }
+    // Attempts differ by their seed alone, so that the first good one repeats.
     const std::uint64_t seed = scrambled(arrangement.seed ^ scrambled(attempt));
     Solver solver(world, seed, interrupt, progress, out);
     if (solver.run()) {
+      // All stand: what soft relations still cost is lowered, as long as time is left.
       solver.improve();
       if (interrupt.reason() == Interrupt::Reason::Cancelled) {
         out.status = ArrangeResult::Status::Cancelled;
@@ -91,6 +96,7 @@ ArrangeResult arrange(Transaction& transaction, const Arrangement& arrangement,
       return out;
     }
     out.milliseconds = stopwatch.milliseconds();
+    // An attempt that was stopped is no conflict.
     if (out.status != ArrangeResult::Status::Done) return out;
     if (out.conflict && is_hopeless(*out.conflict, before, solver)) break;
     before = out.conflict;

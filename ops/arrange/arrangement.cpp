@@ -5,6 +5,7 @@
 namespace trivet {
 namespace {
 
+constexpr const char* kOfAnyKind = TRIVET_SENTENCE("%1 %2 %3");
 constexpr const char* kOfMany[] = {
     TRIVET_SENTENCE("row of %1 objects on %2"), TRIVET_SENTENCE("grid of %1 objects on %2"),
     TRIVET_SENTENCE("circle of %1 objects on %2"), TRIVET_SENTENCE("facings of %1 objects on %2"),
@@ -17,10 +18,13 @@ constexpr const char* kOfOne[] = {
 }  // namespace
 
 Sentence Relation::text() const {
+  // Each kind of relation has a sentence with and one without a second object.
   const Sentence to = b == "floor" ? Sentence("the floor") : Sentence(quoted(b));
   return std::visit(
       [&](const auto& k) {
-        return b.empty() ? say(k.kAlone, quoted(a)) : say(k.kText, quoted(a), to);
+        if (b.empty()) return say(k.kAlone, quoted(a));
+        if (k.kText) return say(k.kText, quoted(a), to);
+        return say(kOfAnyKind, quoted(a), std::string(k.kName), to);
       },
       kind);
 }

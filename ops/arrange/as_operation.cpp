@@ -6,6 +6,7 @@ namespace trivet {
 namespace {
 
 void add_placed(const ArrangeResult& result, OperationResult& out) {
+  // Work of all PUTs of the last attempt adds up to the operation's.
   out.settled.reserve(result.placed.size());
   for (const ArrangeResult::Placed& placed : result.placed) {
     out.settled.push_back(placed.object);
@@ -43,6 +44,7 @@ OperationResult arrange_as_operation(Transaction& transaction, const Arrangement
   const Stopwatch stopwatch;
   const ArrangeResult result = arrange(transaction, arrangement, options, context);
   OperationResult out;
+  // A conflict becomes a refusal, which programs and people read as that of any operation.
   switch (result.status) {
     case ArrangeResult::Status::Done:
       add_placed(result, out);

@@ -20,6 +20,7 @@ constexpr double kOpposite = -1 + 1e-9;  // cosine of directions that are, or ar
 void leave_out(std::vector<size_t>& set, size_t first, size_t last,
                const std::function<bool(const std::vector<size_t>&)>& leaves_nothing) {
   if (first == last) return;
+  // A half that can go as a whole spares one question for each of its members.
   std::vector<size_t> fewer = set;
   fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(first),
               fewer.begin() + static_cast<std::ptrdiff_t>(last));
@@ -51,9 +52,11 @@ std::optional<std::vector<size_t>> smallest_empty(
     size_t count, const std::function<bool(const std::vector<size_t>&)>& leaves_nothing) {
   std::vector<size_t> all(count);
   for (size_t i = 0; i < count; ++i) all[i] = i;
+  // A relation that leaves nothing alone is the shortest answer.
   if (!leaves_nothing(all)) return std::nullopt;
   for (size_t i = 0; i < count; ++i)
     if (leaves_nothing({i})) return {{i}};
+  // Pairs and triples are tried while they are few enough.
   for (size_t i = 0; i < count && count <= kMaxPairs; ++i)
     for (size_t j = i + 1; j < count; ++j)
       if (leaves_nothing({i, j})) return {{i, j}};
@@ -61,12 +64,14 @@ std::optional<std::vector<size_t>> smallest_empty(
     for (size_t j = i + 1; j < count; ++j)
       for (size_t k = j + 1; k < count; ++k)
         if (leaves_nothing({i, j, k})) return {{i, j, k}};
+  // Beyond that, leaving out halves finds a set of which none can be spared, if not the smallest.
   leave_out(all, 0, all.size(), leaves_nothing);
   return all;
 }
 
 Conflict ConflictSearch::run(const Sentence& refused) {
   make_poses();
+  // A thing without any pose has no surface to stand on: its support alone is the conflict.
   if (m_poses.empty()) {
     m_out.constraints = {where()};
     note(support());
@@ -74,6 +79,7 @@ Conflict ConflictSearch::run(const Sentence& refused) {
     m_out.text = say("%1 has no place %2: %3", trivet::quoted(m_out.thing), where(), m_why_none);
     return std::move(m_out);
   }
+  // Outlines are looked at first, as they need no places; masks over places tell the rest.
   if (!find_in_outlines() && !find_in_masks()) {
     const std::string thing = trivet::quoted(m_out.thing);
     m_out.text = refused.empty() ? say("%1 comes to rest nowhere as it is asked for", thing)
@@ -109,6 +115,7 @@ std::string ConflictSearch::support() const {
 }
 
 void ConflictSearch::make_poses() {
+  // Poses are all rests, turns and ways down, as placing tries them.
   for (const Rest& rest : m_thing.rests) {
     const double height = rest.outline.top - rest.outline.bottom;
     const auto landings = m_world.landings(m_thing, height, m_why_none);
@@ -123,6 +130,7 @@ void ConflictSearch::make_poses() {
       }
     }
   }
+  // Sights are judged by rays at places, not by outlines.
   for (const Relation* r : m_placer.m_relations)
     if (r->is_hard() && !r->is_of_sight()) m_relations.push_back(r);
 }
@@ -130,6 +138,7 @@ void ConflictSearch::make_poses() {
 ConvexRegion ConflictSearch::region(const Combination& c, const Set& set,
                                     const Slack& slack) const {
   const Vec2 far = Vec2::Constant(kAnywhere);
+  // A pose leaves a place if all half planes of the set have a point in common.
   ConvexRegion out = m_anywhere ? ConvexRegion(-far, far) : c.region;
   for (const size_t i : set) {
     const Relation& r = *m_relations[i];
@@ -160,6 +169,7 @@ double ConflictSearch::least_slack(const Set& set, const std::function<bool(size
   const auto none_left = [&](double more) {
     return leaves_nothing(set, [&](size_t i) { return gives(i) ? more : 0; });
   };
+  // Doubling finds a slack that is enough, halving the least one.
   double enough = 1e-3;
   while (enough < kAnywhere && none_left(enough)) enough *= 2;
   double least = 0;
@@ -182,6 +192,8 @@ bool ConflictSearch::find_set() {
   }
   // Each of two misses the other; their windows reach half a tolerance beyond them.
   const double parts = set->size() > 1 ? 2 : 1;
+  // The length that is missing is what all of them have to give together; the cheapest relation is
+  // the one that alone has to give least.
   m_out.missing = parts * least_slack(*set, [](size_t) { return true; });
   for (size_t k = 0; k < set->size() && k < 2; ++k)
     *m_out.missing += 0.5 * m_relations[(*set)[k]]->tolerance;
@@ -201,10 +213,12 @@ Sentence ConflictSearch::between(const Set& set) const {
   const auto is_beside = [&](size_t i) {
     return separates(*m_relations[i]) && m_relations[i]->a == m_out.thing;
   };
+  // The sentence is for the simplest case: two relations of the thing, one on each side.
   if (set.size() != 2 || !is_beside(set[0]) || !is_beside(set[1])) return {};
   const Relation &r = *m_relations[set[0]], &s = *m_relations[set[1]];
   double least = kInfinity, left = 0, needed = 0;
   Vec2 along = Vec2::Zero();
+  // Both partners bound the room along one line, in opposite directions.
   for (const Combination& c : m_poses) {
     const Outline &first = *m_placer.partner(r), &second = *m_placer.partner(s);
     const Vec2 d = direction_of(r, c.outline, first), e = direction_of(s, c.outline, second);
@@ -227,6 +241,7 @@ Sentence ConflictSearch::between(const Set& set) const {
 }
 
 void ConflictSearch::note(const std::string& object) {
+  // A conflict with things that may move holds only as they stand.
   if (object.empty()) return;
   m_out.as_they_stand |= m_world.thing_of(object) >= 0;
   if (!std::count(m_out.objects.begin(), m_out.objects.end(), object))

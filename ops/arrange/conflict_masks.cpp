@@ -25,6 +25,7 @@ void set_place(std::vector<std::uint64_t>& mask, size_t place, bool holds) {
 
 void append(std::vector<std::uint64_t>& mask, size_t& count, const std::vector<char>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
+    // Masks grow by words of 64 places.
     const size_t bit = count + i;
     if (bit / 64 >= mask.size()) mask.resize(bit / 64 + 1, 0);
     if (places[i]) mask[bit / 64] |= std::uint64_t{1} << (bit % 64);
@@ -34,6 +35,8 @@ void append(std::vector<std::uint64_t>& mask, size_t& count, const std::vector<c
 }  // namespace
 
 void ConflictSearch::fill_masks() {
+  // Each constraint has a mask over all places: support, relations, clearances, zones, lines of
+  // sight.
   m_constraints.push_back({where(), support()});
   for (const Relation* r : m_relations) m_constraints.push_back({r->text(), other_of(*r), r});
   std::vector<ObjectId> others;
@@ -53,6 +56,7 @@ void ConflictSearch::fill_masks() {
     m_constraints.push_back({text, m_world.scene().at(id).name});
   }
   size_t count = 0;
+  // Places of all poses are numbered in one row, and so are the bits of the masks.
   for (size_t p = 0; p < m_poses.size(); ++p) {
     m_world.check_interrupt();
     const Combination& c = m_poses[p];
@@ -73,6 +77,7 @@ void ConflictSearch::fill_masks() {
     for (size_t k = 0; k < masks.size(); ++k) append(m_constraints[k].mask, count, masks[k]);
     count += field.size();
   }
+  // A mask whose last places are all 0 would be too short.
   for (Constraint& constraint : m_constraints) constraint.mask.resize(count / 64 + 1, 0);
   fill_sights();
 }
@@ -90,6 +95,7 @@ std::vector<char> ConflictSearch::sight_holds(const Relation& r,
   std::vector<char> out(places.size());
   const size_t num_parts = (places.size() + kSightsOfPart - 1) / kSightsOfPart;
   in_parallel(num_parts, [&](size_t part) {
+    // A judge keeps what it has found about obstacles, so each part of the work has its own.
     SightJudge judge({m_world, m_world.thing_of(m_out.thing), {}, false}, r);
     const size_t end = std::min(places.size(), (part + 1) * kSightsOfPart);
     for (size_t k = part * kSightsOfPart; k < end; ++k) {
@@ -106,6 +112,7 @@ std::vector<char> ConflictSearch::sight_holds(const Relation& r,
 void ConflictSearch::fill_sights() {
   if (m_placer.m_sights.empty()) return;
   std::vector<size_t> left, some;
+  // Sight matters only where all else holds; there are few such places.
   for (size_t place = 0; place < m_places.size(); ++place)
     if (all_but_sights_hold(place)) left.push_back(place);
   const size_t stride = left.size() / kMaxSightPlaces + 1;
@@ -115,6 +122,8 @@ void ConflictSearch::fill_sights() {
     const bool is_own = r->a == m_out.thing || r->b == m_out.thing;
     Constraint sight{r->text(), is_own ? other_of(*r) : r->a, r,
                      Mask(m_places.size() / 64 + 1, ~std::uint64_t{0})};
+    // A sample speaks for the places after it; a set that it leaves empty is looked at closely
+    // later.
     const std::vector<char> holds = sight_holds(*r, some);
     for (size_t k = 0; k < some.size(); ++k)
       for (size_t i = k * stride; !holds[k] && i < std::min(left.size(), (k + 1) * stride); ++i)
@@ -137,6 +146,7 @@ bool ConflictSearch::is_refuted(const Set& set, Constraint& sight) {
       set_place(sight.mask, sight.unseen[k], true);
     sight.unseen.resize(kMostSightPlaces);
   }
+  // A batch at a time is looked at, as one place that holds is enough.
   while (leaves_no_place(set)) {
     if (sight.unseen.empty()) return false;
     const size_t count = std::min(kSightsAtOnce, sight.unseen.size());
@@ -158,6 +168,7 @@ bool ConflictSearch::surely_leaves_no_place(const Set& set) {
 
 bool ConflictSearch::leaves_no_place(const Set& set) const {
   m_world.check_interrupt();
+  // The masks of the set are joined 64 places at a time.
   for (size_t place = 0; place < m_places.size(); place += 64) {
     const size_t left = m_places.size() - place;
     std::uint64_t word = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
@@ -170,6 +181,7 @@ bool ConflictSearch::leaves_no_place(const Set& set) const {
 // Among the set's relations that outlines judge, finds the one that is nearest to being met where
 // all others of the set are.
 void ConflictSearch::find_cheapest(const Set& set) {
+  // The relation that costs least where all others hold is the one to give up.
   double least = kInfinity;
   for (const size_t i : set) {
     const Relation* r = m_constraints[i].relation;
@@ -201,6 +213,7 @@ Sentence ConflictSearch::zones_text(const std::string& other) const {
 
 // Relations need not hold to the last bit on the grid.
 bool ConflictSearch::nearly_holds(const Relation& r, const Outline& outline, double pixel) const {
+  // A place of the grid stands for a pixel around it, and for half a step of the turns.
   const double slack_deg = 360.0 / 64;
   return m_placer.cost(r, outline) <= 1 + (r.is_in_degrees() ? slack_deg : pixel) / r.tolerance;
 }

@@ -15,6 +15,8 @@ Sentence metres(double value) { return figure(value, 4); }
 class ContradictionSearch {
  public:
   explicit ContradictionSearch(const World& world) : m_world(world), m_bounds(world) {
+    // Only relations that keep their objects apart can be contradicted by a chain that keeps them
+    // together.
     for (const Relation& r : world.arrangement().relations)
       if (r.is_hard() && has_least_distance(r) && gap_of(r).lower > r.tolerance)
         m_least_of[m_bounds.node_of(r.a)].push_back(&r);
@@ -50,6 +52,7 @@ std::optional<Conflict> ContradictionSearch::too_near() const {
   for (const KeepApart& k : m_world.arrangement().keeps) keep = std::max(keep, k.distance);
   for (size_t i = 0; i < m_bounds.nodes().size(); ++i) {
     m_world.check_interrupt();
+    // The search from here goes as far as anything asks for, and no farther.
     const auto least = m_least_of.find(i);
     double most = m_world.thing_of(name(i)) >= 0 ? keep : 0;
     if (least != m_least_of.end())
@@ -61,6 +64,8 @@ std::optional<Conflict> ContradictionSearch::too_near() const {
 }
 
 std::optional<Conflict> ContradictionSearch::judge(size_t a, const Bounds& bounds) const {
+  // A relation that asks for more than the chain allows is a contradiction; so is a distance to
+  // keep.
   if (const auto least = m_least_of.find(a); least != m_least_of.end())
     for (const Relation* r : least->second) {
       const size_t b = m_bounds.node_of(r->b);
@@ -72,6 +77,8 @@ std::optional<Conflict> ContradictionSearch::judge(size_t a, const Bounds& bound
   const DistanceBounds::Node& node = m_bounds.nodes()[a];
   for (const auto& [b, bound] : bounds) {
     const DistanceBounds::Node& other = m_bounds.nodes()[b];
+    // Two that stand already cannot be moved, and their distance is not of the arrangement's
+    // making.
     const bool may_move = m_world.thing_of(node.name) >= 0 || m_world.thing_of(other.name) >= 0;
     if (b == a || !may_move || m_bounds.touch(node.name, other.name)) continue;
     const double most = m_bounds.apart(node, other, bound.distance);
@@ -88,6 +95,7 @@ Conflict ContradictionSearch::conflict_of(size_t a, size_t b, const Bounds& boun
                                           const Sentence& asked, double wanted, double most,
                                           const Relation* relation) const {
   Conflict out;
+  // The way back through the bounds is the chain of relations.
   std::vector<size_t> chain{b};
   std::vector<const DistanceBounds::Link*> links;
   for (size_t at = b; at != a; at = bounds.at(at).from) {
@@ -95,6 +103,7 @@ Conflict ContradictionSearch::conflict_of(size_t a, size_t b, const Bounds& boun
     chain.push_back(bounds.at(at).from);
   }
   std::reverse(links.begin(), links.end());
+  // The first of the chain, from a on, that may move is the one that has no place.
   const auto thing = std::find_if(chain.rbegin(), chain.rend(),
                                   [&](size_t n) { return m_world.thing_of(name(n)) >= 0; });
   out.thing = name(thing == chain.rend() ? a : *thing);

@@ -18,6 +18,7 @@ Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 bool inside(const std::vector<Vec2>& polygon, const Vec2& p) {
+  // The polygon runs counter-clockwise, so that its inside is to the left.
   if (polygon.size() < 3) return false;
   for (size_t i = 0; i < polygon.size(); ++i) {
     const Vec2& a = polygon[i];
@@ -31,6 +32,7 @@ double squared_distance_to_outline(const Vec2& p, const std::vector<Vec2>& polyg
   double out = kInfinity;
   for (size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 &a = polygon[i], &b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    // Only edges that the point is beyond can be nearest.
     if (cross(b - a, p - a) > 0) continue;
     out = std::min(out, (nearest_on_segment(p, a, b) - p).squaredNorm());
   }
@@ -70,6 +72,8 @@ const Vec2& nearest_to_middle(const std::vector<Vec2>& a, const std::vector<Vec2
 // True if an edge of `a` has all of `b` beyond it.
 bool separated_by_edge(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   for (size_t i = 0; i < a.size(); ++i) {
+    // Polygons apart have a separating edge of either, as edges are all directions needed in the
+    // plane.
     const Vec2 out = -quarter_turned(a[(i + 1) % a.size()] - a[i]);
     if (-extent(b, -out) >= out.dot(a[i])) return true;
   }
@@ -86,6 +90,7 @@ ConvexRegion::ConvexRegion(const Vec2& lower, const Vec2& upper) {
 void ConvexRegion::clip(const HalfPlane& half_plane) {
   std::vector<Vec2> out;
   out.reserve(m_corners.size() + 1);
+  // Corners inside stay; edges that cross the line add the point where they do.
   for (size_t i = 0; i < m_corners.size(); ++i) {
     const Vec2 &a = m_corners[i], &b = m_corners[(i + 1) % m_corners.size()];
     const double over_a = half_plane.normal.dot(a) - half_plane.bound;
@@ -126,10 +131,12 @@ double extent(const std::vector<Vec2>& points, const Vec2& direction) {
 }
 
 double distance(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double enough) {
+  // A near point may show at once that the distance is small enough.
   if (enough > 0 && !a.empty() && !b.empty()) {
     const double near = std::sqrt(squared_distance_to_outline(nearest_to_middle(a, b), a));
     if (near <= enough && near < kInfinity) return near;
   }
+  // Outlines that no edge separates overlap; single points and segments have no inside.
   if (!separated_by_edge(a, b) && !separated_by_edge(b, a) && a.size() > 2 && b.size() > 2)
     return 0;
   return std::sqrt(least_squared_distance(b, a, least_squared_distance(a, b, kInfinity)));

@@ -17,6 +17,7 @@ constexpr size_t kMostStanding = 64;     // objects whose distances from each ot
 }  // namespace
 
 DistanceBounds::DistanceBounds(const World& world) : m_world(world), m_touching(kRounding) {
+  // Objects that touch are apart by some clearances; chains of them add up.
   if (!world.things().empty())
     m_touching += kTouchClearances * world.clearance(world.things().front());
   add_nodes();
@@ -32,6 +33,7 @@ const std::string* DistanceBounds::carrier(const std::string& thing) const {
 }
 
 void DistanceBounds::add_nodes() {
+  // Nodes come first: things, then all that relations and patterns name.
   for (const Pattern& p : m_world.arrangement().patterns)
     for (const std::string& name : p.things) m_pattern_of[name] = p.on;
   for (const ThingModel& thing : m_world.things()) {
@@ -57,6 +59,7 @@ void DistanceBounds::add_nodes() {
 void DistanceBounds::add_standing(const std::string& name) {
   if (name.empty() || name == kFloorName || m_node_of.count(name)) return;
   const Outline outline = m_world.outline(name);
+  // An object that stands is as large as its outline.
   Node node{name};
   node.size = node.loose = Vec2(outline.width(Vec2::UnitX()), outline.width(Vec2::UnitY())).norm();
   node.lower = outline.bottom, node.upper = outline.top;
@@ -67,6 +70,7 @@ void DistanceBounds::add_standing(const std::string& name) {
 
 void DistanceBounds::add_thing(const ThingModel& thing) {
   Node node{thing.thing->object};
+  // A thing may lie in any of its poses: the largest counts.
   double edge = 0;
   for (const Rest& rest : thing.rests) {
     const Outline& outline = rest.outline;
@@ -77,6 +81,7 @@ void DistanceBounds::add_thing(const ThingModel& thing) {
     for (size_t i = 0; i < outline.hull.size(); ++i)
       edge = std::max(edge, (outline.hull[(i + 1) % outline.hull.size()] - outline.hull[i]).norm());
   }
+  // A thing whose pose is free may lean anywhere; others tilt by a few degrees at most.
   const bool may_tip = thing.thing->pose.kind == PoseChoice::Kind::Free;
   const double tilted = kTiltedBy * node.size;
   node.loose = may_tip ? node.size : 0.5 * edge + 2 * tilted;
@@ -91,6 +96,7 @@ void DistanceBounds::set_range(Node& node, const ThingModel& thing) {
   node.lower = 0, node.upper = node.height;
   if (!below || *below == kFloorName) return;
   const Node& support = m_nodes[m_node_of.at(*below)];
+  // It may hang over the edge of its support, and so reach lower than that.
   node.lower = support.lower - node.height;
   node.upper = support.upper + node.height;
   const Relation* relation = m_world.support_of(thing);
@@ -117,11 +123,13 @@ double DistanceBounds::reach_of(const Relation& r) const {
 
 void DistanceBounds::add_links() {
   m_links.resize(m_nodes.size());
+  // Hard relations to other objects are links of the chain, as far as they bound a distance.
   for (const Relation& r : m_world.arrangement().relations) {
     if (!r.is_hard() || r.b.empty() || r.b == kFloorName) continue;
     const double length = reach_of(r);
     if (length < kInfinity) add_link(r.a, r.b, length, r.text(), &r);
   }
+  // Members of a pattern lie on its support.
   for (const Pattern& p : m_world.arrangement().patterns)
     for (const std::string& name : p.things)
       if (p.on != kFloorName) add_link(name, p.on, m_touching, p.text());
@@ -142,6 +150,7 @@ void DistanceBounds::link_standing() {
 }
 
 DistanceBounds::Bounds DistanceBounds::from(size_t start, double most) const {
+  // [Dijkstra 1959]: the nearest open node is final; links lead on from it.
   Bounds out;
   using Entry = std::pair<double, size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -151,6 +160,7 @@ DistanceBounds::Bounds DistanceBounds::from(size_t start, double most) const {
     const auto [distance, at] = open.top();
     open.pop();
     if (distance > out.at(at).distance) continue;
+    // A chain goes across each object that it passes.
     const double across = at == start ? 0 : m_nodes[at].size;
     for (const Link& link : m_links[at]) {
       const double there = distance + across + link.length;
@@ -166,6 +176,7 @@ DistanceBounds::Bounds DistanceBounds::from(size_t start, double most) const {
 
 bool DistanceBounds::touch(const std::string& a, const std::string& b) const {
   const std::string *under_a = carrier(a), *under_b = carrier(b);
+  // Things on each other, or in one container, may come as near as they like.
   if ((under_a && *under_a == b) || (under_b && *under_b == a)) return true;
   const std::vector<std::string> in_a = containers(a), in_b = containers(b);
   return std::any_of(in_a.begin(), in_a.end(),
@@ -188,6 +199,8 @@ std::vector<std::string> DistanceBounds::containers(const std::string& thing) co
 }
 
 double DistanceBounds::apart(const Node& a, const Node& b, double distance) const {
+  // The bound holds for outlines: a surface may lie farther inside each of them, and at another
+  // height.
   const double aside = distance + a.loose + b.loose;
   const double up = std::max({0.0, a.upper - b.lower, b.upper - a.lower});
   return std::sqrt(aside * aside + up * up);

@@ -16,8 +16,11 @@ constexpr double kInVain = 0.4;         // of all evictions, with no more things
 }  // namespace
 
 bool Solver::back_off(size_t item) {
+  // A pattern is placed as a whole and takes nothing out; neither does an attempt that has used up
+  // its evictions.
   if (m_items[item].pattern || m_no_more || m_num_evictions >= m_world.arrangement().max_evictions)
     return false;
+  // Evictions that leave no more things standing than before are in vain.
   const double in_vain = m_num_evictions - m_evictions_then;
   if (in_vain > kInVain * m_world.arrangement().max_evictions) return false;
   // A thing that does not come to rest where there is room seldom does so elsewhere.
@@ -41,6 +44,7 @@ bool Solver::forget_nogoods(size_t item) {
 bool Solver::evict_blockers(size_t item) {
   const size_t thing = m_items[item].things.front();
   Placer placer(m_world, thing, seed_of(thing));
+  // Places are searched as if nothing movable were there.
   const auto places = placer.candidates(Obstacles::Immovable, m_nogoods[thing], kEvictionPlaces);
   struct Choice {
     double weight;
@@ -50,8 +54,10 @@ bool Solver::evict_blockers(size_t item) {
   std::vector<Choice> choices;
   for (size_t k = 0; k < places.size(); ++k) {
     if (stopped()) return false;
+    // Each place costs its own energy and the weight of all that has to go, with what it carries.
     Choice choice{places[k].energy, k, items_with_loads(placer.blockers(places[k]))};
     const bool own_support = carries(choice.items, thing);
+    // The own support and patterns never go.
     if (choice.items.empty() || own_support || has_pattern(choice.items)) continue;
     for (const size_t i : choice.items) choice.weight += m_items[i].weight;
     choices.push_back(std::move(choice));
@@ -65,6 +71,7 @@ bool Solver::evict_blockers(size_t item) {
 
 bool Solver::put_instead(Placer& placer, const PlaceCandidate& place, size_t thing,
                          const std::vector<size_t>& items, size_t item) {
+  // Everything is taken back if the PUT fails: scene and order.
   World::Trial trial(m_world);
   const std::vector<size_t> order = m_order;
   const std::vector<char> placed = m_placed;
@@ -107,6 +114,7 @@ bool Solver::evict_references(size_t item) {
     for (const size_t r : m_world.things()[thing].relations) {
       const Relation& relation = m_world.arrangement().relations[r];
       const std::string& other = relation.a == name(thing) ? relation.b : relation.a;
+      // Relations that lead to others come first; the support is the last resort.
       if (relation.is_support() != supports || (supports && relation.a != name(thing))) continue;
       if (!relation.is_hard()) continue;
       const int t = m_world.thing_of(other);
@@ -123,6 +131,7 @@ bool Solver::evict_references(size_t item) {
   if (has_pattern(items)) items = items_with_loads(things);
   if (items.empty() || has_pattern(items)) return false;
   for (const size_t t : things) {
+    // The place that another thing holds now is remembered as no good for it.
     const Vec3 at = m_world.object(m_world.things()[t]).pose.translation;
     if (m_nogoods[t].size() >= kMaxNogoods) return false;
     m_nogoods[t].push_back(at.head<2>());
@@ -138,6 +147,7 @@ bool Solver::evict_references(size_t item) {
 // the cluster, such as those of a knife to its plate, and of a spoon to the knife.
 std::vector<size_t> Solver::cluster_of(size_t thing) const {
   std::vector<size_t> out{thing};
+  // The cluster grows until no thing is left that belongs to it alone.
   const auto is_in = [&](const std::string& other) {
     const int t = m_world.thing_of(other);
     return t >= 0 && std::count(out.begin(), out.end(), static_cast<size_t>(t));
@@ -191,6 +201,8 @@ void Solver::take_out(const std::vector<size_t>& items) {
 }
 
 void Solver::note_evictions(const std::vector<size_t>& items) {
+  // A thing that was evicted is harder to evict again, so that two do not push each other out for
+  // ever.
   for (const size_t i : items) m_items[i].weight *= kEvictedAgain;
   m_num_evictions += static_cast<int>(items.size());
   m_out.num_evictions += static_cast<int>(items.size());

@@ -20,10 +20,12 @@ HullFacets::HullFacets(std::vector<Vec3> points) : m_points(std::move(points)) {
 
 void HullFacets::make_faces() {
   const ConvexHull hull = convex_hull(m_points);
+  // The mean of the corners is inside, and tells which way a triangle looks.
   Vec3 inside = Vec3::Zero();
   for (const Index v : hull.vertices) inside += m_points[v] / double(hull.vertices.size());
   m_faces.reserve(hull.triangles.size());
   for (Index3 t : hull.triangles) {
+    // Each triangle begins with its smallest corner, so that sorting gives one order.
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     HullFace face;
     face.corners = t;
@@ -43,6 +45,7 @@ void HullFacets::make_faces() {
 }
 
 void HullFacets::connect() {
+  // An edge has two sides, which sorting brings together.
   struct EdgeSide {
     Index a, b, face;
     int edge;
@@ -66,6 +69,7 @@ void HullFacets::connect() {
 }
 
 void HullFacets::grow_facets() {
+  // Large triangles begin facets, as their normals are known best.
   std::vector<Index> order(m_faces.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -76,6 +80,7 @@ void HullFacets::grow_facets() {
     std::vector<Index> facet;
     facet.push_back(seed);
     m_faces[seed].region = region;
+    // A facet takes in neighbours that are nearly in the plane of its seed, not of each other.
     for (size_t i = 0; i < facet.size(); ++i)
       for (const Index next : m_faces[facet[i]].across)
         if (next >= 0 && m_faces[next].region < 0 && joins(m_faces[next], m_faces[seed])) {
@@ -87,6 +92,7 @@ void HullFacets::grow_facets() {
 }
 
 bool HullFacets::joins(const HullFace& face, const HullFace& seed) const {
+  // Slivers have no reliable normal, and join any facet.
   return face.area <= kHullTolerance * kHullTolerance * m_size * m_size ||
          face.normal.dot(seed.normal) >= kFacetMergeCosine;
 }

@@ -18,6 +18,7 @@ constexpr size_t kPlacesEach = 2;    // PUTs of a thing that is moved
 double Solver::soft_cost(const Relation& r) const {
   if (r.is_hard()) return 0;
   double cost = 0;
+  // Sights need rays in the scene as it is; all else needs outlines.
   if (r.is_of_sight()) {
     cost = sight_cost({m_world, -1, {}, false}, r);
   } else {
@@ -30,6 +31,7 @@ double Solver::soft_cost(const Relation& r) const {
 
 // Cost of all soft relations. @param of_thing  that part of each thing.
 double Solver::soft_cost(std::vector<double>& of_thing) const {
+  // Each relation is judged once, then charged to every thing that it names.
   const std::vector<Relation>& relations = m_world.arrangement().relations;
   std::vector<double> costs;
   double out = 0;
@@ -50,6 +52,7 @@ void Solver::improve() {
   int num_tries = 0;
   for (bool gained = true; gained;) {
     gained = false;
+    // The things whose relations cost most are moved first; those that cost little stay.
     std::vector<size_t> order;
     for (size_t t = 0; t < of_thing.size(); ++t)
       if (of_thing[t] > kWorth) order.push_back(t);
@@ -58,6 +61,7 @@ void Solver::improve() {
     for (const size_t t : order) {
       if (num_tries++ == m_world.arrangement().max_improvements || m_interrupt.reason()) return;
       if (m_progress) m_progress(name(t), standing(), m_world.things().size());
+      // A thing moves with its cluster, or, if that gains nothing, alone.
       const std::vector<size_t> cluster = cluster_of(t);
       const bool moved = (cluster.size() > 1 && move_for_less(t, cluster, of_thing[t], cost)) ||
                          move_for_less(t, {t}, of_thing[t], cost);
@@ -75,6 +79,7 @@ bool Solver::move_for_less(size_t thing, const std::vector<size_t>& with, double
                            double& cost) {
   const std::vector<size_t> items = items_with_loads(with);
   if (has_pattern(items)) return false;
+  // The cluster and its loads are taken out, and come back in the order in which they came.
   std::vector<size_t> again;  // in the order in which they came
   std::vector<OperationResult> results;
   for (const size_t t : m_order)
@@ -87,8 +92,10 @@ bool Solver::move_for_less(size_t thing, const std::vector<size_t>& with, double
     World::Trial trial(m_world);
     take_out(items);
     std::vector<double> of_thing;
+    // The thing itself has to find a cheaper place; the others any.
     const auto put_again = [&](size_t t) { return put_at_least(t, t == thing ? own : kInfinity); };
     if (std::all_of(again.begin(), again.end(), put_again)) {
+      // The gain counts over all relations, as the cluster may cost more elsewhere.
       const double now = soft_cost(of_thing);
       if (now < (1 - kLeastGain) * cost) {
         cost = now;
@@ -98,6 +105,7 @@ bool Solver::move_for_less(size_t thing, const std::vector<size_t>& with, double
       }
     }
   }
+  // A move that gains nothing is undone.
   m_order = order;
   m_placed = placed;
   for (size_t k = 0; k < again.size(); ++k) m_results[again[k]] = std::move(results[k]);

@@ -39,10 +39,13 @@ std::optional<Landing> landing_on(const Scene& scene, ObjectId support,
   Landing out;
   out.supports = {support};
   out.lower = surface.lower, out.upper = surface.upper;
+  // The thing may not come to rest on a lower level.
   for (const SupportSurface& other : surfaces)
     if (other.highest < surface.lowest)
       out.lowest = std::max(out.lowest.value_or(-kInfinity), other.highest + kAboveLevel);
   const double above = kAboveClearances * clearance;
+  // Below something else the start is just over the surface, and there has to be room for the
+  // thing.
   if (surface.head_room < kInfinity) {
     const double left = surface.head_room - (surface.highest - surface.height) - height;
     if (left < 2 * above) return std::nullopt;
@@ -59,6 +62,7 @@ Landing landing_in(const Scene& scene, ObjectId container, double clearance) {
   Landing out;
   const Aabb box = scene.world_box(container);
   out.lower = box.lower.head<2>(), out.upper = box.upper.head<2>();
+  // A thing may also come to rest on what is in the container already.
   double top = box.upper.z();
   for (const ObjectId id : carried_with(scene, container)) {
     out.supports.emplace_back(id);
@@ -98,12 +102,14 @@ std::vector<Landing> World::landings(const ThingModel& thing, double height,
     return out;
   }
   const ObjectId id = *scene().find(support->b);
+  // A container is entered from above, whatever its levels.
   if (support->as<relations::In>()) return {landing_in(scene(), id, clearance)};
   const std::vector<SupportSurface>& surfaces = this->surfaces(support->b);
   const auto add = [&](const SupportSurface& surface) {
     if (auto landing = landing_on(scene(), id, surfaces, surface, height, clearance))
       out.push_back(std::move(*landing));
   };
+  // A level that is asked for is the only way down.
   if (const auto* const on = support->as<relations::On>(); on && on->level) {
     const SupportSurface* surface = surface_at(surfaces, *on->level);
     why_none = surface ? TRIVET_SENTENCE("the head room there is less than its height")
@@ -111,6 +117,7 @@ std::vector<Landing> World::landings(const ThingModel& thing, double height,
     if (surface) add(*surface);
     return out;
   }
+  // Without a level it may come down from above, or onto any level that something covers.
   out.push_back(landing_from_above(scene(), id, clearance));
   for (const SupportSurface& surface : surfaces)
     if (surface.head_room < kInfinity) add(surface);

@@ -39,6 +39,8 @@ std::vector<Vec3> hull_points(const Shape& shape) {
 Outline outline_of(const std::vector<Vec3>& points, const Object& object, const Pose& pose,
                    const Vec3& front) {
   const Affine world = world_from_object(pose, object.up, object.scale);
+  // The hull of the points seen from above, and their lowest and highest, are all that relations
+  // know.
   Outline out;
   out.bottom = kInfinity, out.top = -kInfinity;
   std::vector<Vec2> seen;
@@ -52,6 +54,7 @@ Outline outline_of(const std::vector<Vec3>& points, const Object& object, const 
   out.hull = convex_hull(std::move(seen));
   out.mass_centre = world.apply(object.shape->mass.centre).head<2>();
   out.front = front_of(pose.rotation, front);
+  // The centre is that of the box along front and right, as people measure.
   for (const Vec2& axis : {out.front, out.right()})
     out.centre += 0.5 * (extent(out.hull, axis) - extent(out.hull, -axis)) * axis;
   return out;
@@ -66,6 +69,7 @@ std::vector<Vec3> rim_of(const std::vector<Vec3>& points, const Object& object, 
   std::sort(corners.begin(), corners.end(), less);
   const Affine world = world_from_object(pose, object.up, object.scale);
   std::vector<Vec3> out;
+  // Points inside the outline and between top and bottom never count while the thing turns about z.
   for (const Vec3& p : points) {
     const Vec3 q = world.apply(p);
     if (q.z() == outline.bottom || q.z() == outline.top ||

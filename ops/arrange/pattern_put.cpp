@@ -26,6 +26,8 @@ std::optional<Sentence> judge_slot(const World& world, const Slot& slot, const P
                                    const OperationResult& result) {
   const ThingModel& thing = world.things()[slot.thing];
   const std::string who = quoted(thing.thing->object);
+  // A slot is kept only if the thing stays where the pattern has it: upright, unmoved, and on the
+  // support.
   if (!result.ok()) return sentence_of(*result.refusal);
   if (!result.gave_way.empty()) return say("%1 makes others give way", who);
   const Object& object = world.object(thing);
@@ -47,10 +49,12 @@ std::optional<Sentence> judge_slot(const World& world, const Slot& slot, const P
 
 std::optional<Conflict> put_pattern(World& world, const Pattern& pattern, std::uint64_t seed,
                                     std::vector<PlacedSlot>& placed) {
+  // All slots follow from lengths alone: the pattern does not fit, or has them all.
   const Slots slots = slots_of(world, pattern, seed);
   if (!slots.why_not.empty()) return conflict_of(pattern, slots.why_not, slots.missing);
   World::Trial trial(world);
   placed.reserve(slots.slots.size());
+  // Each thing is put like any other; the first that fails takes the whole pattern back.
   for (const Slot& slot : slots.slots) {
     PutOperation put;
     put.tries = 1;

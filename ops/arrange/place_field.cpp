@@ -39,6 +39,7 @@ LazyFalls::LazyFalls(const HeightMap& object, HeightMap top, int columns, int ro
       m_brackets(brackets) {}
 
 DropBracket LazyFalls::at(int column, int row) {
+  // Single falls are cheap at first; when many are asked for, all are found at once.
   if (m_all.empty()) {
     if (kSingleShare * ++m_num_single <= m_columns * m_rows) return m_probe.at(m_top, column, row);
     m_all = m_brackets(m_object, m_top, m_columns, m_rows);
@@ -69,15 +70,19 @@ void PlaceField::set_grid(const ConvexRegion& region) {
   const double width = 2 * m_body.world_box.half_extent().head<2>().maxCoeff();
   // Pixels that the object would slip through say nothing about it.
   const double thin = 2 * m_body.world_box.half_extent().head<2>().minCoeff();
+  // The window may be so large that pixels would hide the object: then they follow its thinner
+  // side.
   double least = size.maxCoeff() / kCellsAcross;
   if (least > kSlipsThrough * thin)
     least = std::max(thin / kLeastPixelsAcross, size.maxCoeff() / kMostCellsAcross);
   m_grid.pixel = std::max({std::min(width / kPixelsAcross, size.maxCoeff() / kFewPlacesAcross),
                            least, width / kMostPixelsAcross, 16 * m_clearance});
+  // The grid covers the region's box, with its middle in the middle.
   m_grid.columns = static_cast<int>(std::ceil(size.x() / m_grid.pixel)) + 1;
   m_grid.rows = static_cast<int>(std::ceil(size.y() / m_grid.pixel)) + 1;
   const Vec2 span = m_grid.pixel * Vec2(m_grid.columns - 1, m_grid.rows - 1);
   m_grid.first = 0.5 * (region.lower() + region.upper()) - 0.5 * span;
+  // Places just outside are moved onto the region's border; others are left out.
   for (int i = 0; i < m_grid.columns * m_grid.rows; ++i) {
     const Vec2 at = m_grid.first + m_grid.pixel * Vec2(i % m_grid.columns, i / m_grid.columns);
     const Vec2 inside = region.nearest(at);
@@ -98,6 +103,7 @@ void PlaceField::leave(const std::vector<size_t>& places) {
 }
 
 void PlaceField::set_window() {
+  // The window is the part of the grid that still has places; maps need be no larger.
   int last_column = 0, last_row = 0;
   m_window.column = m_grid.columns, m_window.row = m_grid.rows;
   for (const int index : m_index) {
@@ -109,6 +115,7 @@ void PlaceField::set_window() {
   }
   m_window.columns = last_column + 1 - m_window.column;
   m_window.rows = last_row + 1 - m_window.row;
+  // The reach is the space that the object takes over all of them, from the start down.
   m_reach = m_body.world_box;
   const int first[] = {m_window.column, m_window.row}, last[] = {last_column, last_row};
   for (int k = 0; k < 2; ++k) {
@@ -153,6 +160,7 @@ LazyFalls& PlaceField::supported() const {
   const Underside& moving = underside(growth(0));
   std::vector<Body> bodies;
   bodies.reserve(m_landing.supports.size());
+  // Only supports are drawn: the fall onto them is known apart from all else.
   bool floor = false;
   for (const Support& support : m_landing.supports) {
     if (support.is_floor())
@@ -175,6 +183,7 @@ double PlaceField::met_at(size_t place) const {
 }
 
 bool PlaceField::is_over_rectangle(size_t place) const {
+  // The centre of mass has to be over the landing's rectangle.
   const Vec2 centre = m_at[place] + m_centre;
   return (centre.array() >= m_landing.lower.array()).all() &&
          (centre.array() <= m_landing.upper.array()).all();
@@ -182,17 +191,20 @@ bool PlaceField::is_over_rectangle(size_t place) const {
 
 bool PlaceField::is_over_support(size_t place) const {
   if (!is_over_rectangle(place)) return false;
+  // The scene must have something under the centre of mass itself.
   const HeightMap& top = supported().top();
   const Vec2 under = (m_centre - underside(growth(0)).grid.corner) / m_grid.pixel;
   const size_t pixel = top.index(column_of(place) - m_window.column + static_cast<int>(under.x()),
                                  row_of(place) - m_window.row + static_cast<int>(under.y()));
   if (!(top.bound[pixel] > -kInfinity)) return false;
+  // It has to meet the support for certain, and not below the lowest height allowed.
   const double deepest = m_landing.lowest ? m_start_z - *m_landing.lowest : kInfinity;
   const DropBracket fall = support_at(place);
   return fall.lower >= 0 && fall.upper < kInfinity && fall.upper <= deepest;
 }
 
 bool PlaceField::Obstruction::is_clear(size_t place) {
+  // The floor is met at the same height at all places.
   if (m_floor) return m_field.support_at(place).upper < *m_floor;
   if (!m_boxes.empty()) {
     Aabb box = m_field.m_body.world_box;
@@ -202,6 +214,7 @@ bool PlaceField::Obstruction::is_clear(size_t place) {
       return seen_distance(box, other) < kGrown * m_keep;
     });
   }
+  // The place is clear if the support is certainly met before anything else.
   return !m_falls || m_field.support_at(place).upper < m_field.fall_at(*m_falls, place).lower;
 }
 
@@ -219,8 +232,10 @@ std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(std::span<const
   std::vector<Body> bodies;
   bodies.reserve(others.size());
   const double margin = 2 * m_grid.pixel + keep + largest_stop(m_clearance);
+  // Objects that are far from all places are left out.
   for (const ObjectId id : others)
     if (overlaps(m_scene.world_box(id), m_reach, margin)) bodies.push_back(body_of(m_scene.at(id)));
+  // Short distances grow the object's underside; long ones are judged by boxes.
   if (!bodies.empty() && keep <= kMostGrown * m_grid.pixel)
     return obstruction(underside(growth(keep)), m_reach.upper.z(), bodies);
   std::unique_ptr<Obstruction> out(new Obstruction(*this));
@@ -239,6 +254,7 @@ std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(
 std::unique_ptr<PlaceField::Obstruction> PlaceField::obstruction(
     std::span<const Body> moving, std::span<const Body> others) const {
   if (moving.empty() || others.empty()) return std::unique_ptr<Obstruction>(new Obstruction(*this));
+  // A zone may rise above the object that has it.
   double highest = m_reach.upper.z();
   for (const Body& body : moving)
     highest = std::max(highest, m_start_z + body.world_box.upper.z() - m_body.world_box.lower.z());

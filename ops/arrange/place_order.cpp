@@ -34,6 +34,8 @@ PlaceCosts::PlaceCosts(const Placer& placer, const Combination& combination)
   m_fixed.resize(placer.m_relations.size());
   m_cosines.assign(m_fixed.size(), kInfinity);
   m_known.resize(m_fixed.size());
+  // Each relation is judged in the cheapest way that is still exact: by planes, by the turn alone,
+  // by a cosine, or by its cost.
   for (size_t k = 0; k < m_fixed.size(); ++k) {
     const Relation& r = *placer.m_relations[k];
     if (!r.is_hard()) m_soft.push_back(k);
@@ -96,6 +98,7 @@ bool PlaceCosts::is_near(size_t relation) const {
   const Relation& r = *m_placer.m_relations[relation];
   const relations::Near& near = *r.as<relations::Near>();
   Known& known = m_known[relation];
+  // The distance that was measured somewhere near bounds the one here.
   const double way = (m_here.mass_centre - known.at).norm() + kLittleWay;
   if (known.distance >= 0) {
     const bool is_exact = near.lower > 0 || known.distance > near.upper;
@@ -119,6 +122,7 @@ double PlaceCosts::energy() const {
 // Over the landing, with all hard relations, away from nogoods.
 std::vector<size_t> PlaceOrder::met(Open& open) const {
   const PlaceField& field = open.field;
+  // Relations are cheap at a place: only places that meet them are kept.
   std::vector<size_t> out;
   for (size_t place = 0; place < field.size(); ++place) {
     const Vec2& at = field.at(place);
@@ -141,6 +145,7 @@ void PlaceOrder::add_turns(bool few) {
   m_heap.clear();
   m_num_sights = 0;
   for (size_t c = 0; c < m_placer.m_combinations.size(); ++c) {
+    // Free turns are costly together: a few, chosen by the seed, usually are enough.
     const size_t turn = m_placer.m_combinations[c].turn;
     if (!m_placer.m_turns_are_free || (m_placer.rank_of_turn(turn) < kFewTurns) == few) add(c);
   }
@@ -156,6 +161,7 @@ void PlaceOrder::add(size_t c) {
   if (met.empty()) return;
   open->field.leave(met);
   m_heap.reserve(m_heap.size() + met.size());
+  // Noise alone is the key at first: soft costs are added when a place comes to the top.
   for (size_t k = 0; k < met.size(); ++k) {
     const double noise = gumbel_noise(counter(m_placer.m_seed, c, met[k]));
     m_heap.push_back({-m_placer.m_temperature * noise, std::nullopt,
@@ -167,6 +173,7 @@ void PlaceOrder::add(size_t c) {
 // Obstructions in this rotation.
 Obstructions PlaceOrder::obstructions(const Open& open) const {
   const World& world = m_placer.m_world;
+  // Objects that are kept apart by the same distance share one map.
   std::map<double, std::vector<ObjectId>> by_keep;
   for (const ObjectId id : m_placer.obstacles(open.combination, m_which))
     by_keep[world.keep(m_placer.name(), world.scene().at(id).name)].push_back(id);
@@ -186,6 +193,7 @@ Obstructions PlaceOrder::obstructions(const Open& open) const {
 }
 
 bool PlaceOrder::fits(PlaceCandidate& candidate) {
+  // The support goes first: it decides most places, and needs no maps of others.
   Open& open = *m_open[candidate.field];
   if (!open.field.is_over_support(candidate.place)) return false;
   if (!open.in_the_way) open.in_the_way = obstructions(open);
@@ -197,6 +205,7 @@ bool PlaceOrder::fits(PlaceCandidate& candidate) {
 
 bool PlaceOrder::meets_sights(const PlaceCandidate& candidate) {
   const SightTrial trial = m_placer.sight_trial(candidate, m_which);
+  // Judges keep their obstacles from place to place.
   const bool are_new = m_judges.empty();
   m_judges.reserve(m_placer.m_sights.size());
   if (are_new)
@@ -210,6 +219,8 @@ std::optional<PlaceCandidate> PlaceOrder::pop() {
   while (!m_heap.empty()) {
     m_placer.m_world.check_interrupt();
     std::pop_heap(m_heap.begin(), m_heap.end(), is_later);
+    // The best key either has its soft costs already, and is the best of all, or gets them and goes
+    // back.
     Entry& best = m_heap.back();
     if (best.energy) {
       const PlaceCandidate out = candidate_of(best);
@@ -244,6 +255,7 @@ PlaceCandidate PlaceOrder::candidate_of(const Entry& entry) const {
 // at stay behind: they may cost more than they seem to.
 std::vector<PlaceCandidate> PlaceOrder::with_sight_energy() {
   std::vector<PlaceCandidate> out;
+  // Sights are costly: only the best by all else get theirs.
   while (out.size() < kSoftSights) {
     auto candidate = pop();
     if (!candidate) break;
@@ -293,6 +305,7 @@ std::optional<PlaceCandidate> PlaceOrder::next_of_these() {
 
 std::optional<PlaceCandidate> PlaceOrder::next() {
   if (auto candidate = next_of_these()) return candidate;
+  // All other turns are tried when the few have given nothing.
   if (!m_has_more) return std::nullopt;
   m_has_more = false;
   add_turns(false);

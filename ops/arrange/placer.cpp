@@ -22,6 +22,8 @@ Placer::Placer(World& world, size_t thing, std::uint64_t seed, Noise noise)
       m_seed(seed),
       m_temperature(noise == Noise::On ? kTemperature : 0),
       m_clearance(world.clearance(model())) {
+  // Only relations to what stands already, or to nothing, can be judged now; others wait for their
+  // object.
   for (const size_t r : model().relations) {
     const Relation& relation = m_world.arrangement().relations[r];
     if (relation.is_support()) continue;
@@ -65,6 +67,7 @@ std::vector<ObjectId> Placer::obstacles(const Combination& combination, Obstacle
   for (const ObjectId id : m_world.standing()) {
     const std::string& other = m_world.scene().at(id).name;
     const auto& supports = combination.landing.supports;
+    // The support is no obstacle, nor is what a relation keeps farther away anyway.
     if (id == model().id || std::count(supports.begin(), supports.end(), Support(id))) continue;
     if (which == Obstacles::Immovable && m_world.thing_of(other) >= 0) continue;
     const double keep = m_world.keep(name(), other);
@@ -81,6 +84,7 @@ Obstructions Placer::zone_obstructions(const PlaceField& field, const Combinatio
   Obstructions out;
   if (other == model().id) return out;
   const Object& object = m_world.scene().at(other);
+  // Zones of others are obstacles to the thing; others are obstacles to its own zones.
   for (const Body& zone : zones_of(m_world, object.name, object.pose))
     out.push_back(field.obstruction({&zone, 1}));
   const auto& supports = combination.landing.supports;
@@ -102,6 +106,7 @@ std::vector<char> Placer::zones_clear_of(const PlaceField& field, const Combinat
 
 // Rank among the free turns, by the seed.
 size_t Placer::rank_of_turn(size_t turn) const {
+  // Counters by the seed give a random order without state.
   const auto key = [&](size_t t) { return scrambled(m_seed ^ scrambled(~t)); };
   size_t out = 0;
   for (size_t t = 0; t < m_num_turns; ++t) out += key(t) < key(turn) ? 1 : 0;
@@ -132,6 +137,7 @@ std::vector<size_t> Placer::blockers(const PlaceCandidate& candidate) const {
     const int t = m_world.thing_of(m_world.scene().at(id).name);
     if (t >= 0 && std::count(clear.begin(), clear.end(), 0)) out.push_back(static_cast<size_t>(t));
   };
+  // A movable thing is in the way if the place would be clear without it.
   for (const ObjectId id : obstacles(combination, Obstacles::All)) {
     const std::string& other = m_world.scene().at(id).name;
     if (m_world.thing_of(other) >= 0)
@@ -139,6 +145,7 @@ std::vector<size_t> Placer::blockers(const PlaceCandidate& candidate) const {
   }
   for (const ObjectId id : has_zones() ? m_world.standing() : std::vector<ObjectId>())
     note(id, zones_clear_of(field, here, id));
+  // A broken line of sight has its blockers between eye and object.
   for (const Relation* r : m_sights) {
     const SightTrial trial = sight_trial(candidate, Obstacles::All);
     if (sight_cost(trial, *r) <= 1) continue;

@@ -31,6 +31,7 @@ Vec2 Placer::refined(const PlaceCandidate& candidate) const {
   PlaceCosts costs(*this, c);
   costs.move_to(at);
   double best = costs.energy(), step = 0.5 * candidate.pixel;
+  // The step is halved after each round of four directions.
   for (int k = 0; k < kHalvings; ++k, step *= 0.5)
     for (const Vec2& d : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
       const Vec2 next = c.region.nearest(at + step * d);
@@ -49,6 +50,7 @@ Rotation Placer::turned_to_face(const PlaceCandidate& candidate, const Vec2& at)
     if (r->a != name()) continue;
     const Outline outline = moved(c.outline, at);
     const Vec2 wanted = wanted_front(*r, outline, partner(*r));
+    // A thing with a yaw of its own keeps it.
     if (wanted != Vec2::Zero() && model().thing->yaws_deg.empty())
       return (relations::turn_between(outline.front, wanted) * c.rotation).normalized();
   }
@@ -64,6 +66,7 @@ std::optional<Sentence> Placer::put(const PlaceCandidate& candidate, OperationRe
   put.start.rotation = turned_to_face(candidate, at);
   const double height = c.landing.start_z - c.outline.bottom + m_clearance;
   put.start.translation = Vec3(at.x(), at.y(), height);
+  // PUT decides: the scene keeps the thing only if it comes to rest as it was meant.
   World::Trial trial(m_world);
   result = m_world.perform(put);
   if (!result.ok()) return sentence_of(*result.refusal);
@@ -79,6 +82,7 @@ std::optional<Sentence> Placer::push_to_contact(OperationResult& result) {
     if (!closes_gap(*r) || r->a != name()) continue;
     const Outline outline = m_world.outline(model(), m_world.object(model()).pose);
     const Vec2 d = direction_of(*r, outline, *partner(*r));
+    // The gap that PUT has left is closed by PUSH, which stops at contact.
     const double gap = -extent(outline.hull, -d) - extent(partner(*r)->hull, d);
     if (!(gap > m_clearance)) continue;
     PushOperation push;
@@ -100,6 +104,7 @@ std::optional<Sentence> Placer::push_to_contact(OperationResult& result) {
 
 std::optional<Sentence> Placer::judge(const Combination& combination, const Rotation& rotation,
                                       const OperationResult& result) const {
+  // The checks go from cheap to costly; the first that fails is the reason given.
   if (!result.gave_way.empty()) return say("%1 gives way", quoted(result.gave_way.front().name));
   const Object& object = m_world.object(model());
   const Vec3 up = object.pose.rotation.matrix().row(2), wanted = rotation.matrix().row(2);
@@ -120,6 +125,7 @@ std::optional<Sentence> Placer::judge(const Combination& combination, const Rota
 std::optional<Sentence> Placer::judge_supports(const Combination& combination) const {
   const auto& supports = combination.landing.supports;
   bool carried = false;
+  // Only supports that were asked for may carry it.
   for (const ObjectContact& entry : m_world.object(model()).contacts) {
     const bool asked = std::count(supports.begin(), supports.end(), entry.with) > 0;
     carried = carried || (asked && holds_up(entry));
@@ -138,6 +144,7 @@ std::optional<Sentence> Placer::judge_distances(const Combination& combination) 
   const Body body = body_of(scene.at(model().id));
   for (const ObjectId id : m_world.standing()) {
     const auto& supports = combination.landing.supports;
+    // Boxes tell most apart before surfaces are measured.
     if (id == model().id || std::count(supports.begin(), supports.end(), Support(id))) continue;
     const double keep = m_world.keep(name(), scene.at(id).name);
     if (keep > 0 && overlaps(scene.world_box(id), body.world_box, keep) &&

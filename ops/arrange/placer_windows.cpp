@@ -22,6 +22,8 @@ std::vector<Rotation> Placer::turns(const Rest& rest) const {
   const Outline& outline = rest.outline;
   std::vector<Rotation> soft;
   bool faces = false;
+  // The first hard relation that asks for directions decides the turns; those that soft ones wish
+  // are added.
   for (const Relation* r : m_relations) {
     faces = faces || wanted_front(*r, outline, partner(*r)) != Vec2::Zero();
     if (!partner(*r)) continue;
@@ -32,6 +34,7 @@ std::vector<Rotation> Placer::turns(const Rest& rest) const {
       (r->is_hard() ? out : soft).push_back(turn);
     if (!out.empty()) return out;
   }
+  // Without any, turns go round evenly, from an angle by the seed if any will do.
   const bool any = model().thing->any_yaw;
   const int count = faces ? kFacingTurns : any ? kAnyTurns : kTurns;
   const double first = any && !faces ? double(scrambled(m_seed) >> 12) * 0x1p-52 * 360 / count : 0;
@@ -43,6 +46,7 @@ std::vector<Rotation> Placer::turns(const Rest& rest) const {
 // The centre of mass over the landing; on the unbounded floor, not far from everything.
 ConvexRegion Placer::window(const Landing& landing, const Outline& outline) const {
   Vec2 lower = landing.lower, upper = landing.upper;
+  // The floor has no end: the window reaches as far as relations and sizes may ask.
   if (!(lower.x() > -kInfinity)) {
     Aabb box = m_world.scene().box();
     box.extend(Vec3::Zero());
@@ -76,6 +80,7 @@ void Placer::narrow(Combination& combination) const {
   const double most = PlaceField::largest_window(body.world_box);
   ConvexRegion& region = combination.region;
   if (region.empty() || (region.upper() - region.lower()).maxCoeff() <= most) return;
+  // The part's middle is a random mean of the corners, and so inside.
   Vec2 middle = Vec2::Zero();
   double sum = 0;
   for (size_t i = 0; i < region.corners().size(); ++i) {
@@ -108,6 +113,7 @@ void Placer::combine() {
     m_num_turns = std::max(m_num_turns, turns.size());
     for (size_t t = 0; t < turns.size(); ++t) {
       const Rotation& turn = turns[t];
+      // Each turn and landing has a region, which hard relations clip; empty ones are dropped.
       Combination combination;
       combination.turn = t;
       combination.rotation = (turn * rest.rotation).normalized();

@@ -23,6 +23,7 @@ SettledPose settled_pose(const std::shared_ptr<const Shape>& shape, UpAxis up, d
   put.tries = 1;
   put.object = object.name;
   put.start.rotation = pose.rotation;
+  // The object starts a little above an empty floor.
   const Aabb box = body_of(object, put.start).world_box;
   put.start.translation.z() = kAboveFloor * 2 * box.half_extent().z() - box.lower.z();
   Scene scene;
@@ -31,6 +32,7 @@ SettledPose settled_pose(const std::shared_ptr<const Shape>& shape, UpAxis up, d
   SettledPose out{pose.rotation, 180};
   const OperationResult result =
       perform(transaction, Operation(put), SettleOptions(), RunContext());
+  // An object that cannot be put there counts as turned over: the largest angle.
   if (!result.ok()) return out;
   out.rotation = transaction.scene().at(id).pose.rotation;
   const Vec3 before = pose.rotation.matrix().row(2), after = out.rotation.matrix().row(2);

@@ -21,6 +21,8 @@ bool ShapeFacts::stands_as_modelled(const Object& object) {
 }
 
 const std::vector<Vec3>& ShapeFacts::hull(const Object& object) {
+  // A thing that stands as it was modelled needs no hull: all its points do as well, and cost less
+  // than Qhull.
   return known(m_hulls, object.shape, [&] {
     return stands_as_modelled(object) ? object.shape->mesh.vertices : hull_points(*object.shape);
   });
@@ -42,6 +44,7 @@ const std::vector<StablePose>& ShapeFacts::poses(const Object& object) {
 
 const std::vector<SupportSurface>& ShapeFacts::surfaces(const Object& object) {
   const Affine place = object.world_from_object();
+  // Surfaces depend on where the object stands, so that its place is part of the key.
   std::vector<double> key(place.linear.data(), place.linear.data() + place.linear.size());
   key.insert(key.end(), place.translation.data(), place.translation.data() + 3);
   return known(m_surfaces, {object.shape, std::move(key)},

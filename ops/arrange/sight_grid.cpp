@@ -36,6 +36,7 @@ std::vector<Ray> rays_to(const Vec3& eye, const Aabb& box) {
   if (!(to.norm() > 0)) return {};
   const Vec3 ahead = to.normalized();
   const Vec3 aside = (std::abs(ahead.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX());
+  // The grid spans what is seen of the box, in the plane ahead of the eye.
   const Vec3 right = ahead.cross(aside).normalized(), up = right.cross(ahead);
   Vec2 lower = Vec2::Constant(kInfinity), upper = -lower;
   for (int i = 0; i < 8; ++i) {

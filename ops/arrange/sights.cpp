@@ -48,6 +48,8 @@ class Eyes : public relations::Sight {
       : m_trial(trial), m_relation(relation), m_a(body(relation.a)) {
     const World& world = trial.world;
     if (!relation.b.empty()) m_b = body(relation.b);
+    // All that stands may cut off a line but both objects of the relation, and the thing's own
+    // former place.
     for (const ObjectId id : world.standing()) {
       const std::string& name = world.scene().at(id).name;
       const int t = world.thing_of(name);
@@ -90,6 +92,7 @@ class Eyes : public relations::Sight {
   std::vector<size_t> between() const {
     std::vector<size_t> out;
     if (!ask_sight<bool>(m_relation, [](const auto& kind) { return kind.kHasLines; })) return out;
+    // Each ray to a is followed as far as a itself; what it meets before is in between.
     for (const Ray& ray : rays()) {
       const double until = hit(m_a, ray, kInfinity);
       if (!(until < kInfinity)) continue;
@@ -132,13 +135,16 @@ class Eyes : public relations::Sight {
 
   // As seen(): where all rays are cut off before they come to a's box, without a look at a.
   bool sees(const std::function<bool(double)>& is_enough_share) const override {
+    // The share is asked for as soon as rays decide it either way.
     const auto is_enough = [&](int num_seen, int num_met) {
       return is_enough_share(num_met ? double(num_seen) / num_met : 0);
     };
+    // Cheap proofs go first: the shadow of one convex body, then rays that end before a's box.
     if (!is_enough(0, 1) && is_in_shadow()) return false;
     const std::vector<Ray> all = rays();
     const auto ends_before = [&](const Ray& ray) { return cut_off(ray, entry(ray)); };
     if (!is_enough(0, 1) && std::all_of(all.begin(), all.end(), ends_before)) return false;
+    // Only rays that would meet a count; the others pass it by.
     std::vector<std::pair<const Ray*, double>> met;
     met.reserve(all.size());
     for (const Ray& ray : all)
@@ -146,6 +152,7 @@ class Eyes : public relations::Sight {
         met.emplace_back(&ray, until);
     const int num_met = static_cast<int>(met.size());
     int num_seen = 0, num_left = num_met;
+    // Rays are looked at until those seen, or those left, decide.
     for (const auto& [ray, until] : met) {
       if (is_enough(num_seen, num_met)) return true;
       if (!is_enough(num_seen + num_left, num_met)) return false;
@@ -158,6 +165,7 @@ class Eyes : public relations::Sight {
   // As nearest(): one ray is enough.
   bool reaches(const std::function<bool(double)>& is_near) const override {
     for (const Ray& ray : rays()) {
+      // A ray that cannot be near enough is left out without a look at the scene.
       if (!is_near(entry(ray))) continue;
       const double until = hit(m_a, ray, kInfinity);
       if (is_near(until) && !cut_off(ray, until)) return true;
@@ -204,6 +212,7 @@ class Eyes : public relations::Sight {
 
   // The obstacle of the last ray is looked at first.
   bool cut_off(const Ray& ray, double until) const {
+    // Neighbouring rays mostly meet the same obstacle.
     for (size_t k = 0; k < m_others.size(); ++k) {
       const size_t i = k == 0 ? m_last : k <= m_last ? k - 1 : k;
       if (hit(m_others[i].body, ray, until) < until) return m_last = i, true;
@@ -247,6 +256,7 @@ class Eyes : public relations::Sight {
   double nearest() const override {
     double out = kInfinity;
     for (const Ray& ray : rays()) {
+      // A ray counts only as far as the nearest found so far.
       const double until = hit(m_a, ray, out);
       if (until < out && !cut_off(ray, until)) out = until;
     }

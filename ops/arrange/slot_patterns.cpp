@@ -31,6 +31,8 @@ int count_in(double length, double size, double gap) {
 
 void SlotSearch::place_row() {
   double total = m_gap * double(m_members.size() - 1), depth = 0;
+  // Things stand side by side with their gaps: the sum of widths has to fit, and the greatest
+  // depth.
   for (const Member& member : m_members) {
     total += member.width;
     depth = std::max(depth, member.depth);
@@ -40,6 +42,7 @@ void SlotSearch::place_row() {
   if (depth > m_across.length() + kFits)
     return fail("the deepest of them is %1 m deep, there is room for %2 m", depth,
                 m_across.length());
+  // Spread shares what is left of the room among the gaps.
   const bool spread = m_pattern.align == Pattern::Align::Spread && m_members.size() > 1;
   const double gap =
       m_gap + (spread ? (m_along.length() - total) / double(m_members.size() - 1) : 0);
@@ -51,6 +54,7 @@ void SlotSearch::place_row() {
 }
 
 void SlotSearch::place_grid() {
+  // All cells are as large as the largest thing, so that columns line up.
   double width = 0, depth = 0;
   for (const Member& member : m_members) {
     width = std::max(width, member.width);
@@ -68,10 +72,12 @@ void SlotSearch::place_grid() {
     m_out.why_not = say("%1 does not fit: %2", m_pattern.text(), room);
     return;
   }
+  // Rows are filled one after the other, from the front.
   const int used = (num + columns - 1) / columns;
   const double x = begin(m_along, columns * (width + m_gap) - m_gap, m_pattern.align, 0);
   const double y =
       begin(m_across, used * (depth + m_gap) - m_gap, m_pattern.across, m_pattern.inset);
+  // Each thing stands in the middle of its cell.
   for (int i = 0; i < num; ++i) {
     const int column = i % columns, row = i / columns;
     add(m_members[i], x + column * (width + m_gap) + 0.5 * (width - m_members[i].width),
@@ -85,9 +91,11 @@ void SlotSearch::place_round(const std::vector<Vec2>& centres, const std::vector
   hulls.reserve(m_members.size());
   for (size_t i = 0; i < m_members.size(); ++i) {
     const Member member = member_of(m_members[i].thing, fronts[i]);
+    // Each thing is turned by its own front, and measured then.
     add_at(member, centres[i]);
     hulls.push_back(moved(member.outline, centres[i] - member.outline.centre).hull);
   }
+  // Outlines, not circles, tell whether neighbours have their gap.
   for (size_t i = 0; i < hulls.size(); ++i)
     for (size_t j = 0; j < i; ++j)
       if (const double apart = distance(hulls[i], hulls[j]); apart < m_gap)
@@ -111,6 +119,7 @@ void SlotSearch::place_circle() {
 // At equal distances along the line, from its beginning.
 void SlotSearch::place_along() {
   const std::vector<Vec2>& line = m_pattern.line;
+  // Without a spacing the things share the whole line.
   double length = 0;
   for (size_t k = 1; k < line.size(); ++k) length += (line[k] - line[k - 1]).norm();
   const double count = double(m_members.size() - 1);
@@ -122,10 +131,12 @@ void SlotSearch::place_along() {
   double passed = 0;  // of the line, up to corner k - 1
   for (size_t i = 0; i < m_members.size(); ++i) {
     const double at = std::min(spacing * double(i), length);
+    // The walk goes on to the segment in which this length ends.
     while (k + 1 < line.size() && passed + (line[k] - line[k - 1]).norm() < at)
       passed += (line[k] - line[k - 1]).norm(), ++k;
     const Vec2 onwards = (line[k] - line[k - 1]).normalized();
     centres.push_back(line[k - 1] + (at - passed) * onwards);
+    // Fronts are told as seen by one who walks along the line.
     const Vec2 left = quarter_turned(onwards);
     const Vec2 choices[] = {-left, left, onwards, -onwards};
     fronts.push_back(choices[static_cast<int>(m_pattern.front)]);
@@ -139,6 +150,8 @@ std::vector<SlotSearch::Facing> SlotSearch::measured_facings() const {
   size_t first = 0;
   for (const Pattern::Block& given : m_pattern.blocks) {
     Facing block;
+    // All cells of a block are as large as its largest member, so that rows and columns are
+    // straight.
     for (size_t i = first; i < first + given.count; ++i) {
       block.cell = std::max(block.cell, m_members[i].width);
       block.row = std::max(block.row, m_members[i].depth);
@@ -146,6 +159,7 @@ std::vector<SlotSearch::Facing> SlotSearch::measured_facings() const {
     first += given.count;
     const auto wide = static_cast<size_t>(given.wide);
     const size_t rows = (given.count + wide - 1) / wide;
+    // Gaps lie between cells alone: one fewer than cells.
     block.width = double(std::min(wide, given.count)) * (block.cell + m_gap) - m_gap;
     block.depth = double(rows) * (block.row + m_gap) - m_gap;
     out.push_back(block);
@@ -168,6 +182,7 @@ void SlotSearch::place_facings() {
   const bool spread = m_pattern.align == Pattern::Align::Spread && blocks.size() > 1;
   const double between =
       m_gap + (spread ? (m_along.length() - total) / double(blocks.size() - 1) : 0);
+  // Blocks stand side by side as things do in a row.
   double at = spread ? m_along.lower : begin(m_along, total, m_pattern.align, 0);
   size_t next = 0;
   for (size_t b = 0; b < blocks.size(); ++b) {

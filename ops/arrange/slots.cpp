@@ -25,6 +25,7 @@ SlotSearch::SlotSearch(const World& world, const Pattern& pattern, std::uint64_t
 Slots SlotSearch::run() {
   make_members();
   if (!choose_surface()) return m_out;
+  // The gap is never less than some clearances, so that neighbours do not touch.
   const double clearance = m_world.clearance(m_world.things()[m_members.front().thing]);
   m_gap = std::max(m_pattern.gap, kLeastGapClearances * clearance);
   m_along = room(m_on.right()).inside(m_gap);
@@ -51,6 +52,7 @@ Slots SlotSearch::run() {
 
 void SlotSearch::make_members() {
   std::vector<size_t> order = things_of(m_world, m_pattern);
+  // The shuffle is by counters: the same order for the same seed on every machine.
   for (size_t i = order.size(); m_pattern.shuffled && i > 1; --i)
     std::swap(order[i - 1], order[scrambled(m_seed ^ scrambled(i)) % i]);
   m_members.reserve(order.size());
@@ -75,6 +77,7 @@ SlotSearch::Member SlotSearch::member_of(size_t thing, const Vec2& front) const 
 
 bool SlotSearch::choose_surface() {
   const double clearance = m_world.clearance(m_world.things()[m_members.front().thing]);
+  // The floor is a surface without levels, and wide enough for any pattern.
   if (on_floor()) {
     m_surface.outline = {{-kFar, -kFar}, {kFar, -kFar}, {kFar, kFar}, {-kFar, kFar}};
     m_start_z = kAboveFloorClearances * clearance;
@@ -89,6 +92,7 @@ bool SlotSearch::choose_surface() {
   }
   m_surface = *surface;
   m_id = *m_world.scene().find(m_pattern.on);
+  // The highest member decides whether there is head room for all.
   const auto landing = landing_on(m_world.scene(), m_id, surfaces, m_surface, m_height, clearance);
   if (!landing) {
     fail("the highest of them needs %1 m of head room, there is %2 m", m_height,
@@ -103,9 +107,11 @@ bool SlotSearch::choose_surface() {
 // Rays at three heights, and beside the middle.
 Room SlotSearch::room(const Vec2& axis) const {
   const Vec2 across = quarter_turned(axis);
+  // The outline bounds the room along the axis; the floor has nothing else.
   Room out{-extent(m_surface.outline, -axis) - axis.dot(m_middle),
            extent(m_surface.outline, axis) - axis.dot(m_middle)};
   if (on_floor()) return out;
+  // Walls and posts of a shelf shorten the room where a ray at a member's height meets them.
   const double aside =
       0.25 * (extent(m_surface.outline, across) + extent(m_surface.outline, -across));
   for (const double height : {0.1, 0.5, 0.9})
@@ -136,6 +142,7 @@ void SlotSearch::fail(const char* pattern, double needed, double is) {
 // Position of a member whose outline begins here along both axes, measured from the middle.
 void SlotSearch::add(const Member& member, double along, double across) {
   const Vec2 right = m_on.right(), back = -m_on.front;
+  // Positions are measured from the surface's middle; an outline's own origin may be anywhere.
   const double x = along + right.dot(m_middle) + extent(member.outline.hull, -right);
   const double y = across + back.dot(m_middle) + extent(member.outline.hull, -back);
   const Vec2 at = x * right + y * back;

@@ -43,6 +43,7 @@ bool Solver::run() {
 
 bool Solver::place_all() {
   while (true) {
+    // Items keep their order: the first that is not placed is next, also after evictions.
     const auto next = std::find(m_placed.begin(), m_placed.end(), 0);
     if (next == m_placed.end()) return true;
     const auto item = static_cast<size_t>(next - m_placed.begin());
@@ -61,6 +62,7 @@ bool Solver::place_all() {
 }
 
 void Solver::finish() {
+  // Results come in the order in which things were placed; costs are those of the final poses.
   for (const size_t t : m_order)
     m_out.placed.push_back({m_world.things()[t].thing->object, m_results[t]});
   for (const Relation& r : m_world.arrangement().relations) {
@@ -82,6 +84,7 @@ bool Solver::stopped() {
 }
 
 std::uint64_t Solver::seed_of(size_t thing) const {
+  // Each visit of a thing has its own noise, so that it does not fail in the same way again.
   return scrambled(scrambled(m_seed ^ scrambled(thing)) ^
                    static_cast<std::uint64_t>(m_visits[thing]));
 }
@@ -90,6 +93,7 @@ void Solver::note_placed(size_t thing, OperationResult result) {
   m_results[thing] = std::move(result);
   m_order.push_back(thing);
   m_has_stood[thing] = 1, m_in_vain[thing] = 0;
+  // Progress is measured by how many stand; evictions count as vain until that grows.
   if (standing() > m_most_standing)
     m_most_standing = standing(), m_evictions_then = m_num_evictions;
 }
@@ -102,6 +106,7 @@ bool Solver::has_stood(const std::string& name) const {
 bool Solver::put(Placer& placer, const PlaceCandidate& candidate, size_t thing, LookAhead looks) {
   OperationResult result;
   ++m_out.num_puts;
+  // The trial is undone unless the thing is kept.
   World::Trial trial(m_world);
   auto why = placer.put(candidate, result);
   m_out.put_milliseconds += result.milliseconds;
@@ -135,11 +140,13 @@ std::optional<Sentence> Solver::leaves_no_room(size_t thing) {
   std::sort(followers.begin(), followers.end());
   followers.erase(std::unique(followers.begin(), followers.end()), followers.end());
   for (const size_t t : followers) {
+    // Only followers whose other references all stand can be judged now.
     const auto& relations = m_world.things()[t].relations;
     const bool ready = std::all_of(relations.begin(), relations.end(), [&](size_t r) {
       const Relation& relation = m_world.arrangement().relations[r];
       return relation.a != name(t) || stands(relation.b);
     });
+    // A thing that never finds a place is not looked for any more.
     if (!ready || m_in_vain[t] > kMostLooksInVain) continue;
     ++m_in_vain[t];
     if (Placer(m_world, t, seed_of(t)).candidates(Obstacles::All, m_nogoods[t], 1).empty())
@@ -155,6 +162,7 @@ bool Solver::place_thing(size_t item) {
   Placer placer(m_world, thing, seed_of(thing));
   PlaceOrder places(placer, Obstacles::All, m_nogoods[thing]);
   std::optional<PlaceCandidate> without_room;  // the first that was kept but for what follows
+  // The best places are tried by PUT one after the other.
   for (size_t k = 0; k < kTrials; ++k) {
     const auto candidate = places.next();
     if (!candidate && k == 0) m_had_no_place[thing] = 1;
@@ -169,11 +177,13 @@ bool Solver::place_thing(size_t item) {
 }
 
 bool Solver::place_pattern(size_t item) {
+  // A pattern is placed as a whole, or not at all.
   std::vector<PlacedSlot> placed;
   auto conflict = put_pattern(m_world, *m_items[item].pattern, scrambled(m_seed), placed);
   m_out.num_puts += static_cast<int>(placed.size());
   for (const PlacedSlot& slot : placed) m_out.put_milliseconds += slot.result.milliseconds;
   if (stopped()) return false;
+  // A pattern that fails after some of its members counts as one refusal; they are taken back.
   if (conflict) {
     m_out.num_refused += placed.empty() ? 0 : 1;
     m_out.conflict = std::move(conflict);

@@ -37,6 +37,7 @@ class PoseSearch {
 
   std::vector<StablePose> run() {
     if (m_hull.faces().empty()) return flat_poses();
+    // A centre outside the hull comes from a mesh whose volume is not to be trusted.
     if (!centre_is_inside()) return {};
     std::vector<std::vector<Index>> facets = m_hull.facets();
     m_facets.reserve(facets.size());
@@ -91,6 +92,7 @@ class PoseSearch {
   }
 
   void judge(Facet& facet) {
+    // The facet's normal is the mean by area; its solid angles add up.
     for (const Index f : facet.faces) {
       facet.normal += m_hull.faces()[f].area * m_hull.faces()[f].normal;
       facet.solid_angle_deg += solid_angle_deg(m_hull.faces()[f]);
@@ -103,9 +105,11 @@ class PoseSearch {
     for (const Index f : facet.faces)
       for (int k = 0; k < 3; ++k) {
         outline.push_back(seen(corner(m_hull.faces()[f], k)));
+        // The highest corner is the one that would touch first, if the facet is not quite flat.
         facet.height =
             std::max(facet.height, facet.normal.dot(corner(m_hull.faces()[f], k) - m_centre));
       }
+    // A facet with the centre's projection inside is a pose; others roll on.
     facet.margin = hull_margin(outline, Vec2::Zero());
     if (facet.margin < 0) facet.rolls_to = beyond(facet);
   }
@@ -153,6 +157,7 @@ class PoseSearch {
       const double height = face.normal.dot(corner(face, 0) - m_centre);
       if (!(face.area > 0) || height >= lowest) continue;
       const Vec3 foot = m_centre + height * face.normal;
+      // The triangle counts if the centre's foot on it is inside.
       bool inside = true;
       for (int k = 0; k < 3; ++k) {
         const Vec3 along = corner(face, (k + 1) % 3) - corner(face, k);
@@ -167,6 +172,7 @@ class PoseSearch {
   }
 
   std::vector<StablePose> poses() const {
+    // The probability of a pose is the solid angle of all facets that roll into it.
     std::vector<double> angle(m_facets.size(), 0);
     double total = 0;
     for (Index i = 0; i < static_cast<Index>(m_facets.size()); ++i) {
@@ -199,6 +205,7 @@ class PoseSearch {
           [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
     };
     const Vec3 a = m_hull.points()[0];
+    // The farthest points span the plane best.
     const Vec3 b = farthest([&](const Vec3& p) { return (p - a).squaredNorm(); }) - a;
     const Vec3 c = farthest([&](const Vec3& p) { return b.cross(p - a).squaredNorm(); }) - a;
     const Vec3 across = b.cross(c);
@@ -234,6 +241,7 @@ std::vector<StablePose> stable_poses(const Shape& shape, UpAxis up, double scale
   PoseSearch search(std::move(points), standing.apply(shape.mass.centre));
   if (hull_vertices) *hull_vertices = search.hull_vertices();
   std::vector<StablePose> out = search.run();
+  // Equal probabilities to rounding are told apart by the tilt, then by the rotation.
   const auto key = [](const StablePose& p) {
     return std::tuple(-std::floor(p.probability / kEqualProbability + 0.5), p.tilt_deg,
                       as_tuple(p.rotation));
@@ -253,6 +261,7 @@ bool stands_as_modelled(const Shape& shape, UpAxis up, double scale) {
     points.push_back(standing.apply(v) - centre);
     lowest = std::min(lowest, points.back().z());
   }
+  // The lowest points are the base; the points above the centre close the hull over it.
   std::vector<Vec2> base, above;
   for (const Vec3& p : points) {
     if (p.z() == lowest) base.push_back(p.head<2>());

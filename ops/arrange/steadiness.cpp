@@ -13,6 +13,7 @@ namespace {
 // The object and all that lies on it, whole, though it may lie on others, too.
 std::vector<ObjectId> with_loads(const Scene& scene, ObjectId id) {
   std::vector<ObjectId> out{id};
+  // Loads of loads count, too.
   for (size_t i = 0; i < out.size(); ++i)
     for (const ObjectContact& entry : scene.at(out[i]).contacts) {
       if (!entry.with.is_object() || !weighs_on(entry)) continue;
@@ -34,6 +35,7 @@ double common_margin(const World& world, const std::vector<ObjectId>& all) {
   }
   const Object& object = scene.at(all.front());
   std::vector<ContactsWith> below = linked_contacts(object);
+  // Contacts within the heap carry nothing together.
   std::erase_if(below, [&](const ContactsWith& c) {
     return c.with.is_object() && std::count(all.begin(), all.end(), c.with.object());
   });
@@ -47,6 +49,7 @@ double common_margin(const World& world, const std::vector<ObjectId>& all) {
 std::optional<Sentence> unsteady(const World& world, const std::vector<ObjectId>& all,
                                  const Steadiness& wanted) {
   const Object& object = world.scene().at(all.front());
+  // The object may be steady alone, and not with what lies on it.
   const double common = all.size() > 1 && wanted.margin > 0 ? common_margin(world, all) : kInfinity;
   const double margin = std::min(object.stability_margin, common);
   const std::string name = quoted(object.name);

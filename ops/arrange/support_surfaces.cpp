@@ -72,8 +72,10 @@ class SurfaceSearch {
     std::vector<Cluster> clusters = joined_levels(connected());
     std::vector<SupportSurface> out;
     for (const Cluster& cluster : clusters) {
+      // Small surfaces, such as buttons and edges, are no place to set things down.
       if (cluster.area < kLeastArea * m_seen_area) continue;
       SupportSurface surface = surface_of(cluster);
+      // A surface without head room is the top of something that another part covers.
       if (surface.head_room > kLeastHeadRoom * m_size) out.push_back(std::move(surface));
     }
     const auto key = [](const SupportSurface& s) {
@@ -88,6 +90,7 @@ class SurfaceSearch {
   // +1 or -1 by which side of the faces is outside; 0: unknown.
   double outside() const {
     const auto& parts = m_body.shape->adjacency.components;
+    // An open mesh has no outside: both sides of a face may be up.
     if (!std::all_of(parts.begin(), parts.end(), [](const Component& c) { return c.balanced; }))
       return 0;
     const Vec3 origin = m_body.world_box.centre();
@@ -108,6 +111,8 @@ class SurfaceSearch {
       const Vec3 twice = (t[1] - t[0]).cross(t[2] - t[0]);
       const double length = twice.norm();
       const double up = sign == 0 ? std::abs(twice.z()) : sign * twice.z();
+      // Faces that look up add up to the area seen from above; in open meshes both sides do, and
+      // count half each.
       if (up > 0) m_seen_area += (sign == 0 ? 0.25 : 0.5) * up;
       if (!(length > 0) || up < kSupportCosine * length) continue;
       m_number[f] = static_cast<Index>(m_faces.size());
@@ -116,6 +121,7 @@ class SurfaceSearch {
   }
 
   std::vector<Cluster> connected() {
+    // Faces that share an edge and look up are one surface.
     Unions unions(m_faces.size());
     const Adjacency& adjacency = m_body.shape->adjacency;
     for (Index e = 0; e < adjacency.edge_faces.size(); ++e) {
@@ -144,6 +150,7 @@ class SurfaceSearch {
   std::vector<Cluster> joined_levels(std::vector<Cluster> clusters) const {
     std::stable_sort(clusters.begin(), clusters.end(),
                      [](const Cluster& a, const Cluster& b) { return a.height() < b.height(); });
+    // Tiles of one height that touch are one surface, though no edge joins them.
     const double tolerance = kLevelTolerance * m_size;
     std::vector<Cluster> out;
     for (const Cluster& cluster : clusters) {
@@ -166,6 +173,7 @@ class SurfaceSearch {
     out.area = cluster.area;
     out.lowest = cluster.box.lower.z(), out.highest = cluster.box.upper.z();
     out.lower = cluster.box.lower.head<2>(), out.upper = cluster.box.upper.head<2>();
+    // The outline is a hull: it spans holes and notches of the surface.
     std::vector<Vec2> corners;
     corners.reserve(3 * cluster.faces.size());
     for (const UpwardFace& face : cluster.faces)
@@ -184,14 +192,17 @@ class SurfaceSearch {
     double passed = 0;
     size_t next = 0;
     for (int i = 0; i < kHeadRoomSamples; ++i) {
+      // Samples are spread evenly over the area of the faces.
       const double wanted = (i + 0.5) / kHeadRoomSamples * cluster.area;
       while (next + 1 < cluster.faces.size() && passed + cluster.faces[next].area < wanted)
         passed += cluster.faces[next++].area;
+      // The point is folded into the triangle.
       double u = 0.7548776662466927 * (i + 1), v = 0.5698402909980532 * (i + 1);
       u -= std::floor(u), v -= std::floor(v);
       if (u + v > 1) u = 1 - u, v = 1 - v;
       const Triangle t = m_body.triangle(cluster.faces[next].face);
       Ray ray;
+      // Rays begin above the face, so that they do not meet it.
       ray.origin = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]) + start * Vec3::UnitZ();
       ray.direction = Vec3::UnitZ();
       const auto hit = first_hit(*m_body.shape, m_body.world_from_object, ray);

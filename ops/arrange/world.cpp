@@ -38,12 +38,14 @@ void check_name(const Scene& scene, const std::string& name, const Sentence& whe
 World::World(Transaction& transaction, const Arrangement& arrangement,
              const ArrangeSetting& setting)
     : m_transaction(&transaction), m_arrangement(arrangement), m_setting(setting) {
+  // Names are checked before anything is computed, so that mistakes are told first.
   check_names();
   m_things.reserve(m_arrangement.things.size());
   for (const Thing& thing : m_arrangement.things) {
     m_thing_of[thing.object] = static_cast<int>(m_things.size());
     m_things.push_back(model_of(thing));
   }
+  // Each thing knows the relations that name it.
   for (size_t r = 0; r < m_arrangement.relations.size(); ++r)
     for (const std::string& name : {m_arrangement.relations[r].a, m_arrangement.relations[r].b})
       if (const int t = thing_of(name); t >= 0) m_things[t].relations.push_back(r);
@@ -53,6 +55,7 @@ World::World(Transaction& transaction, const Arrangement& arrangement,
   for (const Zone& zone : m_arrangement.zones) m_zones.push_back(object_of(zone));
   find_hulls();
   find_planes();
+  // All things leave the scene, and come back one after the other.
   unplace_things();
 }
 
@@ -83,6 +86,8 @@ void World::find_planes() {
 }
 
 void World::check_names() const {
+  // Every name has to exist, every thing may have one carrier, and every reference has to stand or
+  // to be a thing.
   std::map<std::string, int> seen;
   for (const Thing& thing : m_arrangement.things) {
     check_name(scene(), thing.object, TRIVET_SENTENCE("things"));
@@ -135,6 +140,7 @@ std::vector<Rotation> World::rests_of(const Thing& thing) const {
   const Kind kind = thing.pose.kind;
   if (kind == Kind::AsModelled || kind == Kind::Free) return {Rotation{}};
   const Object& object = scene().at(*scene().find(thing.object));
+  // A thing that stands as it was modelled needs no search for poses.
   if (kind == Kind::Upright && facts().stands_as_modelled(object)) return {Rotation{}};
   const std::vector<StablePose>& poses = facts().poses(object);
   if (kind == Kind::Upright) {
@@ -148,6 +154,7 @@ std::vector<Rotation> World::rests_of(const Thing& thing) const {
                  thing.pose.number, poses.size()));
     return {poses[thing.pose.number].rotation};
   }
+  // The likely poses come first; a few are enough.
   std::vector<Rotation> out;
   for (const StablePose& pose : poses)
     if (out.size() < kMaxRests && (kind != Kind::Side || lies_on_side(pose)))
@@ -169,6 +176,7 @@ ThingModel World::model_of(const Thing& thing) const {
   const Object& object = scene().at(out.id);
   out.points = facts().hull(object);
   const auto front = m_arrangement.fronts.find(thing.object);
+  // A thing's front is -y unless the arrangement says otherwise.
   out.front = front == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : front->second;
   for (const Rotation& rotation : rests_of(thing)) {
     const Pose pose{rotation, Vec3::Zero()};
@@ -176,6 +184,7 @@ ThingModel World::model_of(const Thing& thing) const {
     std::vector<Vec3> rim = rim_of(out.points, object, pose, seen);
     out.rests.push_back({rotation, std::move(seen), std::move(rim)});
   }
+  // The area orders things: large ones are placed first.
   const Outline& seen = out.rests.front().outline;
   for (size_t i = 0; i < seen.hull.size(); ++i)
     out.area += 0.5 * cross(seen.hull[i], seen.hull[(i + 1) % seen.hull.size()]);
@@ -183,6 +192,7 @@ ThingModel World::model_of(const Thing& thing) const {
 }
 
 void World::check_cycles() const {
+  // The way down from each thing has to end; after as many steps as there are things it goes round.
   for (const ThingModel& start : m_things) {
     std::string at = start.thing->object;  // and down
     for (size_t steps = 0; steps <= m_things.size(); ++steps) {
@@ -204,6 +214,7 @@ void World::check_cycles() const {
 void World::unplace_things() {
   for (const ThingModel& thing : m_things) {
     if (!object(thing).placed) continue;
+    // A thing may not take along what stays.
     const std::vector<ObjectId> all = carried_with(scene(), thing.id);
     for (const ObjectId id : all)
       if (thing_of(scene().at(id).name) < 0)
@@ -246,6 +257,7 @@ Outline World::outline(const ThingModel& thing, const Rest& rest, const Rotation
 
 Outline World::outline(const std::string& name) const {
   const Object& object = scene().at(*scene().find(name));
+  // A thing's outline is that of its hull where it stands now.
   if (const int t = thing_of(name); t >= 0) return outline(m_things[t], object.pose);
   const auto given = m_arrangement.fronts.find(name);
   const Vec3 front = given == m_arrangement.fronts.end() ? Vec3(-Vec3::UnitY()) : given->second;
@@ -274,6 +286,7 @@ const std::vector<SupportSurface>& World::surfaces(const std::string& name) cons
 }
 
 std::optional<size_t> World::num_levels(const std::string& name) const {
+  // A support that may lie in several poses has no certain levels.
   const int t = thing_of(name);
   if (t < 0) return surfaces(name).size();
   const ThingModel& thing = m_things[t];
@@ -286,6 +299,7 @@ std::optional<size_t> World::num_levels(const std::string& name) const {
 
 double World::keep(const std::string& a, const std::string& b) const {
   double out = 0;
+  // The largest distance that applies to the pair counts.
   const auto pair = std::minmax(a, b);
   for (const KeepApart& keep : m_arrangement.keeps) {
     const auto named = [&](const std::string& name) {

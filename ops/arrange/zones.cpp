@@ -11,6 +11,7 @@ namespace {
 
 bool is_in(const World& world, const Object& zone, const Pose& pose, const Object& other) {
   const Body a = body_of(zone, pose), b = body_of(other);
+  // The exact test tells whether the surfaces cross or one holds the other.
   if (!overlaps(a.world_box, b.world_box, 0)) return false;
   const Vec3 origin = export_origin(world.scene().box());
   return !verify_pair(in_world(zone, pose, origin), in_world(other, other.pose, origin), false, 1)
@@ -31,6 +32,7 @@ Mesh box_mesh(const Vec3& lower, const Vec3& upper) {
   };
   constexpr int kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                 {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  // Each side is two triangles that look outwards.
   std::vector<Triangle> triangles;
   triangles.reserve(12);
   for (const auto& side : kSides)
@@ -42,6 +44,7 @@ Mesh box_mesh(const Vec3& lower, const Vec3& upper) {
 }  // namespace
 
 Object object_of(const Zone& zone) {
+  // A zone is a little smaller than was asked for, so that what just touches it is outside.
   const Vec3 slack = Vec3::Constant(kZoneSlack);
   Object out;
   out.name = zone.name;
@@ -67,6 +70,7 @@ std::optional<Sentence> taken_zone(const World& world, const ThingModel& thing) 
   for (size_t z = 0; z < zones.size(); ++z) {
     if (!world.stands(zones[z].object)) continue;
     const Object& owner = world.scene().at(*world.scene().find(zones[z].object));
+    // The thing may be in a zone of another one, and others in its own.
     if (owner.name != object.name) {
       if (!carries(owner, thing.id) && is_in(world, world.zone(z), owner.pose, object))
         return said(object.name, zones[z]);

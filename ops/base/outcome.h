@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/motion/pose.h"
 #include "ops/base/refusal.h"
+#include "ops/base/repaired.h"
 
 namespace trivet {
 
@@ -67,17 +69,18 @@ struct OperationResult {
     Edge,     // before an edge that is too deep; pulled back
   };
   End end = End::AtRest;
-  Named blocked_by;                          // its name is empty when nothing did
-  Vec3 blocked_at = Vec3::Zero();            // world
-  double moved = 0;                          // metres from where its position was
-  double turned_deg = 0;                     // by TURN and ROTATE
-  std::vector<std::string> carried;          // loads and group members that moved along
-  std::vector<std::string> unsupported;      // free objects that nothing holds any more
-  std::vector<std::string> settled;          // released objects, in order
-  std::vector<GaveWay> gave_way;             // in the scene's order
-  std::vector<std::string> interpenetrates;  // after a free move; "floor" too
-  std::vector<std::string> unsound;          // below it, held, unsupported or invalid
-  std::optional<StartTried> tried;           // of a PUT that might try several starts
+  Named blocked_by;                             // its name is empty when nothing did
+  Vec3 blocked_at = Vec3::Zero();               // world
+  double moved = 0;                             // metres from where its position was
+  double turned_deg = 0;                        // by TURN and ROTATE
+  std::vector<std::string> carried;             // loads and group members that moved along
+  std::vector<std::string> unsupported;         // free objects that nothing holds any more
+  std::vector<std::string> settled;             // released objects, in order
+  std::vector<GaveWay> gave_way;                // in the scene's order
+  std::vector<std::string> interpenetrates;     // after a free move; "floor" too
+  std::vector<std::string> unsound;             // below it, held, unsupported or invalid
+  std::optional<StartTried> tried;              // of a PUT that might try several starts
+  std::shared_ptr<const MendedScene> repaired;  // of MEND and SETTLE
 
   bool ok() const { return status == Status::Ok; }
   /// The refusal as a sentence; empty when there is none.

@@ -48,6 +48,7 @@ bool only_touches(const Depth& depth, double clearance) {
 // Pairs (a, b) with a < b whose boxes overlap, sorted.
 std::vector<PairToCheck> near_pairs(const Scene& scene, const std::vector<PlacedObject>& objects) {
   std::vector<size_t> index_of;  // by slot
+  // Boxes are searched with the largest slack: float32 positions may leave their double's box.
   double slack = 0;
   for (size_t i = 0; i < objects.size(); ++i) {
     index_of.resize(std::max<size_t>(index_of.size(), objects[i].id.index + 1));
@@ -58,6 +59,7 @@ std::vector<PairToCheck> near_pairs(const Scene& scene, const std::vector<Placed
   for (size_t i = 0; i < objects.size(); ++i)
     for (const ObjectId id : scene.near(objects[i].world.box, slack)) {
       const size_t j = index_of[id.index];
+      // Each pair is taken once; a rule may let two objects pass through each other.
       if (j > i && overlaps(objects[i].world.box, objects[j].world.box) &&
           !may_pass(scene, objects[i].object(), objects[j].object()))
         out.push_back({i, j, {}, {}});
@@ -78,6 +80,7 @@ bool reaches_floor(const Scene& scene, const PlacedObject& o) {
 
 void add_floor_findings(const PlacedObject& o, double clearance, SceneCheck& check) {
   const auto crossings = num_below_floor(o.world), floats = num_floats_below_floor(o.world);
+  // An object may be below the floor in float32 alone, as a renderer or simulator would see it.
   if (!crossings && !floats) return;
   const Depth depth = depth_below_floor(o.world);
   const std::string& name = o.object().name;
@@ -90,6 +93,7 @@ void add_floor_findings(const PlacedObject& o, double clearance, SceneCheck& che
 void add_pair_findings(const PlacedObject& a, const PlacedObject& b, const PairToCheck& pair,
                        double clearance, SceneCheck& check) {
   const PairVerdict& v = pair.verdict;
+  // Most pairs are clear: their depth was not even computed.
   if (v.clear()) return;
   const Depth& depth = pair.depth;
   const std::string &name_a = a.object().name, &name_b = b.object().name;
@@ -101,6 +105,7 @@ void add_pair_findings(const PlacedObject& a, const PlacedObject& b, const PairT
   add(check.float32_crossings, name_a, name_b, v.float_crossings);
   add(check.contained, name_a, name_b, v.a_inside_b);
   add(check.contained, name_b, name_a, v.b_inside_a);
+  // A pair that only touches is told, but does not fail the check, see ok().
   if (only_touches(depth, clearance))
     check.touching.push_back(finding(name_a, name_b, v.crossings, depth));
 }
@@ -115,6 +120,7 @@ std::vector<std::vector<Support>> crossed_by(const Scene& scene,
     if (reaches_floor(scene, objects[i]) &&
         !only_touches(depth_below_floor(objects[i].world), clearance))
       out[i].push_back(Support::floor());
+  // Both partners lose each other: neither may rest on what it is inside of.
   for (const PairToCheck& p : pairs)
     if (!p.verdict.clear() && !only_touches(p.depth, clearance)) {
       out[p.a].push_back(objects[p.b].id);
@@ -127,6 +133,7 @@ std::vector<std::vector<Support>> crossed_by(const Scene& scene,
 SceneCheck::Hovering hovering_at(const PlacedObject& o, const Neighbourhood& others,
                                  double clearance) {
   const Body body = body_of(o.object());
+  // The fall is asked down to the lowest that there is.
   const double lowest = std::min(others.floor() ? 0.0 : kInfinity, others.box().lower.z());
   const double depth = body.world_box.upper.z() - lowest;
   if (!(depth > 0) || !(depth < kInfinity)) return {o.object().name, "", kInfinity};
@@ -135,6 +142,7 @@ SceneCheck::Hovering hovering_at(const PlacedObject& o, const Neighbourhood& oth
   const ObstacleContact found =
       first_contact({&body, 1}, others, Motion::translation(-Vec3::UnitZ(), depth), keep, nullptr);
   if (found.status != FirstContact::Status::Contact) return {o.object().name, "", kInfinity};
+  // The found time leaves a clearance below; the surfaces are that much farther apart.
   return {o.object().name, named(others.scene(), found.with).name, found.time + clearance};
 }
 
@@ -154,8 +162,10 @@ void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, const
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
   if (o.object().flexible) add_flexible_findings(o, others.scene(), check);
+  // A fixed object needs nothing that holds it.
   if (o.object().fixed || rests_at(o.object(), o.object().pose, others, rules)) return;
   check.not_at_rest.push_back(o.object().name);
+  // An object hovers if it lies on nothing: the way down tells whether that is seen.
   const bool lies = std::any_of(contacts.begin(), contacts.end(), [](const ContactsWith& c) {
     return std::any_of(c.points.begin(), c.points.end(),
                        [](const ContactPoint& p) { return p.normal.z() > kSupportNormalZ; });
@@ -178,6 +188,7 @@ std::int64_t SceneCheck::interpenetrating_pairs() const {
 }
 
 bool SceneCheck::ok() const {
+  // Crossings that are only touched are no failure.
   const auto is_deep = [this](const PairFinding& f) {
     return std::none_of(touching.begin(), touching.end(), [&](const PairFinding& t) {
       return (t.a == f.a && t.b == f.b) || (t.a == f.b && t.b == f.a);
@@ -198,6 +209,7 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
   const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
   const std::vector<PlacedObject> objects = placed_objects(scene);
   std::vector<PairToCheck> pairs = near_pairs(scene, objects);
+  // Pairs are independent: they are verified in parallel, and told in their order.
   in_parallel(pairs.size(), [&](size_t i) {
     PairToCheck& p = pairs[i];
     const ObjectInWorld &a = objects[p.a].world, &b = objects[p.b].world;
@@ -210,6 +222,7 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
   for (size_t i = 0; i < objects.size(); ++i) {
     if (reaches_floor(scene, objects[i])) add_floor_findings(objects[i], rules.clearance, check);
     Neighbourhood holders(scene, objects[i].id);
+    // Objects that it crosses do not hold it.
     holders.leave_out(crossed[i]);
     add_rest_findings(objects[i], holders, rules, check);
   }
@@ -225,8 +238,10 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Neighbourhoo
                              const RestRules& rules) {
   const Object& object = scene.at(id);
   const ObjectState was = object.state;
+  // An object that is invalid stays so until it crosses nothing any more.
   if (was == ObjectState::Invalid && refuse_interpenetration(scene, id, object.pose, true))
     return was;
+  // A held object is stable now, or still held.
   if (was == ObjectState::Held || was == ObjectState::Invalid)
     return rests_at(object, object.pose, others, rules) ? ObjectState::Stable : ObjectState::Held;
   return state_at(object, object.pose, others, rules);
@@ -247,6 +262,7 @@ void update_contacts(Transaction& transaction, const std::vector<ObjectId>& ids,
   for (const ObjectId id : ids) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
+    // Contacts are found anew with the scene's own holders, and ratings follow from all of them.
     const Neighbourhood others = holders(scene, id);
     const auto contacts = touching(body_of(object), others, rules.clearance);
     const ObjectState state =

@@ -21,6 +21,7 @@ constexpr const char* kSoftwareInstead =
 std::unique_ptr<CandidateFinder> gpu_stage(const BackendOptions& options, const GpuNotes& notes,
                                            const char* instead) {
   Sentence why;
+  // A GPU that cannot be had, or computes wrongly, is told, and never ends the run.
   try {
     if (!options.make_gpu_stage)
       throw Error(Error::Kind::Environment, "this build has no GPU support");
@@ -46,6 +47,7 @@ bool chooses(const BackendOptions& options) {
 }
 
 GpuBrackets::Make brackets_maker(const BackendOptions& options) {
+  // An empty function means that this build has no GPU.
   if (!options.make_gpu_brackets) return {};
   return [make = options.make_gpu_brackets, allow_software = options.backend != Backend::Auto] {
     return make(allow_software);
@@ -54,6 +56,7 @@ GpuBrackets::Make brackets_maker(const BackendOptions& options) {
 
 std::unique_ptr<Detector> detector_of(const BackendOptions& options) {
   const GpuNotes notes = notes_of(options);
+  // A backend asked for by name is used whatever it costs.
   if (options.backend == Backend::Gpu)
     if (std::unique_ptr<CandidateFinder> stage = gpu_stage(options, notes, kBvhsInstead)) {
       auto detector = std::make_unique<Detector>(std::move(stage), "gpu");
@@ -62,6 +65,7 @@ std::unique_ptr<Detector> detector_of(const BackendOptions& options) {
     }
   if (options.backend == Backend::Software)
     return std::make_unique<Detector>(software_stage(options), "software");
+  // Auto without hardware is the BVH: there is nothing to choose from.
   if (!chooses(options)) return std::make_unique<Detector>();
   auto detector = std::make_unique<Detector>(
       std::make_unique<BackendChooser>(options.machine, options.note, notes));

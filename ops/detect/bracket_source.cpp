@@ -23,8 +23,10 @@ GpuBrackets::GpuBrackets(Make make, GpuNotes notes)
 std::optional<std::vector<DropBracket>> GpuBrackets::try_finding(const HeightMap& object,
                                                                  const HeightMap& scene,
                                                                  int columns, int rows) {
+  // A context that was lost is made once more; one that never worked is given up at once.
   Sentence why;
   for (int tries = 0; m_make && tries < 2; ++tries) try {
+      // Making and asking may fail alike: both end this context.
       if (!m_gpu) m_gpu = m_make();
       m_was_made = true;
       auto out = m_gpu(object, scene, columns, rows);
@@ -54,11 +56,14 @@ FasterBrackets::FasterBrackets(GpuBrackets::Make make, GpuNotes notes, Clock clo
 
 BracketSource::Answer FasterBrackets::find(const HeightMap& object, const HeightMap& scene,
                                            int columns, int rows) {
+  // Software collects its own time first; the GPU is warmed up, timed once, and kept if it is
+  // faster.
   const bool in_software = m_stage == Stage::Collecting || m_stage == Stage::Software;
   const double start = m_clock();
   Answer answer = in_software ? Answer{drop_brackets(object, scene, columns, rows), false}
                               : m_gpu.find(object, scene, columns, rows);
   const double spent_ms = m_clock() - start;
+  // Times are compared per pixel and place, as requests differ in size.
   const double pixels = static_cast<double>(object.bound.size()) * columns * rows;
   if (m_stage == Stage::Collecting) {
     m_software_ms += spent_ms;

@@ -13,14 +13,17 @@
 namespace trivet {
 namespace {
 
-constexpr int kSizes[] = {11, 40, 110};  // of spheres: 1K, 13K and 97K triangles
-constexpr int kRepeats = 3;              // the fastest counts; a first run warms the caches
+// Spheres have 1K, 13K, 97K and 720K triangles. Without large ones the costs of a GPU, whose draws
+// hide the faces of small meshes, would be taken for constant.
+constexpr int kSizes[] = {11, 40, 110, 300};
+constexpr int kRepeats = 3;         // the fastest counts; a first run warms the caches
 constexpr double kBudget_ms = 300;  // of a source and kind of motion; larger queries are left out
 
 using Ask = std::function<void(const FirstContactQuery&)>;
 using Spheres = std::vector<std::shared_ptr<const Shape>>;
 
 double fastest_run_ms(const FirstContactQuery& query, const Ask& ask) {
+  // The first run builds trees and warms caches; it is not counted.
   ask(query);
   double out = kInfinity;
   for (int i = 0; i < kRepeats; ++i) {
@@ -34,6 +37,7 @@ double fastest_run_ms(const FirstContactQuery& query, const Ask& ask) {
 CostModel measure(const Spheres& spheres, Motion::Kind kind, CostGrowth growth, const Ask& ask) {
   std::vector<CostSample> samples;
   const Stopwatch stopwatch;
+  // Small queries always run, larger ones as long as the budget lasts.
   for (std::size_t size = 0; size < spheres.size(); ++size) {
     const std::vector<CalibrationQuery> queries = calibration_queries(spheres[size], kind);
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -52,13 +56,6 @@ void measure_both(const Spheres& spheres, CostGrowth growth, const Ask& ask, Sou
   out.turn = measure(spheres, Motion::Kind::Rotation, growth, ask);
 }
 
-// Builds its BVH.
-double ms_per_new_triangle(const Shape& shape) {
-  const Stopwatch stopwatch;
-  shape.bvh();
-  return stopwatch.milliseconds() / static_cast<double>(shape.mesh.triangles.size());
-}
-
 // On hardware, else on a renderer that runs on the CPU.
 std::unique_ptr<CandidateFinder> make_stage(const GpuSource& source, SourceCost& out) {
   try {
@@ -74,12 +71,14 @@ SourceCost measure_gpu(const GpuSource& source, const Spheres& spheres) {
   SourceCost out;
   out.name = source.name;
   try {
+    // Starting is part of the cost, as a process pays it once.
     const Stopwatch stopwatch;
     const std::unique_ptr<CandidateFinder> stage = make_stage(source, out);
     out.device = stage->device();
     out.failure = self_test(*stage);
     out.start_ms = stopwatch.milliseconds();
     if (!out.failure.empty()) out.failure = "fails its self-test: " + out.failure;
+    // A renderer on the processor works, and is never faster than software.
     if (out.failure.empty() && !out.on_cpu)
       measure_both(
           spheres, CostGrowth::Linear,
@@ -93,16 +92,19 @@ SourceCost measure_gpu(const GpuSource& source, const Spheres& spheres) {
 }  // namespace
 
 double SourceCost::ms(const QuerySize& size) const {
+  // A renderer on the processor is never faster than software, and is not asked.
   const bool is_gpu = name != Calibration::kBvh && name != Calibration::kSoftware;
   if (!failure.empty() || (is_gpu && on_cpu)) return kInfinity;
   return (size.kind == Motion::Kind::Rotation ? turn : drop).ms(size);
 }
 
+bool SourceCost::is_for_auto() const { return name != Calibration::kSoftware; }
+
 const SourceCost* Calibration::fastest(const QuerySize& size) const {
   const SourceCost* out = nullptr;
   double best = kInfinity;
   for (const SourceCost& source : sources) {
-    const double ms = source.ms(size);
+    const double ms = source.is_for_auto() ? source.ms(size) : kInfinity;
     if (ms < best) best = ms, out = &source;
   }
   return out;
@@ -110,6 +112,7 @@ const SourceCost* Calibration::fastest(const QuerySize& size) const {
 
 std::string processor_name() {
   std::string model = "unknown processor";
+  // The name tells machines apart whose home folder is the same.
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
     if (line.starts_with("model name") && line.find(": ") != std::string::npos) {
@@ -122,16 +125,17 @@ std::string processor_name() {
 
 Calibration calibrate(const MachineKey& key, const std::vector<GpuSource>& gpu) {
   const Stopwatch stopwatch;
+  // All sources answer the same queries, of spheres of growing size.
   Spheres spheres;
   for (const int n : kSizes) spheres.push_back(wavy_sphere(n));
   Calibration out{key, 0, {}};
-  SourceCost bvh{
-      Calibration::kBvh, "cpu", true, "", 0, ms_per_new_triangle(*spheres.back()), {}, {}};
+  SourceCost bvh{Calibration::kBvh, "cpu", true, "", 0, {}, {}};
   measure_both(
       spheres, CostGrowth::Root, [](const FirstContactQuery& query) { first_contact(query); }, bvh);
   out.sources.push_back(bvh);
+  // z-lists cost in proportion to faces, BVHs about to the root of them: the fit assumes it.
   SoftwareZLists zlists(SoftwareZListOptions{0, 0});
-  SourceCost software{Calibration::kSoftware, "cpu", true, "", 0, 0, {}, {}};
+  SourceCost software{Calibration::kSoftware, "cpu", true, "", 0, {}, {}};
   measure_both(
       spheres, CostGrowth::Linear,
       [&](const FirstContactQuery& query) { first_contact(query, zlists); }, software);

@@ -33,16 +33,18 @@ struct MachineKey {
 
 /// A source of candidates as measured.
 struct SourceCost {
-  std::string name;                // "bvh", "software", or that of a GpuSource
-  std::string device;              // "cpu", or the renderer of OpenGL
-  bool on_cpu = true;              // a GPU's: false on hardware
-  std::string failure;             // why it cannot be used; empty: it can
-  double start_ms = 0;             // to make it, with its self-test
-  double ms_per_new_triangle = 0;  // to prepare a mesh when it is first asked about: a BVH
+  std::string name;     // "bvh", "software", or that of a GpuSource
+  std::string device;   // "cpu", or the renderer of OpenGL
+  bool on_cpu = true;   // a GPU's: false on hardware
+  std::string failure;  // why it cannot be used; empty: it can
+  double start_ms = 0;  // to make it, with its self-test
   CostModel drop, turn;
 
-  /// Not infinity for sources that `auto` may choose. A GPU's must be on hardware.
+  /// Infinity if it cannot be used, and for a GPU's that is not on hardware.
   double ms(const QuerySize& size) const;
+  /// False for z-lists in software, which are measured for comparison: BVHs beat them in every
+  /// query, and a mesh that is too new to have a BVH needs one for the proofs that follow.
+  bool is_for_auto() const;
 };
 
 struct Calibration {
@@ -53,7 +55,7 @@ struct Calibration {
   static constexpr const char* kBvh = "bvh";
   static constexpr const char* kSoftware = "software";
 
-  /// The cheapest source for a query; null if none can be used.
+  /// The cheapest source for a query that `auto` may take; null if none can be used.
   const SourceCost* fastest(const QuerySize& size) const;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 constexpr std::size_t kMostBytes = 1 << 20;
 constexpr std::size_t kMostSources = 64;
 
@@ -45,7 +45,6 @@ Json source_json(const SourceCost& source) {
           {"on_cpu", source.on_cpu},
           {"failure", source.failure},
           {"start_ms", source.start_ms},
-          {"ms_per_new_triangle", source.ms_per_new_triangle},
           {"drop", model_json(source.drop)},
           {"turn", model_json(source.turn)}};
 }
@@ -56,7 +55,6 @@ SourceCost source_from(const Json& json) {
           json.at("on_cpu"),
           json.at("failure"),
           number_of(json, "start_ms"),
-          number_of(json, "ms_per_new_triangle"),
           model_from(json.at("drop")),
           model_from(json.at("turn"))};
 }
@@ -69,6 +67,7 @@ std::string folder_from(const char* variable) {
 }  // namespace
 
 std::string calibration_path() {
+  // The cache may be lost at any time: it is measured again.
   std::string folder = folder_from("XDG_CACHE_HOME");
   if (folder.empty()) {
     folder = folder_from("HOME");
@@ -94,8 +93,9 @@ std::string to_json(const Calibration& calibration) {
 Calibration calibration_from_json(const std::string& text) {
   try {
     const Json json = json_from_text<Json>(text, "backends.json");
+    // Another format is refused as a whole: the caller measures again.
     if (json.at("format") != kFormat)
-      throw Error(Error::Kind::BadInput, "\"format\" is %1; accepted: 2", json.at("format").dump());
+      throw Error(Error::Kind::BadInput, "\"format\" is %1; accepted: 3", json.at("format").dump());
     Calibration out;
     out.key = {json.at("version"), json.at("build"), json.at("cpu"), json.at("hardware"),
                json.at("device")};
@@ -115,6 +115,7 @@ Calibration read_calibration(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, none))  // opening a pipe would wait
     throw Error(Error::Kind::Environment, "%1 is no regular file", path);
   std::ifstream file(path, std::ios::binary);
+  // The size is bounded: a damaged file costs no memory.
   std::string text(kMostBytes, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));

@@ -17,6 +17,7 @@ Vec3 on_sphere(const Vec3& on_octahedron) {
 
 void add_octant(const Vec3& sign, int n, std::vector<Triangle>& out) {
   const auto at = [&](int i, int j) { return on_sphere(Vec3(i, j, n - i - j).cwiseProduct(sign)); };
+  // An odd number of negative signs mirrors the octant: its faces are turned to look outwards.
   const bool mirrored = sign.prod() < 0;
   const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     out.push_back(mirrored ? Triangle{a, c, b} : Triangle{a, b, c});
@@ -55,6 +56,7 @@ std::shared_ptr<const Shape> wavy_sphere(int n) {
 std::vector<CalibrationQuery> calibration_queries(const std::shared_ptr<const Shape>& sphere,
                                                   Motion::Kind kind) {
   std::vector<CalibrationQuery> out;
+  // Each offset makes an image of another width, which tells pixels and triangles apart.
   for (const double offset : kOffsets)
     out.push_back(kind == Motion::Kind::Translation ? drop(sphere, offset) : turn(sphere, offset));
   return out;

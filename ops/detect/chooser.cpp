@@ -10,19 +10,10 @@ namespace {
 
 constexpr int kMostFailures = 8;
 
-/// Triangles of all bodies, and of those that have no BVH yet.
-struct Triangles {
-  double all = 0, new_ones = 0;
-};
-
-Triangles triangles_of(const FirstContactQuery& query) {
-  Triangles out;
+double num_triangles(const FirstContactQuery& query) {
+  double out = 0;
   for (const std::span<const Body> bodies : {query.moving, query.fixed})
-    for (const Body& body : bodies) {
-      const auto count = static_cast<double>(body.shape->mesh.triangles.size());
-      out.all += count;
-      if (!body.shape->has_bvh()) out.new_ones += count;
-    }
+    for (const Body& body : bodies) out += static_cast<double>(body.shape->mesh.triangles.size());
   return out;
 }
 
@@ -33,12 +24,14 @@ BackendChooser::BackendChooser(std::shared_ptr<Machine> machine,
     : m_machine(std::move(machine)), m_note(std::move(note)), m_gpu_notes(std::move(gpu_notes)) {}
 
 double BackendChooser::ms(const SourceCost& source, const QuerySize& size) const {
-  return m_given_up.contains(source.name) ? kInfinity : source.ms(size);
+  const bool is_open = source.is_for_auto() && !m_given_up.contains(source.name);
+  return is_open ? source.ms(size) : kInfinity;
 }
 
 // Returns whether no source can be faster than BVHs, even if all bodies count for BVHs and none for
 // the source.
 bool BackendChooser::is_small(Motion::Kind kind, double triangles) const {
+  // The bound is cheap to ask, and spares small queries the frame.
   double bvh = kInfinity, others = kInfinity;
   for (const SourceCost& source : m_calibration->sources)
     if (source.name == Calibration::kBvh)
@@ -48,33 +41,37 @@ bool BackendChooser::is_small(Motion::Kind kind, double triangles) const {
   return bvh <= others;
 }
 
-double BackendChooser::to_pay_ms(const SourceCost& source, double new_triangles) const {
-  return (m_ready.contains(source.name) ? 0 : source.start_ms) +
-         source.ms_per_new_triangle * new_triangles;
+double BackendChooser::to_pay_ms(const SourceCost& source) const {
+  return m_ready.contains(source.name) ? 0 : source.start_ms;
 }
 
 // Null: BVHs, as nothing else can be used.
-const SourceCost* BackendChooser::choose(const QuerySize& size, double new_triangles) {
+const SourceCost* BackendChooser::choose(const QuerySize& size) {
   const SourceCost* best = nullptr;
   double best_ms = kInfinity;
+  // A source that has to start pays that off by what it would have saved so far.
   for (const SourceCost& source : m_calibration->sources) {
-    const double owed = to_pay_ms(source, new_triangles) - m_saved_ms[source.name];
+    const double owed = to_pay_ms(source) - m_saved_ms[source.name];
     const double total = ms(source, size) + std::max(0.0, owed);
     if (total < best_ms) best_ms = total, best = &source;
   }
   if (!best) return nullptr;
   m_saved_ms[best->name] = 0;
+  // Others gain what they would have saved at this query.
   for (const SourceCost& source : m_calibration->sources)
-    if (to_pay_ms(source, new_triangles) > 0)
+    if (to_pay_ms(source) > 0)
       m_saved_ms[source.name] += std::max(0.0, ms(*best, size) - ms(source, size));
   return best;
 }
 
 // False: it was given up, or the calibration is another one now.
 bool BackendChooser::make_ready(const SourceCost& source) {
+  // A source starts when it is chosen for the first time, not before.
   if (m_ready.contains(source.name)) return true;
   try {
     std::unique_ptr<CandidateFinder> stage = m_machine->make_stage(source.name, m_gpu_notes);
+    // Costs that were measured on another device say nothing about this one: they are measured once
+    // more.
     const bool is_other = stage && stage->device() != source.device && !m_recalibrated;
     m_ready[source.name] = std::move(stage);
     if (!is_other) return true;
@@ -87,6 +84,7 @@ bool BackendChooser::make_ready(const SourceCost& source) {
 }
 
 void BackendChooser::give_up(const std::string& name, const Sentence& why) {
+  // The source is given up for the rest of the run, and the user is told once.
   m_given_up.insert(name);
   const Sentence text = say("%1; auto goes on without %2", why, name);
   if (name != Calibration::kSoftware)
@@ -96,6 +94,7 @@ void BackendChooser::give_up(const std::string& name, const Sentence& why) {
 }
 
 CandidateFinder* BackendChooser::use(const std::string& name) {
+  // Failures count in a row, and for one source.
   if (name != m_current) m_failures = 0;
   m_current = name;
   m_used.insert(name);
@@ -109,20 +108,22 @@ CandidateFinder* BackendChooser::use(const std::string& name) {
 }
 
 CandidateFinder* BackendChooser::stage_for(const FirstContactQuery& query) {
+  // Calibration is measured when it is first needed.
   if (!m_calibration) m_calibration = m_machine->calibration();
-  const Triangles triangles = triangles_of(query);
-  if (triangles.new_ones == 0 && is_small(query.motion.kind, triangles.all))
-    return use(Calibration::kBvh);
+  // A small query goes to BVHs at once.
+  if (is_small(query.motion.kind, num_triangles(query))) return use(Calibration::kBvh);
   const QuerySize size = size_of(query);
+  // A source that does not start is given up, and the next best is chosen.
   while (true) {
     const auto kept = m_calibration;  // `source` is in it
-    const SourceCost* const source = choose(size, triangles.new_ones);
+    const SourceCost* const source = choose(size);
     if (!source) return use(Calibration::kBvh);
     if (make_ready(*source)) return use(source->name);
   }
 }
 
 void BackendChooser::answered(bool usable, const std::string& why) {
+  // A source that gives up again and again is not asked any more.
   m_failures = usable ? 0 : m_failures + 1;
   if (m_failures < kMostFailures || m_current == Calibration::kBvh) return;
   m_ready.erase(m_current);

@@ -11,10 +11,10 @@
 
 namespace trivet {
 
-/// One per detector. What must be made ready first (a GPU's context, shaders and self-test; BVHs of
-/// meshes that have none yet) is made when the queries so far would have paid for it, as one buys
-/// skis when the rents reach their price: what is asked a few times ends without it. A source that
-/// fails is given up with one note.
+/// One per detector. A GPU's context, shaders and self-test are made when the queries so far would
+/// have paid for them, as one buys skis when the rents reach their price: what is asked a few times
+/// ends without a GPU. BVHs of new meshes are not weighed against that: the proofs after a motion
+/// need them anyhow. A source that fails is given up with one note.
 class BackendChooser {
  public:
   /// @param note       told what is given up in software.
@@ -39,8 +39,8 @@ class BackendChooser {
 
   bool is_small(Motion::Kind kind, double triangles) const;
   double ms(const SourceCost& source, const QuerySize& size) const;
-  double to_pay_ms(const SourceCost& source, double new_triangles) const;
-  const SourceCost* choose(const QuerySize& size, double new_triangles);
+  double to_pay_ms(const SourceCost& source) const;
+  const SourceCost* choose(const QuerySize& size);
   bool make_ready(const SourceCost& source);
   CandidateFinder* use(const std::string& name);
   void give_up(const std::string& name, const Sentence& why);

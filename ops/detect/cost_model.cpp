@@ -18,6 +18,7 @@ double num_triangles(std::span<const Body> bodies, const std::vector<Index>& whi
 }
 
 Terms terms_of(const QuerySize& size, CostGrowth growth) {
+  // BVHs cost about the root of the triangles: they look at a part of the surface alone.
   if (growth == CostGrowth::Root) return {1, std::sqrt(size.triangles), 0};
   return {1, size.triangles, size.pixels};
 }
@@ -37,6 +38,7 @@ struct Normal {
 // each other: fewer of them do as well.
 Terms solve(const Normal& normal, int mask) {
   Normal used = normal;
+  // A term that is left out has a row of its own: it is zero.
   for (int k = 0; k < kMostTerms; ++k) {
     if (mask >> k & 1) continue;
     used.matrix.row(k).setZero();
@@ -62,6 +64,7 @@ double CostModel::ms(const QuerySize& size) const {
 }
 
 CostModel fit_cost(std::span<const CostSample> samples, CostGrowth growth) {
+  // Errors are relative, so that small queries count as much as large ones.
   std::vector<Terms> rows;
   rows.reserve(samples.size());
   Terms squares = Terms::Zero();
@@ -69,6 +72,7 @@ CostModel fit_cost(std::span<const CostSample> samples, CostGrowth growth) {
     rows.emplace_back(terms_of(sample.size, growth) / sample.ms);
     squares += rows.back().cwiseAbs2();
   }
+  // Columns of length one keep the normal equations well conditioned.
   const Terms scale = squares.cwiseSqrt().cwiseMax(1e-300);
   Normal normal;
   for (Terms& row : rows) {

@@ -51,6 +51,7 @@ std::string Detector::lists() const {
 FirstContact Detector::first_contact(const FirstContactQuery& query) {
   const Stopwatch stopwatch;
   ++m_work.num_queries;
+  // The chooser may take another source for each query; the answer does not depend on it.
   CandidateFinder* const stage = m_chooser ? m_chooser->stage_for(query) : m_stage.get();
   const FirstContact found = stage ? ask_stage(query, *stage) : trivet::first_contact(query);
   m_work.node_pairs += found.work.node_pairs;
@@ -78,6 +79,7 @@ std::vector<FirstContact> Detector::first_contacts_early(
   const Stopwatch stopwatch;
   m_work.early += static_cast<std::int64_t>(queries.size());
   std::vector<FirstContact> out;
+  // All queries are of the same faces: the first chooses the source for all.
   CandidateFinder* const stage = m_chooser ? m_chooser->stage_for(queries.front()) : m_stage.get();
   if (stage) {
     std::vector<CandidatePairs> proposals;
@@ -86,6 +88,7 @@ std::vector<FirstContact> Detector::first_contacts_early(
   } else {
     for (const FirstContactQuery& query : queries) out.push_back(trivet::first_contact(query));
   }
+  // Work counts for all queries, also for answers that are not used later.
   for (const FirstContact& found : out) {
     m_work.node_pairs += found.work.node_pairs;
     m_work.face_pairs += found.work.face_pairs;

@@ -16,6 +16,7 @@ class DetectorGroup::SharedBrackets : public BracketSource {
 };
 
 DetectorGroup::DetectorGroup(const BackendOptions& options) : m_confirmation(options.confirmation) {
+  // A GPU is shared by all threads; other sources are lent to each.
   if (std::unique_ptr<CandidateFinder> stage = make_gpu_stage_of(options)) {
     m_stage = std::make_unique<GatheredStage>(std::move(stage));
     m_brackets = make_gpu_brackets_of(options);
@@ -27,6 +28,7 @@ DetectorGroup::DetectorGroup(const BackendOptions& options) : m_confirmation(opt
 }
 
 DetectorGroup::Part::Part(DetectorGroup& group) {
+  // Without a shared GPU each thread works with a detector of its own.
   if (!group.gathers()) {
     m_loan = std::make_unique<DetectorPool::Loan>(*group.m_pool);
     return;

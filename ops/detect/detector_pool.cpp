@@ -10,6 +10,7 @@ DetectorPool::~DetectorPool() { leave_those_of_parent(); }
 
 // Their drivers' threads are not here: whatever ended them could wait for ever.
 void DetectorPool::leave_those_of_parent() {
+  // After a fork the child owns copies that it must not end.
   if (m_process == getpid()) return;
   for (std::unique_ptr<Detector>& detector : m_free) static_cast<void>(detector.release());
   m_free.clear();
@@ -17,6 +18,7 @@ void DetectorPool::leave_those_of_parent() {
 }
 
 std::unique_ptr<Detector> DetectorPool::take() {
+  // The lock is given back before a new one is made, which may take a while.
   {
     const std::lock_guard lock(m_mutex);
     leave_those_of_parent();

@@ -30,6 +30,7 @@ class GatheredStage::Member : public CandidateFinder {
   std::vector<CandidatePairs> find_candidates_for_all(std::span<const FirstContactQuery> queries,
                                                       std::span<const double> horizons) override {
     if (queries.empty()) return {};
+    // The thread waits in ask() until its question is answered with those of others.
     Question question{queries, horizons, {}, nullptr, false};
     m_all.ask(question);
     if (question.thrown) std::rethrow_exception(question.thrown);
@@ -56,6 +57,7 @@ void GatheredStage::leave() {
 }
 
 void GatheredStage::ask(Question& question) {
+  // A question waits until every member has one, or leaves.
   std::unique_lock lock(m_mutex);
   m_questions.push_back(&question);
   while (!question.is_answered) {
@@ -71,6 +73,8 @@ void GatheredStage::answer(std::unique_lock<std::mutex>& lock) {
   const std::vector<Question*> asked = std::exchange(m_questions, {});
   m_is_answering = true;
   lock.unlock();
+  // The stage answers without the lock, so that others can leave meanwhile.
+  // All questions become one request, in the order in which they came.
   std::vector<FirstContactQuery> queries;
   std::vector<double> horizons;
   for (const Question* q : asked) {
@@ -84,6 +88,7 @@ void GatheredStage::answer(std::unique_lock<std::mutex>& lock) {
   } catch (...) {
     thrown = std::current_exception();
   }
+  // Each question gets as many answers as it had queries; an error is for all of them.
   auto next = answers.begin();
   for (Question* q : asked) {
     q->thrown = thrown;

@@ -24,6 +24,7 @@ MachineKey Machine::key() const {
 }
 
 std::shared_ptr<const Calibration> Machine::calibration() {
+  // One thread measures; the others wait, and share the result.
   const std::lock_guard lock(m_mutex);
   if (!m_calibration) m_calibration = read();
   if (!m_calibration) m_calibration = measure();
@@ -33,11 +34,13 @@ std::shared_ptr<const Calibration> Machine::calibration() {
 std::shared_ptr<const Calibration> Machine::recalibrate(
     const std::shared_ptr<const Calibration>& old) {
   const std::lock_guard lock(m_mutex);
+  // Another thread may have measured again already: its result serves both.
   if (!m_calibration || m_calibration == old) m_calibration = measure();
   return m_calibration;
 }
 
 std::string Machine::choice(const QuerySize& size) {
+  // Without hardware BVHs are always the choice, and nothing is measured.
   if (!has_hardware()) return Calibration::kBvh;
   const std::shared_ptr<const Calibration> known = calibration();
   const SourceCost* const found = known->fastest(size);
@@ -54,6 +57,8 @@ std::unique_ptr<CandidateFinder> Machine::make_stage(const std::string& name,
   }
   for (const GpuSource& source : m_options.gpu) {
     if (source.name != name) continue;
+    // A stage answers for true only after its self-test: a driver may compute wrongly without an
+    // error.
     auto stage = source.make(false, notes);
     const std::string wrong = self_test(*stage);
     if (wrong.empty()) return stage;
@@ -69,6 +74,7 @@ void Machine::tell(const Sentence& note) const {
 // Null if there is none, or none for this machine.
 std::shared_ptr<const Calibration> Machine::read() const {
   std::error_code error;
+  // A file of another machine or version is measured anew.
   if (m_options.file.empty() || !std::filesystem::exists(m_options.file, error)) return nullptr;
   Sentence why = "it is of another version, build, processor, driver or device";
   try {
@@ -83,6 +89,7 @@ std::shared_ptr<const Calibration> Machine::read() const {
 
 std::shared_ptr<const Calibration> Machine::measure() const {
   auto found = std::make_shared<const Calibration>(calibrate(key(), m_options.gpu));
+  // A calibration that cannot be kept serves this run.
   if (!m_options.file.empty()) try {
       write_calibration(*found, m_options.file);
     } catch (const Error& error) {

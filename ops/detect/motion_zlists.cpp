@@ -14,6 +14,7 @@ double floor_time(const FirstContactQuery& query) {
 
 size_t num_not_ruled_out(const CandidatePairs& candidates, double time) {
   if (!candidates.usable) return 0;
+  // Pairs are sorted by the time before which they cannot meet.
   const auto end =
       std::partition_point(candidates.pairs.begin(), candidates.pairs.end(),
                            [&](const FacePair& pair) { return pair.not_before <= time; });
@@ -25,6 +26,7 @@ size_t num_not_ruled_out(const CandidatePairs& candidates, double time) {
 MotionZLists motion_zlists(const FirstContactQuery& query, CandidateFinder& stage, int resolution,
                            const Confirmation& confirmation) {
   MotionZLists out;
+  // The floor bounds the picture as it bounds a query.
   out.floor = floor_time(query);
   out.depths = motion_depths(query, std::min(out.floor, query.motion.limit), resolution);
   out.contact = first_contact(query, stage, &out.candidates, confirmation);

@@ -30,6 +30,7 @@ bool faces_nearer(double distance, const Body& a, const BvhNode& leaf_a, const B
 
 bool nearer_than(double distance, const Body& a, const Body& b) {
   const PlacedBvh tree_a(a), tree_b(b);
+  // Pairs of nodes that are farther apart hold no nearer faces; the larger node is opened.
   if (tree_a.bvh.nodes.empty() || tree_b.bvh.nodes.empty()) return false;
   std::vector<std::pair<Index, Index>> open{{0, 0}};
   while (!open.empty()) {

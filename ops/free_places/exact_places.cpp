@@ -14,6 +14,7 @@ constexpr size_t kMaxFirst = 1024;    // places of the height maps that are trie
 constexpr size_t kMaxFollowed = 256;  // of those nearly as near, apart from each other
 
 bool over_triangle(const Triangle& t, const Vec2& p) {
+  // The point is inside if it is on one side of all edges, seen from above.
   double signs[3];
   for (int k = 0; k < 3; ++k) {
     const Vec2 a = t[k].head<2>() - p, b = t[(k + 1) % 3].head<2>() - p;
@@ -56,10 +57,12 @@ bool ExactPlaces::fits(const Vec2& at) const {
   Affine world = m_setting.body.world_from_object;
   world.translation += start(at).translation;
   const Body body(*m_setting.body.shape, world);
+  // The fall reaches below everything that could be met.
   const double fall = 1.01 * (body.world_box.upper.z() - m_lowest);
   Aabb below = body.world_box;
   below.lower.z() -= fall;
   const Clearance keep{m_setting.clearance};
+  // The support goes first, as the smallest index wins ties.
   std::vector<Body> fixed = m_setting.others.near(below, 2 * keep.largest_stop()).bodies;
   if (m_setting.support) fixed.insert(fixed.begin(), *m_setting.support);  // wins ties
   const FirstContact found = first_contact({{&body, 1},
@@ -67,6 +70,7 @@ bool ExactPlaces::fits(const Vec2& at) const {
                                             m_setting.others.floor(),
                                             Motion::translation(-Vec3::UnitZ(), fall),
                                             keep});
+  // The support has to be met first; where it stops, all others have to keep their distance.
   if (found.status != FirstContact::Status::Contact) return false;
   if (m_setting.on_floor() ? found.fixed != FirstContact::kFloor : found.fixed != 0) return false;
   world.translation.z() -= found.time;
@@ -78,6 +82,7 @@ bool ExactPlaces::fits(const Vec2& at) const {
 
 // Towards the point, in steps that double, then halving to what still fits.
 void ExactPlaces::shrink(Found& found, double step) const {
+  // Steps double while the place fits, so that far ways take few.
   double blocked = 0;
   for (;; step *= 2) {
     blocked = std::max(0.0, found.radius - step);
@@ -85,6 +90,7 @@ void ExactPlaces::shrink(Found& found, double step) const {
     found.radius = blocked;
     if (blocked == 0) return;
   }
+  // The last step is halved between a place that fits and one that does not.
   while (found.radius - blocked > 0.25 * m_tolerance) {
     const double middle = 0.5 * (found.radius + blocked);
     (fits(m_near + middle * found.direction) ? found.radius : blocked) = middle;
@@ -101,6 +107,7 @@ bool ExactPlaces::fits_on_way(const Found& found, double aside, double radius) c
 // with the square of what is aside, so that the first steps go as far as pixels can be off.
 void ExactPlaces::descend(Found& found, double spacing) const {
   shrink(found, spacing);
+  // The distance along a straight edge grows with the square of the way aside.
   const double first = spacing + std::sqrt(8 * spacing * found.radius);
   for (double step = first; step > m_tolerance && found.radius > m_tolerance; step *= 0.5)
     for (const double side : {-step, step})
@@ -116,6 +123,7 @@ void ExactPlaces::descend(Found& found, double spacing) const {
 // From a place that fits by the maps to one that is nearer than `best`. Nothing: there is none.
 std::optional<ExactPlaces::Found> ExactPlaces::nearer(const Vec2& at, const Found& best,
                                                       double spacing) const {
+  // A quarter of the tolerance is the least gain that counts.
   const double radius = best.radius - 0.25 * m_tolerance;
   const Vec2 direction = (at - m_near).normalized();
   const Vec2 across(-direction.y(), direction.x());
@@ -130,6 +138,7 @@ std::optional<ExactPlaces::Found> ExactPlaces::nearer(const Vec2& at, const Foun
 
 std::optional<Vec2> ExactPlaces::nearest(const Places& places) const {
   const std::vector<Pose>& starts = places.starts.empty() ? places.doubtful : places.starts;
+  // The first place that fits exactly gives the radius that others have to beat.
   size_t k = 0;
   while (k < std::min(starts.size(), kMaxFirst) && !fits(centre_at(starts[k]))) ++k;
   if (k >= std::min(starts.size(), kMaxFirst)) return std::nullopt;
@@ -140,7 +149,9 @@ std::optional<Vec2> ExactPlaces::nearest(const Places& places) const {
   for (; k < starts.size() && best.radius > m_tolerance; ++k) {
     const Vec2 at = centre_at(starts[k]);
     const auto close = [&](const Vec2& p) { return (p - at).norm() < 2 * places.spacing; };
+    // Places of the maps come by distance: after this one none can be nearer.
     if ((at - m_near).norm() > first.norm() + 3 * places.spacing + places.doubt) break;
+    // Neighbouring places would lead to the same spot.
     if (std::any_of(followed.begin(), followed.end(), close)) continue;
     if (followed.size() == kMaxFollowed) break;
     followed.push_back(at);

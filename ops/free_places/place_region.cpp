@@ -20,6 +20,7 @@ double reach(const Body& body, const Vec2& point, const Vec2& direction) {
 }  // namespace
 
 std::vector<Vec2> region_of(const std::vector<Vec2>& corners) {
+  // Two corners mean a rectangle.
   if (corners.size() != 2) return corners;
   const Vec2 lower = corners[0].cwiseMin(corners[1]), upper = corners[0].cwiseMax(corners[1]);
   return {lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}};
@@ -27,6 +28,7 @@ std::vector<Vec2> region_of(const std::vector<Vec2>& corners) {
 
 bool is_convex_region(const std::vector<Vec2>& corners) {
   if (corners.size() < 3) return false;
+  // Every corner has to lie on the left of every side.
   for (size_t i = 0; i < corners.size(); ++i) {
     const Vec2 along = corners[(i + 1) % corners.size()] - corners[i];
     const auto is_left = [&](const Vec2& p) {
@@ -65,6 +67,7 @@ bool PlaceRegion::holds(const Body& body) const {
 
 PlaceRegion PlaceRegion::of_point(const Vec2& point, const Body& body) const {
   PlaceRegion out = *this;
+  // Each side moves inwards by how far the body reaches beyond the point.
   if (is_all()) return out;
   for (Side& side : out.m_sides) side.bound -= reach(body, point, side.outwards);
   for (int k = 0; k < 2; ++k) {

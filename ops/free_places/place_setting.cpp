@@ -20,6 +20,7 @@ PlaceSetting::PlaceSetting(const Scene& scene, ObjectId id, std::span<const Obje
       clearance(motion_clearance) {
   if (request.on.is_object()) support = body_of(scene.at(request.on.object()));
   const double top = support ? support->world_box.upper.z() : 0;
+  // The start is just above the support, unless a height is given.
   start_z = request.from.value_or(top + 4 * clearance);
 }
 

@@ -17,6 +17,7 @@ namespace {
 constexpr double kBeyondStep = 1.0 / 16;
 
 double pixel_of(const PlaceSetting& setting, const Vec2& window_size) {
+  // Pixels follow the object, unless the window is too large or they would be near the clearance.
   return std::max({setting.width() / kPlacePixelsAcross, window_size.maxCoeff() / kPlacesAcross,
                    16 * setting.clearance});
 }
@@ -65,9 +66,11 @@ class PlaceSearch {
   }
 
   Places run(const DropBracketFunction& brackets) {
+    // The underside, the support's top and the top of all else decide, pixel by pixel.
     HeightMap underside = underside_on_grid();
     const HeightMap support = top_of_support(underside);
     const std::vector<float> falls = falls_onto(support, underside, brackets);
+    // Without a distance to keep, the others' top is that of the bodies.
     if (!(m_keep > 0)) {
       take_starts(falls, underside, top_of_others(underside));
       return std::move(m_out);
@@ -76,6 +79,7 @@ class PlaceSearch {
     // Two pixels may hold points that are closer or farther than their centres by a diagonal.
     const double reach = m_keep / (m_coarse * m_grid.pixel);
     take_starts(falls, underside, top_within(reach + kDiagonal, about, underside));
+    // Places that may keep the distance are told as doubtful if none does for certain.
     if (m_out.starts.empty()) {
       const double sure = std::max(reach - kDiagonal, 0.0);
       m_out.doubtful = ranked(farther_than(falls, underside, top_within(sure, about, underside)));
@@ -94,9 +98,11 @@ class PlaceSearch {
     const PlaceWindow area = area_of(m_setting, m_request, m_request.keep);
     const PlaceWindow to = m_request.within.value_or(area);
     const Vec2 size = to.upper - to.lower;
+    // The grid has a pixel for each place of the object, with the window's middle in its middle.
     const double pixel = pixel_of(m_setting, size);
     // Beyond that everything is too near to all places.
     m_keep = std::min(m_request.keep, span_of_all(to));
+    // Distances to keep are judged in coarser pixels, so that maps stay small.
     m_coarse = static_cast<int>(std::max(1.0, std::ceil(m_keep / (kPlaceKeepPixels * pixel))));
     m_border = static_cast<int>(m_keep / (m_coarse * pixel) + kDiagonal);
     m_grid = MapGrid::about(m_setting.body.world_box, pixel, m_setting.body.world_box.lower.z());
@@ -149,6 +155,7 @@ class PlaceSearch {
   }
 
   HeightMap top_of_support(const HeightMap& underside) const {
+    // The support is drawn apart from the others.
     std::vector<Body> support;
     if (m_setting.support) support.push_back(*m_setting.support);
     return draw_top(support, grid_under(underside.width, underside.height), m_setting.on_floor(),
@@ -214,6 +221,7 @@ class PlaceSearch {
     m_out.num_judged = static_cast<std::int64_t>(on.size());
     constexpr float kBelowZero = -std::numeric_limits<float>::denorm_min();
     std::vector<float> out(on.size(), kNever);
+    // The reasons why places fail are counted, for the refusal.
     for (int i = 0; i < static_cast<int>(on.size()); ++i) {
       if (!m_setting.region.holds(centre_at(i)))
         ++m_out.num_outside;
@@ -246,6 +254,7 @@ class PlaceSearch {
 
   std::vector<Pose> ranked(std::vector<int> places) const {
     if (m_request.near) {
+      // Places come by distance from the point, or shuffled by the seed.
       std::vector<std::pair<double, int>> order;
       order.reserve(places.size());
       for (const int i : places)
@@ -281,6 +290,7 @@ std::vector<PlaceWindow> place_windows(const Scene& scene, ObjectId object,
   const PlaceWindow all = area_of(setting, request, request.keep);
   std::vector<PlaceWindow> out;
   if ((all.lower.array() > all.upper.array()).any()) return out;
+  // Near a point the windows grow: most searches end in the first.
   if (request.near) {
     const Vec2 nearest = request.near->cwiseMax(all.lower).cwiseMin(all.upper);
     const double fine = std::max(setting.width() / kPlacePixelsAcross, 16 * clearance);
@@ -303,6 +313,7 @@ Places places_beyond(const Scene& scene, ObjectId object, std::span<const Object
                      const PlaceRequest& request, double clearance) {
   const PlaceSetting setting(scene, object, carried, request, clearance);
   Places out;
+  // Only the unbounded floor has room beyond everything.
   const Aabb box = setting.others.box();
   if (!setting.on_floor() || box.empty() || !setting.region.is_all()) return out;
   // Half a width more than is asked for: far out, clearances are larger.

@@ -13,6 +13,7 @@ constexpr double kReachBelow = 5;  // tolerances below an object, in which other
 /// Others that a column of the object may meet near it.
 std::vector<size_t> near_ones(const std::vector<Body>& bodies, size_t object, double tolerance) {
   Aabb box = bodies[object].world_box;
+  // The reach below the object finds supports from which noise has lifted it.
   box.lower.z() -= kReachBelow * tolerance + 0.02;
   box.upper.z() += tolerance;
   std::vector<size_t> out;
@@ -31,6 +32,7 @@ class ColumnReader {
   std::vector<Column> read() const {
     std::vector<Column> out;
     const Projection& p = m_lists.projection();
+    // Every line of sight down through the object is a column.
     for (int row = 0; row < p.height; ++row)
       for (int x = 0; x < p.width; ++x) {
         Column column{at(p, x, row), kInfinity, kNoHeight, {}};
@@ -40,6 +42,7 @@ class ColumnReader {
             const double z = height(item);
             column.low = std::min(column.low, z), column.high = std::max(column.high, z);
           }
+        // A column that misses the object says nothing about it.
         if (column.high == kNoHeight) continue;
         column.others.resize(m_bodies.size() - 1);
         for (const ZListItem& item : list)
@@ -61,6 +64,7 @@ class ColumnReader {
   // Meshes that are no solids have no outside: all their faces carry.
   bool looks_up(const ZListItem& item) const {
     if (!m_is_solid[item.body]) return true;
+    // The face's normal in the world tells, as poses may turn the mesh over.
     const Body& body = m_bodies[item.body];
     const Triangle t = body.shape->mesh.triangle(static_cast<Index>(item.face));
     const Affine& world = body.world_from_object;
@@ -72,6 +76,8 @@ class ColumnReader {
     MetObject& met = column.others[item.body - 1];
     const double z = height(item);
     met.low = std::min(met.low, z), met.high = std::max(met.high, z);
+    // A support is below the column's middle and no higher than its lowest point, within the
+    // tolerance.
     const bool under =
         z <= column.low + m_tolerance && z < 0.5 * (column.low + column.high) + m_tolerance;
     if (under && z > met.highest_under && looks_up(item)) met.highest_under = z;
@@ -97,6 +103,7 @@ Columns columns_of(const Scene& scene, const PosedObjects& all, size_t object, i
     is_solid.push_back(scene.at(all[i].id).shape->mass.rule == MassRule::Volume);
     out.others.push_back(all[i].id);
   }
+  // The window is the object's own box, seen from above.
   ProjectionOptions options;
   options.resolution = num;
   options.region =

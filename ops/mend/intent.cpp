@@ -27,6 +27,7 @@ double at_share(std::vector<double> values, double share) {
 }
 
 double angle_between_deg(const Vec3& a, const Vec3& b) {
+  // The angle is twice the arctangent of the chord over its complement, without libm.
   const double apart = (a - b).norm(), together = (a + b).norm();
   return apart <= together ? turned_deg(apart / together) : 180 - turned_deg(together / apart);
 }
@@ -52,7 +53,10 @@ class IntentFinder {
   explicit IntentFinder(const Scene& scene) : m_scene(scene) {}
 
   Intent find(std::optional<double> tolerance) {
+    // Attitudes come first: columns are read through levelled objects.
     level_all();
+    // Without a given tolerance a coarse look measures the gaps; the noise of the scene is a few
+    // times their median.
     if (!tolerance) {
       m_tolerance = kFirstTolerance;
       look(kFewColumns);
@@ -75,6 +79,7 @@ class IntentFinder {
   void level_all() {
     std::vector<double> small;
     std::map<std::uint32_t, std::vector<Vec3>> downs;
+    // Every object joins the scene; those that may move are looked at.
     for (const ObjectId id : m_scene.ids()) {
       const Object& object = m_scene.at(id);
       if (!object.placed) continue;
@@ -83,10 +88,12 @@ class IntentFinder {
       Looked looked;
       looked.intent.id = id;
       downs[id.index] = downs_of(object);
+      // The tilt is that against the nearest stable pose.
       looked.intent.tilt_deg = nearest_down(downs[id.index], object.pose.rotation).second;
       if (looked.intent.tilt_deg < kSmallTilt) small.push_back(looked.intent.tilt_deg);
       m_looked.push_back(std::move(looked));
     }
+    // Tilts that are much larger than the usual ones are meant.
     m_most_tilt =
         small.empty() ? 3 : std::clamp(kTiltsToLimit * at_share(small, 0.5), kLeastTilt, kMostTilt);
     for (Looked& l : m_looked) {
@@ -95,6 +102,7 @@ class IntentFinder {
       l.intent.level = l.intent.is_level ? levelled(object, downs[l.intent.id.index]) : object.pose;
       l.level = {l.intent.id, l.intent.level};
     }
+    // All columns see the level attitudes, of supports, too.
     for (Placement& p : m_all)
       for (const Looked& l : m_looked)
         if (l.intent.id == p.id) p.pose = l.intent.level;
@@ -105,9 +113,11 @@ class IntentFinder {
     const Rotation& r = object.pose.rotation;
     const int k = nearest_down(downs, r).first;
     const Vec3 down = r.matrix() * downs[static_cast<size_t>(k)];
+    // An attitude that is level to rounding stays to the bit.
     if (angle_between_deg(down, -Vec3::UnitZ()) < 1e-9) return object.pose;
     Pose out;
     out.rotation = (turn_to(down, -Vec3::UnitZ()) * r).normalized();
+    // The middle of the box stays where it is, as a turn about the origin would move the object.
     const Vec3 middle =
         world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
     out.translation =
@@ -116,6 +126,7 @@ class IntentFinder {
   }
 
   void look(int num) {
+    // Each look starts anew, as the tolerance has changed.
     m_index.clear();
     for (size_t i = 0; i < m_looked.size(); ++i) {
       Looked& l = m_looked[i];
@@ -127,6 +138,7 @@ class IntentFinder {
       l.intent.inside.reset();
       m_index[l.intent.id.index] = i;
     }
+    // Containers tell what may carry what, and order tells who lies on whom.
     for (Looked& l : m_looked) find_container(l);
     for (Looked& l : m_looked) find_below(l);
     for (Looked& l : m_looked) find_supports(l);
@@ -148,12 +160,15 @@ class IntentFinder {
     const double low = lowest(l);
     double high = kNoHeight;
     for (const Column& c : l.columns.columns) high = std::max(high, c.high);
+    // The rim has to be above the object's underside by a part of its height.
     const double rim = std::max(0.004, 0.15 * std::min(0.1, high - low));
     double best = kInfinity;
     for (size_t k = 0; k < l.columns.others.size(); ++k) {
       const Object& other = m_scene.at(l.columns.others[k]);
       const Aabb box = m_scene.world_box(l.columns.others[k]);
       if (box.upper.z() < low + rim || size_of(other) < size_of(m_scene.at(l.intent.id))) continue;
+      // The foot is the lowest quarter of the object; most of it has to be within the other's box,
+      // over its faces.
       size_t foot = 0, within = 0;
       for (const Column& c : l.columns.columns) {
         if (c.low > low + 0.25 * (high - low)) continue;
@@ -165,6 +180,7 @@ class IntentFinder {
       if (static_cast<double>(within) <
           kInsideShare * static_cast<double>(std::max<size_t>(foot, 3)))
         continue;
+      // The smallest container is the one that is meant.
       if (!surrounds(l, k, low + rim) || size_of(other) >= best) continue;
       best = size_of(other);
       l.intent.inside = l.columns.others[k];
@@ -199,6 +215,7 @@ class IntentFinder {
 
   // Side by side: they overlap in height by more than they overlap seen from above.
   bool is_beside(const Looked& l, size_t k) const {
+    // The overlap in height is the median over columns that meet both.
     std::vector<double> over;
     for (const Column& c : l.columns.columns)
       if (c.others[k].high > kNoHeight)
@@ -213,18 +230,21 @@ class IntentFinder {
         (mine.upper.cwiseMin(other.upper) - mine.lower.cwiseMax(other.lower)).head<2>();
     const double least =
         std::min(mine.upper.z() - mine.lower.z(), other.upper.z() - other.lower.z());
+    // A stack overlaps little in height and much seen from above; neighbours do the opposite.
     return height > 0.3 * least && common.minCoeff() < height && share < 0.6;
   }
 
   void find_below(Looked& l) {
     for (size_t k = 0; k < l.columns.others.size(); ++k) {
       const ObjectId other = l.columns.others[k];
+      // Fixed objects, and the container, are below whatever meets them.
       const Looked* const o = looked(other);
       if (!o || l.intent.inside == other) {
         l.above.insert(other.index);
         continue;
       }
       if (o->intent.inside == l.intent.id || is_beside(l, k)) continue;
+      // Each one's distance as seen from both decides, and then the larger one is the lower one.
       const auto down = distance_to(l, other), up = distance_to(*o, l.intent.id);
       if (!down) continue;
       const double score =
@@ -236,6 +256,7 @@ class IntentFinder {
 
   bool may_carry(const Looked& l, ObjectId other) const {
     if (!l.above.count(other.index)) return false;
+    // Inside a container only the container and what is in it may carry.
     if (!l.intent.inside || *l.intent.inside == other) return true;
     const Looked* const o = looked(other);
     return o && o->intent.inside == l.intent.inside;
@@ -262,8 +283,10 @@ class IntentFinder {
     std::vector<double> values;
     values.reserve(gaps.size());
     for (const Gap& g : gaps) values.push_back(g.gap);
+    // The smallest gaps tell where the object touches; a few of the least are noise.
     const double first = at_share(values, 0.03);
     l.intent.gap = std::min(first, gap_of_feet(l).value_or(first));
+    // Columns nearly as near share the weight.
     const double near = first + std::max(0.35 * m_tolerance, 0.0015);
     double total = 0;
     for (const Gap& g : gaps) {
@@ -279,6 +302,7 @@ class IntentFinder {
     for (IntendedSupport& s : l.intent.on) s.share /= total;
     std::stable_sort(l.intent.on.begin(), l.intent.on.end(),
                      [](const auto& a, const auto& b) { return a.share > b.share; });
+    // Supports with a small share are neighbours that noise has moved under the edge.
     while (l.intent.on.size() > 1 && l.intent.on.back().share < kLeastShare) l.intent.on.pop_back();
   }
 
@@ -289,12 +313,14 @@ class IntentFinder {
     for (size_t k = 0; k < l.columns.others.size(); ++k) {
       const ObjectId other = l.columns.others[k];
       const double z = c.others[k].highest_under;
+      // Order wins over height within the tolerance.
       if (z == kNoHeight || !may_carry(l, other)) continue;
       const bool over = owner && lies_above(other, *owner),
                  under = owner && lies_above(*owner, other);
       if (owner && z < top + (under ? m_tolerance : over ? -m_tolerance : 0)) continue;
       owner = other, top = z;
     }
+    // A column without an object below, or with one below the floor's height, stands on the floor.
     if (!owner || (top < 0 && m_scene.floor && !l.intent.inside)) {
       if (!m_scene.floor || l.intent.inside || c.low < -3 * m_tolerance - 0.05) {
         if (!owner) return std::nullopt;
@@ -326,6 +352,7 @@ class IntentFinder {
     const auto waits_for = [&](const Support& s) {
       return s.is_object() && m_index.count(s.object().index) && !done.count(s.object().index);
     };
+    // Each round takes all whose supports are placed; a circle of supports is cut at its weakest.
     while (!left.empty()) {
       std::vector<Looked*> ready;
       for (Looked* l : left)

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/io/foreign/scene.h"
@@ -22,6 +23,7 @@ constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
+constexpr double kMostSpread = 2.5;  // tolerances that two side by side may be in each other
 
 Vec3 local_middle(const Object& object) {
   return world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
@@ -29,6 +31,7 @@ Vec3 local_middle(const Object& object) {
 
 // Pose `then`, carried along by what moves `from` to `to`.
 Pose carried(const Pose& from, const Pose& to, const Pose& then) {
+  // The pose keeps its place relative to the body that is moved.
   const Rotation turn = (to.rotation * inverse(from).rotation).normalized();
   return {(turn * then.rotation).normalized(),
           to.translation + turn.matrix() * (then.translation - from.translation)};
@@ -61,8 +64,11 @@ class Mender {
             scene, options.tolerance > 0 ? std::optional(options.tolerance) : std::nullopt)) {}
 
   MendedScene run() {
+    // Objects without findings stay; only the others leave the scene, and come back.
     const std::vector<ObjectId> moving = unsettled_objects(m_scene, m_options);
     Rearrangement rearrangement(m_scene, m_options, in_order(moving));
+    m_moving = moving;
+    // Supports come before what they carry, so that each object sees where its support is now.
     for (const ObjectId id : in_order(moving)) {
       m_object = m_meant.find(id);
       place(rearrangement, id);
@@ -75,6 +81,23 @@ class Mender {
   }
 
  private:
+  // Objects that stand level on one thing are moved apart together, when the first of them comes
+  // back: a row has no order in which each finds room for itself.
+  void spread_row_of(const Rearrangement& scene, const ObjectIntent& first) {
+    if (!first.is_level || first.on.empty() || m_spread.count(first.id.index)) return;
+    std::vector<Placement> row;
+    for (const ObjectId id : m_moving) {
+      const ObjectIntent& meant = *m_meant.find(id);
+      if (!meant.is_level || meant.on.empty() || meant.on[0].on != first.on[0].on) continue;
+      if (m_scene.at(id).placed) continue;
+      Pose pose = pose_meant(scene, meant);
+      pose.translation.z() += kLeastAir;
+      row.push_back({id, pose});
+    }
+    const std::vector<Vec3> shifts = spread_shifts(m_scene, row, kMostSpread * m_meant.tolerance);
+    for (size_t i = 0; i < row.size(); ++i) m_spread[row[i].id.index] = shifts[i];
+  }
+
   std::vector<ObjectId> in_order(const std::vector<ObjectId>& ids) const {
     std::vector<ObjectId> out;
     for (const ObjectIntent& o : m_meant.objects)
@@ -83,19 +106,27 @@ class Mender {
   }
 
   void place(Rearrangement& scene, ObjectId id) {
-    if (!support_moved(scene) && scene.keep(id)) return;
+    // An object that stands well where it is, on supports that did not move, stays; but not where
+    // its row needs room.
+    spread_row_of(scene, *m_object);
+    const bool in_row = m_spread.count(id.index) && m_spread[id.index] != Vec3::Zero();
+    if (!in_row && !support_moved(scene) && scene.keep(id)) return;
     if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
     const Pose nominal = nominal_pose(scene, id);
     Sentence why = "no place near is free";
     Landing best;
     int tries = 0;
     for (const Start& start : starts_around(scene, id, nominal)) {
+      // A landing as it was meant ends the search, unless a cheaper start is left; so do too many
+      // tries.
       const bool enough = best.as_meant && (start.cost > best.cost || tries > 12);
       if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
       if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
         break;
+      // A start that interpenetrates would be refused by PUT, which costs more.
       if (refuse_interpenetration(m_scene, id, start.pose, false)) continue;
       ++tries;
+      // Each start is tried in a transaction that is taken back; the best is put at the end.
       const OperationResult result = scene.try_put(id, start.pose, [&](const Object& there) {
         const Landing landing = judged(id, there, nominal, start.pose);
         if (landing.cost < best.cost) best = landing;
@@ -106,6 +137,7 @@ class Mender {
   }
 
   bool support_moved(const Rearrangement& scene) const {
+    // A support that has been moved takes along what it carries.
     return std::any_of(m_object->on.begin(), m_object->on.end(), [&](const IntendedSupport& s) {
       return s.on.is_object() && was_moved(scene, s.on.object());
     });
@@ -116,19 +148,26 @@ class Mender {
            !same_pose(scene.given(id), m_scene.at(id).pose);
   }
 
-  // Level, lowered or lifted by its gap, and along with its main support.
   Pose nominal_pose(const Rearrangement& scene, ObjectId id) {
     m_nominal_given.insert(id.index);
-    Pose pose = m_object->level;
-    pose.translation.z() -= m_object->gap;
-    if (m_object->on.empty() || !m_object->on[0].on.is_object()) return pose;
-    const ObjectId support = m_object->on[0].on.object();
+    Pose pose = pose_meant(scene, *m_object);
+    if (const auto it = m_spread.find(id.index); it != m_spread.end())
+      pose.translation += it->second;
+    return pose;
+  }
+
+  // Level, lowered or lifted by its gap, and along with its main support.
+  Pose pose_meant(const Rearrangement& scene, const ObjectIntent& meant) const {
+    Pose pose = meant.level;
+    pose.translation.z() -= meant.gap;
+    if (meant.on.empty() || !meant.on[0].on.is_object()) return pose;
+    const ObjectId support = meant.on[0].on.object();
     const ObjectIntent* const below = m_meant.find(support);
     if (!below || !was_moved(scene, support)) return pose;
     const Pose now = m_scene.at(support).pose;
-    Pose from = below->level;
+    const Pose from = below->level;
     // A level object is shifted; a turn of its support about the vertical does not concern it.
-    if (m_object->is_level) {
+    if (meant.is_level) {
       pose.translation += middle_of(support, now) - middle_of(support, from);
       return pose;
     }
@@ -144,6 +183,7 @@ class Mender {
                                    const Pose& nominal) const {
     const double tol = std::max(m_meant.tolerance, 0.002);
     std::vector<Start> out;
+    // The levelled attitude is tried first, then the given one, which costs a little more.
     std::vector<Pose> attitudes{nominal};
     const Pose given = scene.given(id);
     if (turn_between_deg(nominal.rotation, given.rotation) > 0.3) {
@@ -154,6 +194,7 @@ class Mender {
     for (size_t j = 0; j < attitudes.size(); ++j) {
       const double more = static_cast<double>(j) * 0.3 * tol;
       const Pose& base = attitudes[j];
+      // Starts: parted from what it crosses, lifted, and in rings around the place.
       add(out, parted(id, base), base, more);
       for (const double lift : kLiftsInTolerances)
         add(out, shifted(base, 0, 0, kLeastAir + lift * tol), base, more);
@@ -184,6 +225,7 @@ class Mender {
   // others.
   Pose parted(ObjectId id, Pose pose) const {
     pose.translation.z() += kLeastAir;
+    // Each round parts it from all that it crosses; it may then cross others.
     for (int round = 0; round < kPartings; ++round) {
       const Placement here{id, pose};
       const auto found = interpenetrations(m_scene, {&here, 1}, false, 8);
@@ -200,6 +242,7 @@ class Mender {
     const Object& other = m_scene.at(with.object());
     const Depth depth = depth_of(mine, in_world(other, other.pose, origin));
     Vec3 way = (depth.metres + kLeastAir) * depth.way;
+    // The way out of what does not carry it is sideways, unless it is steep.
     const bool carries = std::any_of(m_object->on.begin(), m_object->on.end(),
                                      [&](const IntendedSupport& s) { return s.on == with; });
     if (!carries && std::abs(way.z()) < way.head<2>().norm()) way.z() = 0;
@@ -210,6 +253,7 @@ class Mender {
     const double size = size_of(there), tol = m_meant.tolerance;
     const double moved = (middle_of(id, there.pose) - middle_of(id, nominal)).norm();
     const double turn = turn_between_deg(nominal.rotation, there.pose.rotation);
+    // The cost is the way that its points have gone; lost relations cost sizes of the object.
     double penalty = 0;
     if (!carried_as_meant(there)) penalty += kLostSupport;
     penalty += kExtraSupport * extra_supports(there);
@@ -253,6 +297,7 @@ class Mender {
     const std::vector<Support> now = supports_of(object);
     ChangedRelation change{object.name, {}, {}};
     const auto name = [&](const Support& s) { return named(m_scene, s).name; };
+    // Relations that were meant and are kept, lost ones, and new ones are counted.
     for (const IntendedSupport& s : meant.on) {
       ++out.num_meant;
       if (std::find(now.begin(), now.end(), s.on) != now.end())
@@ -270,7 +315,9 @@ class Mender {
   Scene& m_scene;
   const MendOptions& m_options;
   Intent m_meant;
-  const ObjectIntent* m_object = nullptr;   // that is being placed
+  const ObjectIntent* m_object = nullptr;  // that is being placed
+  std::vector<ObjectId> m_moving;
+  std::map<std::uint32_t, Vec3> m_spread;   // shifts of objects in rows, by slot
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };
 

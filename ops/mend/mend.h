@@ -18,18 +18,6 @@ struct MendOptions : SettleSceneOptions {
   int most_tries = 120;  // starts of one object
 };
 
-/// A change of an object's supports.
-struct ChangedRelation {
-  std::string object;
-  std::vector<std::string> lost, gained;  // names; "floor"
-};
-
-struct MendedScene : SettledScene {
-  double tolerance = 0;                    // metres, that was used
-  size_t num_kept = 0, num_meant = 0;      // supports of objects that were looked at
-  std::vector<ChangedRelation> relations;  // of objects whose supports are not those meant
-};
-
 /// A true object stays, to the bit, unless what carries it moves. Every other free object goes to
 /// the nearest place found where it passes through nothing, rests, and is carried by what its pose
 /// was meant to be carried by. Objects without a place stay where they were.

@@ -32,7 +32,9 @@ class Rearrangement {
     if (result.ok()) judge(m_scene.at(id));
     return result;
   }
-  void give_up(ObjectId id, Sentence why) { m_out.unable.push_back({id, std::move(why)}); }
+  void give_up(ObjectId id, Sentence why) {
+    m_out.unable.push_back({id, m_scene.at(id).name, std::move(why)});
+  }
 
   /// Objects that were given up stand where they were; what has moved, and how far.
   SettledScene finish();
@@ -47,6 +49,13 @@ class Rearrangement {
   Stopwatch m_watch;
   SettledScene m_out;
 };
+
+/// Horizontal shifts, metres, by which these objects are free of each other and of what is in the
+/// scene, about: two give way by half each, in turn, so that a row spreads about its middle and
+/// away from walls. Pairs that are more than `most` in each other, or shorter apart upwards, stay.
+/// @param members  none of them in the scene.
+std::vector<Vec3> spread_shifts(const Scene& scene, const std::vector<Placement>& members,
+                                double most);
 
 /// The lowest first.
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids);

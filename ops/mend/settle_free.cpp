@@ -24,6 +24,7 @@ std::set<std::string> names_of_findings(const SceneCheck& check) {
   std::set<std::pair<std::string, std::string>> touching;
   for (const auto& f : check.touching) touching.insert({f.a, f.b});
   std::set<std::string> out(check.not_at_rest.begin(), check.not_at_rest.end());
+  // Pairs that merely touch are no reason to move anything.
   for (const auto* findings : {&check.crossings, &check.contained, &check.float32_crossings})
     for (const auto& f : *findings)
       if (!touching.count({f.a, f.b}) && !touching.count({f.b, f.a})) out.insert({f.a, f.b});
@@ -31,6 +32,7 @@ std::set<std::string> names_of_findings(const SceneCheck& check) {
 }
 
 void let_down(Rearrangement& scene, ObjectId id) {
+  // The object is let go from its place, or from just above, as high as it has to be.
   Sentence why = "it fits nowhere above its place";
   for (const double lift : kLifts) {
     if (lift > scene.options().most_lift) break;
@@ -51,6 +53,7 @@ void let_down(Rearrangement& scene, ObjectId id) {
 Slots and_their_loads(const Scene& scene, Slots slots) {
   std::map<std::uint32_t, std::vector<ObjectId>> loads;
   for (const LoadSupport::Entry& e : load_support(scene).entries) loads[e.object.index] = e.loads;
+  // Loads of loads count, too.
   std::vector<std::uint32_t> open(slots.begin(), slots.end());
   while (!open.empty()) {
     const std::uint32_t slot = open.back();
@@ -67,6 +70,7 @@ double turn_between_deg(const Rotation& a, const Rotation& b) {
   const Rotation back{a.w, -a.x, -a.y, -a.z};
   const Rotation turn = back * b;
   const double across = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+  // The angle is twice the arctangent of the quaternion's parts, without libm.
   const double along = std::abs(turn.w);
   if (across <= along) return across == 0 ? 0 : turned_deg(across / along);
   return 180 - turned_deg(along / across);
@@ -76,6 +80,7 @@ std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOpt
   for (const std::string& name : options.only)
     if (!scene.find(name))
       bad_input("there is no object %1; accepted: names of objects", quoted(name));
+  // The judgement is on a copy, as it renews contacts.
   Scene judged = scene;
   update_contacts(judged, options.settle.clearance, options.settle);
   const std::set<std::string> names =
@@ -95,6 +100,7 @@ std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOpt
 }
 
 SettledScene settle_scene(Scene& scene, const SettleSceneOptions& options) {
+  // The lowest goes first, as others come to rest on it.
   const std::vector<ObjectId> order = lowest_first(scene, unsettled_objects(scene, options));
   Rearrangement rearrangement(scene, options, order);
   for (const ObjectId id : order)

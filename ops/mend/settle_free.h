@@ -6,7 +6,7 @@
 
 #include "ops/base/context.h"
 #include "ops/base/options.h"
-#include "ops/base/refusal.h"
+#include "ops/base/repaired.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet {
@@ -17,25 +17,6 @@ struct SettleSceneOptions {
   std::vector<std::string> only;  // objects that may move; empty: all that are free
   double most_lift = 0.2;         // metres up from where an object is, to where it is let go
   double seconds = 0;             // for all; 0: unlimited. What is left then stays where it is
-};
-
-/// An object that was moved.
-struct SettledObject {
-  ObjectId id;
-  Pose from, to;
-  double moved = 0;       // metres, of its centre of mass
-  double turned_deg = 0;  // by the shortest turn
-};
-
-/// An object that stays where it was, though it should not.
-struct UnsettledObject {
-  ObjectId id;
-  Sentence why;
-};
-
-struct SettledScene {
-  std::vector<SettledObject> moved;     // in the scene's order
-  std::vector<UnsettledObject> unable;  // by the order in which they were tried
 };
 
 /// Objects that are at rest and pass through nothing stay, to the bit, unless what holds them

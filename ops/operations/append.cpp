@@ -14,6 +14,7 @@ constexpr Accepts kChord{Sort::Number, kMinChord, kMaxChord, "metres", {}, 0};
 constexpr Accepts kFacetAngle{Sort::Number, kMinFacetAngleDeg, kMaxFacetAngleDeg, "degrees"};
 
 std::optional<InvalidArgument> refuse_chord(const AppendOperation& o) {
+  // Only models with curved surfaces have a tessellation to choose.
   const Tessellation standard;
   if (o.tessellation == standard || !cad_format(o.model).empty()) return std::nullopt;
   const bool chord = o.tessellation.chord != standard.chord;
@@ -45,11 +46,13 @@ const OperationTable& table<AppendOperation>() {
 
 OperationResult apply(Transaction& transaction, const AppendOperation& o, OperationRun&) {
   if (auto why = refuse_name(transaction.scene(), o.object)) return refused(std::move(*why));
+  // A model is read before operations run: one that is missing here could not be read.
   if (!o.shape) {
     Refusal why{Refusal::Cause::ModelNotLoaded, {{o.object, std::nullopt}}};
     why.detail = o.model;
     return refused(std::move(why));
   }
+  // The object has no pose yet: a PUT or STAND gives it one.
   Object object;
   object.name = o.object;
   object.model = o.model_data;

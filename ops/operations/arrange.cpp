@@ -12,7 +12,7 @@ std::optional<InvalidArgument> refuse_nothing(const ArrangeOperation& o) {
 
 }  // namespace
 
-// The keys of a problem are those of arrange.schema.json.
+// The keys of a problem are those of the schema of arrangements.
 template <>
 const OperationTable& table<ArrangeOperation>() {
   static const OperationTable rows = make_table<ArrangeOperation>(

@@ -13,6 +13,7 @@ bool leans_on_others(const Object& object) {
 
 // Carriers of one body among others that stand still; nothing: its contacts do not balance it.
 std::optional<std::vector<ContactsWith>> carriers_among(FreeBodies alone, double clearance) {
+  // The forces that balance the body alone tell how much of its weight each partner bears.
   const PartForces found = contact_forces(alone, clearance);
   if (!found.solved || !found.balanced()) return std::nullopt;
   std::vector<ContactsWith> partners;
@@ -29,6 +30,7 @@ std::optional<std::vector<ContactsWith>> carriers_among(FreeBodies alone, double
     upward[static_cast<size_t>(at - partners.begin())] += found.forces[k].z();
   }
   std::vector<ContactsWith> out;
+  // A partner that bears next to nothing merely touches.
   for (size_t k = 0; k < partners.size(); ++k)
     if (upward[k] > kCarriedPart * alone.bodies[0].weight) out.push_back(std::move(partners[k]));
   return out;
@@ -38,6 +40,8 @@ std::vector<ContactsWith> carriers(const Scene& scene, ObjectId id, const RestRu
   std::optional<double> friction;
   if (rules.perfect_friction) friction = kLargestFriction;
   const ObjectId ids[] = {id};
+  // Contacts that the scene knows are asked first; those farther away only if the close ones do not
+  // hold it.
   if (auto close = carriers_among(linked_bodies(scene, ids, friction), rules.clearance))
     return std::move(*close);
   const auto is_ground = [](ObjectId, const Object&) { return true; };
@@ -60,12 +64,14 @@ void link_carriers(Transaction& transaction, ObjectId id, const RestRules& rules
   const Object& object = scene.at(id);
   std::vector<ObjectContact> links = object.contacts;
   const auto is_marked = [](const ObjectContact& l) { return l.carries || l.across_gap; };
+  // An object that stands on what lies below it needs no marks, and loses those it had.
   if (!leans_on_others(object) && std::none_of(links.begin(), links.end(), is_marked)) return;
   for (ObjectContact& l : links) l.carries = false;
   std::erase_if(links, [](const ObjectContact& l) { return l.across_gap && !l.is_carried; });
   if (leans_on_others(object))
     for (const ContactsWith& c : carriers(scene, id, rules)) {
       const auto same = [&](const ObjectContact& l) { return l.with == c.with; };
+      // A carrier across a gap is no contact yet, and becomes a link of its own.
       auto at = std::find_if(links.begin(), links.end(), same);
       if (at == links.end()) {
         at = links.insert(
@@ -74,6 +80,7 @@ void link_carriers(Transaction& transaction, ObjectId id, const RestRules& rules
       }
       at->carries = true;
     }
+  // Links that stay as they are are not written, so that nothing counts as touched.
   if (!are_marked_alike(links, object.contacts)) transaction.set_contacts(id, std::move(links));
 }
 

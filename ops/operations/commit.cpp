@@ -54,7 +54,9 @@ void rate_as(Transaction& transaction, ObjectId id, const RestRules& rules, cons
   const Object& seen = scene.at(id);
   if (seen.fixed || !seen.placed) return;
   const std::vector<Support> crossed = passed_through(scene, id);
+  // Margin and state follow from links alone, so that a scene that is read again is rated alike.
   const double margin = margin_by_links(scene, id, rules);
+  // An invalid object gets no other state while it still crosses something.
   const bool stays = is_invalid(scene, id) && !crossed.empty();
   const ObjectState now = stays ? ObjectState::Invalid : state([&] {
     if (margin >= kRestMargin * size_of(seen)) return true;
@@ -81,12 +83,15 @@ class GroupCommit {
 
   void run() {
     const Index num_members = static_cast<Index>(m_group.ids().size());
+    // Partners are collected while the old contacts are still there.
     for (const ObjectId id : m_group.ids()) m_members.insert(id.index);
     for (Index i = 0; i < num_members; ++i) prepare(i);
     for (const ObjectId id : m_scene.invalid_objects()) add_partner(id);
     find_inner_contacts();
+    // All poses change before any contact is set, as contacts are found between the new places.
     for (Index i = 0; i < num_members; ++i) place(i);
     for (Index i = 0; i < num_members; ++i) link(i);
+    // Members are rated first, then those that they left or met.
     for (const ObjectId id : m_group.ids()) rate(id);
     for (const ObjectId id : m_partners.ids()) rate(id);
     for (const ObjectId id : m_group.ids())
@@ -164,6 +169,7 @@ class GroupCommit {
 
   void link(Index i) {
     const ObjectId id = m_group.ids()[i];
+    // Bodies that cross each other have contacts that mean nothing.
     const std::vector<Support> crossed = passed_through(m_scene, id);
     std::erase_if(m_contacts[i], [&](const ContactsWith& c) {
       return std::find(crossed.begin(), crossed.end(), c.with) != crossed.end();
@@ -204,9 +210,11 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
 
 OperationResult commit(Transaction& transaction, MovePlan plan, OperationRun& run) {
   if (plan.changes_scene) {
+    // The objects that a free move has pushed into are named, not moved.
     for (const Interpenetration& c : plan.crossed)
       add_name(plan.result.interpenetrates, named(transaction.scene(), c.with).name);
     GroupCommit(transaction, plan, run.options).run();
+    // Objects that lost their support are released only if the operation asks for it.
     if (plan.release && !plan.result.unsupported.empty()) {
       settle_unsupported(transaction, run, plan.group->clearance(), *plan.release, plan.result);
       if (run.interrupt.reason())
@@ -234,6 +242,7 @@ void commit_object(Transaction& transaction, ObjectId id, const Pose& pose, Obje
 
 void rate_again(Transaction& transaction, std::vector<ObjectId> ids, const RestRules& rules) {
   const Scene& scene = transaction.scene();
+  // An object may have been deleted or taken out meanwhile.
   std::erase_if(ids, [&](ObjectId id) { return !scene.contains(id) || !scene.at(id).placed; });
   for (const ObjectId id : ids) {
     const RestRating rating = rating_by_links(scene, id, rules);
@@ -242,6 +251,7 @@ void rate_again(Transaction& transaction, std::vector<ObjectId> ids, const RestR
       object.least_friction = rating.least_friction;
     });
   }
+  // Carriers are looked for when all margins are known.
   for (const ObjectId id : ids) link_carriers(transaction, id, rules);
 }
 
@@ -255,6 +265,7 @@ void rate_left_alone(Transaction& transaction, ObjectId id, const RestRules& rul
 std::vector<ObjectId> dependents_of(const Scene& scene, ObjectId id) {
   const Object& object = scene.at(id);
   IdSet out;
+  // Partners, objects across a gap, and invalid ones may all change when the object goes.
   for (const ObjectContact& entry : object.contacts)
     if (entry.with.is_object()) out.add(entry.with.object());
   for (const ObjectId other : leaning_on(scene, object, Neighbourhood(scene, id))) out.add(other);

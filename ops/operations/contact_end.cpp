@@ -27,6 +27,7 @@ struct Exit {
 Exit leaves(const Triangle& t, const Vec3& normal, const Vec3& p, const Vec3& velocity,
             double now) {
   Exit exit;
+  // The first edge that is passed outwards ends the contact with this face.
   for (int k = 0; k < 3; ++k) {
     const Vec3 outward = (t[(k + 1) % 3] - t[k]).cross(normal);
     const double speed = outward.dot(velocity);
@@ -52,6 +53,7 @@ Index next_in_plane(const Body& body, Index face, int edge, const Vec3& normal) 
 
 double way_over_faces(const Body& body, Index face, const Vec3& p, const Vec3& velocity) {
   double now = 0;
+  // A point that leaves a face goes on over its neighbour in the same plane.
   for (int i = 0; i < kMaxFaces; ++i) {
     const Triangle t = body.triangle(face);
     const Vec3 normal = face_normal(t);
@@ -103,6 +105,7 @@ double way_of_faces(const Triangle& moving, const Triangle& fixed, const Vec3& v
   const auto near = [&](double time) {
     return closest_points(shifted(moving, time * velocity), fixed).distance <= tolerance;
   };
+  // The end is bracketed by doubling, and found by halving.
   double good = 0, bad = tolerance / velocity.norm();
   for (int i = 0; i < 60 && near(bad); ++i) good = bad, bad *= 2;
   for (int i = 0; i < 40; ++i) {
@@ -116,7 +119,9 @@ double way_of_faces(const Triangle& moving, const Triangle& fixed, const Vec3& v
 
 double contact_end(const Body& moving, const Body* fixed, const ContactPoint& contact,
                    const Vec3& velocity, double tolerance) {
+  // The floor has no end.
   if (!fixed) return kInfinity;
+  // A vertex runs off a face over its edges, an edge runs off an edge at either's ends.
   switch (contact.features) {
     case ContactFeatures::VertexFace:
       return way_over_faces(*fixed, contact.feature_support, moving.vertex(contact.feature_object),
@@ -126,6 +131,7 @@ double contact_end(const Body& moving, const Body* fixed, const ContactPoint& co
                             -velocity);
     case ContactFeatures::EdgeEdge:
       return way_of_edges(moving, *fixed, contact, velocity);
+    // Closest points of two faces have no feature to run off: their distance itself is followed.
     case ContactFeatures::ClosestPoints:
       return way_of_faces(moving.triangle(contact.feature_object),
                           fixed->triangle(contact.feature_support), velocity, tolerance);

@@ -36,6 +36,7 @@ class Cut {
 
   void add(const Body& body) {
     if (!overlaps(body.world_box, m_box, 0)) return;
+    // The tree is walked with a stack of its own; boxes beside the plane are left out.
     const PlacedBvh tree(body);
     std::vector<Index> waiting{0};
     while (!waiting.empty() && !tree.bvh.nodes.empty()) {
@@ -72,6 +73,7 @@ class Cut {
   // Points (along, z) in which the plane meets the edges.
   void add(const Triangle& t) {
     std::array<Vec2, 6> points;
+    // Each edge that changes sides meets the plane in one point; corners on it count once.
     size_t count = 0;
     for (int i = 0; i < 3; ++i) {
       const Vec3 &a = t[i], &b = t[(i + 1) % 3];
@@ -87,6 +89,7 @@ class Cut {
 
   // A piece of the cut, clipped to the way and below the top.
   void add(Vec2 a, Vec2 b) {
+    // Pieces run from left to right, so that clipping needs one case.
     if (a.x() > b.x()) std::swap(a, b);
     if (a.x() > m_length || b.x() < 0) return;
     const bool is_upright = a.x() == b.x();
@@ -96,6 +99,7 @@ class Cut {
     const Vec2 c = is_upright ? a : at(std::max(a.x(), 0.0));
     const Vec2 d = is_upright ? b : at(std::min(b.x(), m_length));
     const double low = std::min(c.y(), d.y()), high = std::max(c.y(), d.y());
+    // A wall counts up to the height of the start alone: what is above does not part places.
     if (low > m_top) return;
     raise(profile.highest, std::min(high, m_top));
     for (const Vec2& end : {c, d}) {
@@ -121,6 +125,7 @@ Profile profile_at(const Body& body, const Vec3& at, const Vec2& way) {
 
 // Walls of the body on all sides of the point.
 bool is_walled_in(const Body& body, const Vec3& at, double wall) {
+  // A point that is open in one of eight directions is not walled in.
   const double reach = body.world_box.diagonal();
   for (int k = 0; k < 8; ++k) {
     const double x = k % 2 ? kHalfRoot : 1, y = k % 2 ? kHalfRoot : 0;
@@ -132,6 +137,7 @@ bool is_walled_in(const Body& body, const Vec3& at, double wall) {
 }
 
 bool is_apart(const Profile& profile, double size) {
+  // A wall rises above both ends, or the ground falls: either parts the two places.
   const double wall = profile.highest - kWall * size;
   if (wall > profile.first && wall > profile.last) return true;
   return profile.last < profile.first - kStep * size;
@@ -141,6 +147,7 @@ bool is_apart(const Profile& profile, double size) {
 
 Container::Container(const Scene& scene, std::vector<ObjectId> moving, const Vec3& at, double size)
     : m_scene(scene), m_moving(std::move(moving)), m_at(at), m_size(size) {
+  // The first start tells what it is over: the bodies right below it.
   const Neighbourhood others(scene, m_moving);
   Aabb column;
   column.extend(at);
@@ -148,6 +155,7 @@ Container::Container(const Scene& scene, std::vector<ObjectId> moving, const Vec
   const Neighbours below = others.near(column, 0);
   for (size_t k = 0; k < below.ids.size(); ++k) {
     const Object& object = scene.at(below.ids[k]);
+    // Fixed bodies are asked later, along each way.
     if (object.fixed) continue;
     const Body& body = below.bodies[k];
     const bool is_below =
@@ -158,13 +166,16 @@ Container::Container(const Scene& scene, std::vector<ObjectId> moving, const Vec
 }
 
 bool Container::holds(const Vec3& centre) const {
+  // The way is a straight line, seen from above.
   const Vec2 from = m_at.head<2>(), to = centre.head<2>();
   if (!((to - from).norm() > 0)) return true;
+  // Each free ground is judged by itself.
   for (const Body& body : m_free) {
     Cut cut(from, to, m_at.z());
     cut.add(body);
     if (is_apart(cut.profile, m_size)) return false;
   }
+  // The fixed ones and the floor are one ground together.
   Cut cut(from, to, m_at.z());
   for (const Body& body : fixed_bodies(to)) cut.add(body);
   if (m_scene.floor) cut.profile.add_floor(m_at.z());

@@ -31,6 +31,7 @@ std::string names_of(bool cables) {
 std::optional<InvalidArgument> refuse_material(const DrapeOperation& o) {
   const bool is_cable = !o.path.empty();
   const flex::FlexPreset* const preset = flex::flex_preset(o.material);
+  // A preset is for sheets or for cables, never for both.
   if (o.material.empty() || (preset && preset->is_cable == is_cable)) return std::nullopt;
   return InvalidArgument{"material", "\"" + o.material + "\"", names_of(is_cable)};
 }
@@ -46,6 +47,7 @@ std::optional<InvalidArgument> refuse_thickness(const DrapeOperation& o) {
 }
 
 std::optional<InvalidArgument> refuse_size(const DrapeOperation& o) {
+  // A mesh brings its own cells.
   if (o.of) return std::nullopt;
   if (!o.size && (o.path.size() < 2 || !(length_of(o.path) > 1e-3)))
     return InvalidArgument{"path", std::to_string(o.path.size()) + " points",
@@ -79,6 +81,7 @@ bool crosses(const flex::DrapeProblem& problem, const flex::Points& x) {
 std::optional<Refusal> refuse_start(const Scene& scene, const std::string& name,
                                     const flex::DrapeProblem& problem,
                                     const DrapeSurroundings& around) {
+  // The start may touch nothing, as no step undoes a crossing.
   const auto contact = start_contact(problem, around.obstacles);
   if (contact && contact->owner)
     return Refusal{Refusal::Cause::AlreadyTouches,
@@ -103,6 +106,7 @@ Refusal not_at_rest(const Named& name, const RestCertificate& c, double net_forc
 std::optional<Refusal> refuse_end(const Named& name, const flex::DrapeProblem& problem,
                                   const flex::DrapeResult& result) {
   const RestCertificate& c = result.certificate;
+  // The end is refused if it does not rest, is stretched too far, or crosses itself.
   if (result.ending != flex::Ending::AtRest) return not_at_rest(name, c, c.net_force);
   if (c.stretch > kLargestStretch)
     return Refusal{Refusal::Cause::Overstretched,
@@ -148,6 +152,7 @@ std::optional<Refusal> refuse_holders(const Scene& scene, const DrapeOperation& 
 // Into the scene, judged like every object that stands.
 OperationResult stand_draped(Transaction& transaction, Object object, OperationRun& run) {
   const Pose pose = object.pose;
+  // The draped object is a solid like any other from here on.
   const ObjectId id = transaction.add(std::move(object));
   if (auto why = refuse_stand(transaction.scene(), id, pose, run.options)) {
     why->at = Refusal::At::End;

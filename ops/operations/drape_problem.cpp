@@ -15,6 +15,7 @@ constexpr int kMostHalvings = 3;
 
 // Rounded up so that it can be halved `halvings` times.
 int cells_along(double length, double cell, int halvings) {
+  // A little slack keeps a length that is a multiple of the cell from one cell more.
   const double count = std::ceil(length / cell * (1 - 1e-9));
   const int step = 1 << halvings;
   const int whole = std::max(1, static_cast<int>(std::min(count, 1.0 * kMaxFlexVertices)));
@@ -36,6 +37,7 @@ Sentence no_sheet(const Mesh& mesh) {
   if (mesh.triangles.empty() || mesh.vertices.size() > static_cast<size_t>(kMaxFlexVertices))
     return say("its mesh has %1 vertices; accepted: up to %2", mesh.vertices.size(),
                kMaxFlexVertices);
+  // Each directed edge of an oriented surface belongs to one face.
   std::map<std::pair<Index, Index>, int> uses;
   for (const Index3& t : mesh.triangles) {
     const Vec3& a = mesh.vertices[t[0]];
@@ -45,6 +47,7 @@ Sentence no_sheet(const Mesh& mesh) {
       if (++uses[{t[k], t[(k + 1) % 3]}] > 1)
         return "its mesh is no surface of one side: an edge has two faces in one direction";
   }
+  // An edge without a face on its other side makes the surface open.
   const bool is_closed = std::all_of(uses.begin(), uses.end(), [&](const auto& use) {
     return uses.contains({use.first.second, use.first.first});
   });
@@ -58,6 +61,7 @@ std::optional<Refusal> place_mesh(const Scene& scene, const DrapeOperation& o,
   if (!id) return unknown_object(scene, *o.of);
   const Object& object = scene.at(*id);
   const Mesh& mesh = object.shape->mesh;
+  // A sheet is an open surface of one side, with no more vertices than can be draped.
   if (Sentence why = no_sheet(mesh); !why.empty()) {
     Refusal refusal{Refusal::Cause::NoSheet, {named(scene, Support(*id))}};
     refusal.detail = std::move(why);
@@ -80,6 +84,7 @@ Aabb reach_of(const flex::Points& start, double length) {
 void add_object(const Object& object, const Aabb& reach, flex::Obstacles& out) {
   const flex::Points x = world_positions(*object.shape, object.world_from_object());
   std::vector<Index3> triangles;
+  // Faces out of reach are left out: large scenes have millions.
   for (const Index3& t : object.shape->mesh.triangles) {
     Aabb box;
     for (const Index v : t) box.extend(x[v]);
@@ -129,6 +134,7 @@ std::vector<int> pinned_vertices(const DrapeOperation& o, const flex::Points& st
 
 flex::Grid grid_of(const DrapeOperation& o) {
   const double length = o.size->maxCoeff(), cell = cell_of(o, length, kCellsOfSheet);
+  // Levels need numbers of cells that can be halved.
   const int halvings = halvings_of(std::ceil(length / cell), kLeastCells);
   return {cells_along(o.size->x(), cell, halvings), cells_along(o.size->y(), cell, halvings),
           o.size->x(), o.size->y()};
@@ -154,6 +160,7 @@ std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
                                                         const DrapeOperation& o) {
   flex::DrapeProblem out;
   out.material = flex_material(o);
+  // The three kinds of start exclude each other: a size, a path, or an object's mesh.
   if (o.size) {
     place_sheet(o, out);
   } else if (!o.path.empty()) {
@@ -163,6 +170,7 @@ std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
   } else if (auto why = place_mesh(scene, o, out)) {
     return *why;
   }
+  // Pins come last, as they take vertices of the start.
   pin(o, out);
   return out;
 }
@@ -176,6 +184,7 @@ DrapeSurroundings drape_surroundings(const Scene& scene, const flex::Points& sta
                                      const std::vector<FlexSupport>* among) {
   DrapeSurroundings out;
   const Aabb reach = reach_of(start, length);
+  // Only objects within reach count, or, when it is judged again, those that it touched.
   for (const ObjectId id : scene.near(reach)) {
     if (among && !is_among(*among, scene.at(id).name)) continue;
     add_object(scene.at(id), reach, out.obstacles);

@@ -41,6 +41,7 @@ std::vector<FlexSupport> supports_of(const Scene& scene, const DrapeSurroundings
   for (size_t i = 0; i < result.shares.size(); ++i)
     if (result.touches[i]) out.push_back({named(scene, around.owners[i]).name, result.shares[i]});
   add_pins(ties, result, out);
+  // The supports are listed by what they carry, the largest share first.
   std::stable_sort(out.begin(), out.end(),
                    [](const FlexSupport& a, const FlexSupport& b) { return a.share > b.share; });
   return out;
@@ -74,6 +75,7 @@ std::shared_ptr<const Flexible> flexible_of(const Scene& scene, const DrapeOpera
     if (problem.pinned[v]) out->pins.push_back(static_cast<int>(v));
   out->layer = result.layer;
   out->pressure = flex::DrapeOptions{}.pressure;
+  // Vertices are kept about the centre, so that float32 files hold them well.
   for (const Vec3& p : result.x) out->vertices.push_back(p - centre);
   out->friction = result.friction;
   out->certificate = result.certificate;
@@ -101,6 +103,7 @@ PhysicsMaterial solid_material(const flex::FlexMaterial& m, bool is_cable) {
   constexpr double kQuarterPi = 0.78539816339744831;
   PhysicsMaterial out;
   out.friction = std::clamp(m.friction, kMinFriction, kMaxFriction);
+  // A solid's density follows from the weight per area, or per length.
   const double depth = is_cable ? kQuarterPi * m.thickness * m.thickness : m.thickness;
   out.density = std::clamp(m.density / depth, kMinDensity, kMaxDensity);
   return out;
@@ -122,6 +125,7 @@ Object draped_object(const Scene& scene, const DrapeOperation& o, const flex::Dr
   object.model =
       std::make_shared<const Model>(look_of(std::move(thick), scene, o, problem.material));
   object.shape = make_shape(object.model->mesh);
+  // A draped object is stiff and fixed: only its own operation moves its vertices.
   object.fixed = true;
   object.pose.translation = centre;
   object.material = solid_material(problem.material, flexible.is_cable);

@@ -42,6 +42,7 @@ std::optional<Refusal> refuse_stand(const Scene& scene, ObjectId id, const Pose&
                                     const SettleOptions& options) {
   const PlacedBox expected{id, expected_box(scene, scene.at(id), pose)};
   const ClearanceRange range = clearance_range_near(scene, expected.box, {&expected, 1});
+  // Checks go from size to clearance to the exact test, so that the first cause is told.
   const Placement stands{id, pose};
   if (auto why = refuse_too_coarse(scene, {&stands, 1}, options.clearance)) return why;
   const double clearance = options.clearance > 0 ? options.clearance : range.usual;

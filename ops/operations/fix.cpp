@@ -28,6 +28,7 @@ const OperationTable& table<FixOperation>() {
 OperationResult apply(Transaction& transaction, const FixOperation& o, OperationRun& run) {
   const Scene& scene = transaction.scene();
   const ObjectId id = id_named(transaction, o.object);
+  // An operation that changes nothing leaves no trace.
   if (scene.at(id).fixed == o.fixed) return done_result();
   transaction.edit(id, [&](Object& object) {
     object.fixed = o.fixed;
@@ -35,6 +36,7 @@ OperationResult apply(Transaction& transaction, const FixOperation& o, Operation
   });
   if (!scene.at(id).placed) return done_result();
   const double clearance = clearance_near(scene, run.options, scene.world_box(id));
+  // A fixed object is tested where it is, as it will not be moved out of trouble.
   if (o.fixed) {
     if (auto why = refuse_stand(scene, id, scene.at(id).pose, run.options))
       return refused(std::move(*why));
@@ -42,6 +44,7 @@ OperationResult apply(Transaction& transaction, const FixOperation& o, Operation
     return done_result();
   }
   OperationResult result = done_result();
+  // An object that may move again counts as stable until its contacts tell otherwise.
   transaction.edit(id, [](Object& object) { object.state = ObjectState::Stable; });
   rate_left_alone(transaction, id, rest_rules(run.options, clearance), result);
   return result;

@@ -22,6 +22,7 @@ bool has(const std::vector<Index>& members, Index body) {
 
 double GroupMotion::advance(const TwistGroup& group, double duration) {
   const Twist& t = group.twist;
+  // A group that hardly turns slides; otherwise its twist is a screw.
   const bool slides =
       t.turning.norm() * m_motion.bodies[group.leader].size < kOnlySlides * t.velocity.norm();
   return slides ? duration * slide(group, duration * t.velocity) : turn(group, duration);
@@ -33,6 +34,7 @@ double GroupMotion::turn(const TwistGroup& group, double duration) {
   const Twist& t = group.twist;
   const double rate = t.turning.norm();
   const Vec3 axis = t.turning / rate, along = t.velocity.dot(axis) * axis;
+  // The turn alone goes about an axis through the point that stands still.
   const Twist turning{t.velocity - along, t.turning};
   const Vec3 leader = m_transaction.scene().at(m_ids[group.leader]).centre_of_mass();
   const Vec3 centre = leader + turning.turning.cross(turning.velocity) / (rate * rate);
@@ -40,6 +42,7 @@ double GroupMotion::turn(const TwistGroup& group, double duration) {
   const Vec3 away = slide(group, wanted) * wanted;
   const double limit = std::min(0.5 * rate * duration, 1.0);
   const double part = execute(group, Motion::rotation(centre, axis, limit));
+  // The slide along the axis covers the part that the turn has made, and the way out is undone.
   slide(group, part * duration * along - away);
   return duration * part;
 }
@@ -47,6 +50,7 @@ double GroupMotion::turn(const TwistGroup& group, double duration) {
 Vec3 GroupMotion::away_from_pressed(const TwistGroup& group, const Twist& turning,
                                     double duration) const {
   std::vector<ContactPoint> pressed;  // with gaps that lack what the turn takes
+  // Contacts within the group, and those of others, do not hinder it.
   for (const CoulombContact& c : m_motion.contacts) {
     const bool on = has(group.members, c.on);
     if (on == (c.from != CoulombContact::kGround && has(group.members, c.from))) continue;
@@ -59,6 +63,7 @@ Vec3 GroupMotion::away_from_pressed(const TwistGroup& group, const Twist& turnin
                        ContactFeatures::ClosestPoints, 0, 0});
   }
   const Vec3 away = smallest_separating_motion(pressed, 0);
+  // Making room must not be the larger part of the motion.
   const double longest = kFarthestGap * duration * m_motion.speed(group.leader);
   return away.norm() <= longest ? away : Vec3(Vec3::Zero());
 }
@@ -73,6 +78,7 @@ double GroupMotion::slide(const TwistGroup& group, const Vec3& way) {
 // @return the part of the motion that it gets.
 double GroupMotion::execute(const TwistGroup& group, const Motion& motion) {
   const Scene& scene = m_transaction.scene();
+  // The group moves as one body among all others as they stand now.
   std::vector<ObjectId> ids;
   std::vector<Body> bodies;
   for (const Index i : group.members) {
@@ -85,6 +91,7 @@ double GroupMotion::execute(const TwistGroup& group, const Motion& motion) {
   const ObstacleContact found =
       first_contact(bodies, Neighbourhood(scene, ids), motion, keep, m_run.detector);
   if (found.status == FirstContact::Status::Crossing) return 0;
+  // The blocker is remembered: it may join the contacts of the next attempt.
   if (found.status == FirstContact::Status::Contact)
     m_blockers.push_back({group.members[found.moving], found.with, found.point, found.normal});
   const double time = std::min(found.time, motion.limit);

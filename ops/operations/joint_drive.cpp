@@ -17,6 +17,7 @@ class JointDrive {
  public:
   JointDrive(Scene& scene, const JointToMove& joint, const OperationRun& run)
       : m_scene(scene), m_joint(joint), m_run(run) {
+    // Bodies of the joint move with their loads; those are told, as nobody named them.
     m_clearance.distance = clearance_near(scene, run.options, scene.box());
     m_ids = carried_with(scene, joint.links[0], std::span(joint.links).subspan(1));
     for (const ObjectId id : m_ids) m_poses.push_back(scene.at(id).pose);
@@ -27,7 +28,9 @@ class JointDrive {
   }
 
   JointMove move(double to) {
+    // The joint's own limits come before any obstacle.
     const double goal = std::clamp(to, m_joint.lower, m_joint.upper);
+    // A turn goes in quarters, as motions do, until the goal or an obstacle is reached.
     while (m_out.end != JointMove::End::Blocked && m_out.value != goal) advance(goal);
     if (m_out.value == goal && goal != to) m_out.end = JointMove::End::Limit;
     for (size_t i = 0; i < m_ids.size(); ++i)
@@ -45,6 +48,7 @@ class JointDrive {
                       : Motion::translation(sign * m_joint.axis, part);
     const double time = free_time(motion);
     for (Pose& pose : m_poses) pose = moved_pose(pose, motion, time);
+    // A whole part ends exactly at its goal, without the rounding of tangents.
     if (m_out.end != JointMove::End::Blocked)
       m_out.value = part == std::abs(way) ? goal : m_out.value + sign * part;
     else
@@ -54,6 +58,7 @@ class JointDrive {
   // The first contact of any of them with what stays.
   double free_time(const Motion& motion) {
     double time = motion.limit;
+    // Members have different bodies that they may pass through, so that each asks for itself.
     for (size_t i = 0; i < m_ids.size(); ++i) {
       const Body body = body_of(m_scene.at(m_ids[i]), m_poses[i]);
       Neighbourhood others(m_scene, m_ids);
@@ -62,6 +67,7 @@ class JointDrive {
           first_contact({&body, 1}, others, motion, m_clearance, m_run.detector);
       if (found.status == FirstContact::Status::Free) continue;
       const double at = found.status == FirstContact::Status::Crossing ? 0 : found.time;
+      // The earliest contact of all members counts.
       if (m_out.end == JointMove::End::Blocked && at >= time) continue;
       time = std::min(at, motion.limit);
       m_out.end = JointMove::End::Blocked;

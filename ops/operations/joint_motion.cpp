@@ -42,6 +42,7 @@ class JointMotion {
         m_run(run),
         m_max_queries(max_queries),
         m_close(close) {
+    // Only the bodies that topple move; all others are ground for them.
     m_active.assign(part.bodies.size(), CoulombContact::kGround);
     for (size_t i = 0; i < part.bodies.size(); ++i)
       if (std::find(ids.begin(), ids.end(), part.bodies[i].id) != ids.end()) {
@@ -70,11 +71,14 @@ class JointMotion {
 
   // Until one gets far enough, or what blocks them is known.
   void search() {
+    // Long steps come first; short ones get on where long ones are blocked.
     for (const double step : kSteps)
       for (int round = 0; round <= kMaxBlockedRounds; ++round) {
         solve(step);
+        // Bodies that do not sink have no motion to make.
         if (!(m_motion.duration > 0) || !(predicted() > 0)) return;
         if (try_groups() || has_tried_enough() || m_run.interrupt.reason()) return;
+        // Blockers join the contacts, and the first motion is found again.
         if (!join_blockers()) break;
       }
   }
@@ -86,6 +90,7 @@ class JointMotion {
   bool try_groups() {
     m_blockers.clear();
     size_t num_groups = 0;
+    // Fine groups follow the twists best; coarse ones block each other less.
     for (const double same : kSame) {
       const std::vector<TwistGroup> groups = twist_groups(m_motion, same, kPartingSpeed);
       if (groups.size() == num_groups || has_tried_enough()) continue;
@@ -122,6 +127,7 @@ class JointMotion {
     Index on = m_active[t.on];
     Index from = t.from == BodyContact::kGround ? CoulombContact::kGround : m_active[t.from];
     Vec3 normal = t.contact.normal;
+    // The contact is told from the side of a body that moves.
     if (on == CoulombContact::kGround) std::swap(on, from), normal = -normal;
     if (on == CoulombContact::kGround) return;
     m_motion.contacts.push_back(
@@ -154,11 +160,13 @@ class JointMotion {
 
   // Leaves the scene as it is.
   Attempt attempt(const std::vector<TwistGroup>& groups, double duration) {
+    // An attempt runs in a transaction that is never committed.
     const double before = energy();
     Transaction trial(m_transaction);
     GroupMotion motion(trial, m_motion, m_ids, m_clearance, m_run);
     std::vector<double> left(groups.size(), duration);
     bool any = true;
+    // Passes give those that were blocked by others another chance.
     for (int pass = 0; any && pass < kPasses; ++pass) {
       any = false;
       for (size_t g = 0; g < groups.size(); ++g) {
@@ -172,6 +180,7 @@ class JointMotion {
       }
     }
     m_num_queries += motion.num_queries();
+    // The group that got least far sets the time for a motion in step.
     const double most_left = *std::max_element(left.begin(), left.end());
     Attempt out{{}, before - energy(), predicted(), duration - most_left};
     for (const ObjectId id : m_ids) out.poses.push_back(m_scene.at(id).pose);
@@ -192,10 +201,12 @@ class JointMotion {
           blocker.normal,
           0,
           0};
+      // A blocker that is a contact already says nothing new.
       if (is_known(c)) continue;
       c.friction = kSlidingFriction * friction_between(m_scene, m_ids[blocker.body], blocker.with);
       Vec3 speed = m_motion.velocity(c.on, c.point);
       if (c.from != CoulombContact::kGround) speed -= m_motion.velocity(c.from, c.point);
+      // The contact may close for as long as the motion went on until it was met.
       c.room = std::max(0.0, -time * c.normal.dot(speed));
       m_motion.contacts.push_back(c);
     }
@@ -218,6 +229,7 @@ class JointMotion {
 
   bool take(const Attempt& attempt) {
     const double before = energy();
+    // The poses are set in a trial, which has to pass the exact test and gain energy.
     Transaction trial(m_transaction);
     for (size_t i = 0; i < m_ids.size(); ++i)
       trial.edit(m_ids[i], [&](Object& object) { object.pose = attempt.poses[i]; });
@@ -225,6 +237,7 @@ class JointMotion {
       if (refuse_interpenetration(m_scene, id, m_scene.at(id).pose, true)) return false;
       link(trial, id);
     }
+    // Gaps that the motion has left may close now.
     m_close(trial, m_ids);
     double lightest = kInfinity;
     for (const CoulombBody& body : m_motion.bodies) lightest = std::min(lightest, body.weight);

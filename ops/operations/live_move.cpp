@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ops/operations/commit_at_rest.h"
 #include "ops/operations/move_parts.h"
 #include "ops/operations/push_events.h"
-#include "ops/operations/whole.h"
 #include "ops/placement/contacts.h"
 
 namespace trivet {
@@ -63,12 +63,15 @@ class LiveMove::Hand {
     if (refused()) return;
     if (auto* const push = std::get_if<PushOperation>(&m_operation)) {
       const Vec2 to = goal.head<2>();
+      // A goal that stays the same would add a place to the path.
       if (push->to == to) return;
+      // The path of the hand becomes the operation's, so that a replay goes the same way.
       if (push->to) push->via.push_back(*push->to);
       push->to = to;
       m_push->push_to(to);
     } else if (auto* const move = std::get_if<TranslateOperation>(&m_operation)) {
       if (m_follows && move->by == goal) return;
+      // A free move has no path: only its end counts.
       if (move->free)
         start_again();
       else if (m_follows)
@@ -81,6 +84,7 @@ class LiveMove::Hand {
 
   void follow(double amount) {
     if (refused()) return;
+    // Turns begin from the start each time, so that the result depends on the angle alone.
     start_again();
     if (auto* const turn = std::get_if<TurnOperation>(&m_operation)) {
       turn->angle_deg = amount;
@@ -95,6 +99,7 @@ class LiveMove::Hand {
   }
 
   OperationResult finish(Transaction& transaction) {
+    // The plan is that of an ordinary operation, and committed like one.
     if (!m_planner) return m_refused;
     assert(&transaction.scene() == &m_planner->scene());
     return commit_at_rest(transaction, plan(), m_run,
@@ -188,6 +193,7 @@ std::vector<Contact> LiveMove::contacts() const {
   std::vector<Contact> out;
   const MovingGroup* const group = m_hand->group();
   if (!group) return out;
+  // Contacts are those of the poses of the moment, for display.
   const std::vector<Placement> members = group->placements();
   for (size_t i = 0; i < members.size(); ++i) {
     const auto touched = group->contacts(static_cast<Index>(i));

@@ -27,10 +27,12 @@ OperationResult apply(Transaction& transaction, const MaterialOperation& o, Oper
   if (!has_finite_friction(run.options)) return result;
   const RestRules rules =
       rest_rules(run.options, clearance_near(scene, run.options, scene.world_box(id)));
+  // The object and its partners may rest, or not, by the new friction.
   std::vector<ObjectId> touched{id};
   for (const ObjectContact& entry : scene.at(id).contacts)
     if (entry.with.is_object()) touched.push_back(entry.with.object());
   for (const ObjectId other : touched) {
+    // Held, invalid and fixed objects do not depend on friction.
     const ObjectState state = scene.at(other).state;
     if (state == ObjectState::Stable || state == ObjectState::Unsupported)
       rate_left_alone(transaction, other, rules, result);

@@ -38,6 +38,7 @@ std::optional<Refusal> refuse_unsettled(const MovingGroup& group, const SettleOu
     case SettleOutcome::Status::Interrupted:
       return std::nullopt;
     case SettleOutcome::Status::Wedged:
+      // A wedged object cannot move, but is not shown to be supported: the user decides.
       if (options.accept_wedged) return std::nullopt;
       return Refusal{Cause::Wedged, wedge(group, outcome.contacts)};
     case SettleOutcome::Status::FallsOut:
@@ -57,6 +58,7 @@ MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const JointMoveOptions
     : m_scene(scene), m_run(run), m_op(op), m_settle_left(move.settle_left) {
   std::vector<ObjectId> together;
   std::optional<Refusal> unknown;
+  // A name that is unknown is refused later, when the group is there to report about.
   for (const std::string& other : move.together)
     if (const std::optional<ObjectId> found = scene.find(other))
       together.push_back(*found);
@@ -76,13 +78,17 @@ MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const MoveOptions& mov
 void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
                         const std::vector<PlacedBox>& started) {
   const Object& object = m_scene.at(id);
+  // The clearance follows from what is near the object, where it is or where it is to be.
   const ClearanceRange range = clearance_range_near(
       m_scene, m_is_put ? started.front().box : box_of(m_scene, id, together), started);
   const double clearance = options().clearance > 0 ? options().clearance : range.usual;
-  m_group.emplace(m_scene, id, together, clearance, options(), m_run.detector);
+  m_group.emplace(m_scene, id, together, clearance, options(), m_run.detector,
+                  loads_by_forces(m_scene, id, together, options()));
   m_joint = !together.empty() && m_group->driven().size() > 1;
   // A fixed object comes in once, and then stays there.
   const bool comes_in = m_is_put && object.fixed && !object.placed;
+  // Objects that may not move are refused first, then scenes that are too coarse for this
+  // clearance.
   std::optional<Refusal> why;
   if (!comes_in) why = refuse_immovable(m_scene, m_group->ids());
   if (!why) why = refuse_too_coarse(m_scene, started, options().clearance);
@@ -91,6 +97,7 @@ void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
 }
 
 std::optional<Refusal> MovePlanner::refuse_start(bool free) const {
+  // A move begins in the scene, and clear of everything unless it is free.
   for (const ObjectId id : m_group->driven())
     if (!m_scene.at(id).placed) return Refusal{Cause::NotPlaced, {named(m_scene, Support(id))}};
   if (free) return std::nullopt;
@@ -110,7 +117,9 @@ bool MovePlanner::interrupted() {
 }
 
 double MovePlanner::advance(const Motion& motion, SettleStep::Kind kind) {
+  // Gaps that are too small would block the motion at once, and are opened first.
   m_group->separate(m_group->group_contacts());
+  // The group goes as far as its first contact.
   const ObstacleContact found = m_group->first_contact(motion);
   if (found.status == FirstContact::Status::Crossing) {
     refuse({Cause::AlreadyTouches, {name(), named(m_scene, found.with)}});
@@ -134,6 +143,7 @@ void MovePlanner::note_blocked(const Support& by, const Vec3& point) {
 }
 
 void MovePlanner::release() {
+  // Several driven objects are released each on its own, after the commit.
   if (m_joint)
     m_released = true;
   else
@@ -144,6 +154,7 @@ void MovePlanner::release() {
 SettleOutcome::Status MovePlanner::rated(const SettleOutcome& outcome) const {
   if (outcome.status != SettleOutcome::Status::Wedged || m_group->ids().size() > 1)
     return outcome.status;
+  // The clearance of the scene is what a later check knows.
   const double of_scene = default_clearance(m_scene, m_group->box());
   for (const double clearance : {m_group->clearance(), of_scene})
     if (rests_at(m_group->object(), m_group->pose(), m_group->outside(),
@@ -153,6 +164,7 @@ SettleOutcome::Status MovePlanner::rated(const SettleOutcome& outcome) const {
 }
 
 void MovePlanner::end_settled(SettleOutcome outcome) {
+  // A wedged object may still come to rest when the whole gives way.
   outcome.status = rated(outcome);
   m_result.steps.insert(m_result.steps.end(), outcome.steps.begin(), outcome.steps.end());
   if (interrupted()) return;
@@ -179,12 +191,14 @@ bool MovePlanner::is_too_far() {
 MovePlan MovePlanner::finish(ObjectState otherwise) {
   if (refused()) return plan();
   if (m_released) otherwise = m_wedged ? ObjectState::Wedged : ObjectState::Stable;
+  // A group that has not moved changes nothing, and is not verified.
   if (!m_is_put && !releases_each() && !m_group->has_moved()) {
     if (m_why_wedged) refuse(*m_why_wedged);
     return plan();
   }
   if (m_group->object().placed)
     m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
+  // The last poses are verified as they will be exported, in double and float32.
   if (!is_too_far())
     if (const auto why = refuse_interpenetration(m_scene, m_group->placements(), true))
       refuse(*why);
@@ -200,6 +214,7 @@ MovePlan MovePlanner::finish_freely() {
   if (refused() || !m_group->has_moved()) return plan();
   m_result.moved = (m_group->pose().translation - m_group->object().pose.translation).norm();
   std::vector<Interpenetration> crossed;
+  // A free move is not refused for crossings: they are listed, and marked invalid.
   if (!is_too_far())
     crossed =
         interpenetrations(m_scene, m_group->placements(), true, std::numeric_limits<size_t>::max());
@@ -218,6 +233,7 @@ MovePlan MovePlanner::plan() {
   MovePlan out;
   out.op = m_op;
   out.result = std::move(m_result);
+  // The plan says who is released after the commit.
   if (m_settle_left)
     out.release.emplace();
   else if (releases_each())

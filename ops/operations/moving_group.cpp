@@ -7,7 +7,7 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "ops/settle/separation.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/carried.h"
 
 namespace trivet {
 namespace {
@@ -36,9 +36,26 @@ class IdList {
 };
 
 void append_loads(const Scene& scene, ObjectId id, IdList& ids) {
+  // Free bodies whose weight rests on the object come along.
   for (const ObjectContact& entry : scene.at(id).contacts)
     if (entry.with.is_object() && weighs_on(entry) && !scene.at(entry.with.object()).fixed)
       ids.add(entry.with.object());
+}
+
+bool has_id(const std::vector<ObjectId>& ids, ObjectId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+// Free objects outside the group, which may be its loads.
+bool touches_others(const Scene& scene, const std::vector<ObjectId>& group) {
+  const auto is_outside = [&](const ObjectContact& entry) {
+    return entry.with.is_object() && !scene.at(entry.with.object()).fixed &&
+           !has_id(group, entry.with.object());
+  };
+  return std::any_of(group.begin(), group.end(), [&](ObjectId id) {
+    const auto& contacts = scene.at(id).contacts;
+    return std::any_of(contacts.begin(), contacts.end(), is_outside);
+  });
 }
 
 void append_group_members(const Scene& scene, ObjectId id, IdList& ids) {
@@ -52,25 +69,50 @@ std::vector<ObjectId> driven_with(const Scene& scene, ObjectId object,
                                   std::span<const ObjectId> together) {
   IdList ids(object);
   for (const ObjectId id : together) ids.add(id);
+  // Members of groups bring their groups, transitively.
   for (size_t i = 0; i < ids.size(); ++i) append_group_members(scene, ids[i], ids);
   return ids.take();
 }
 
 std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
-                                   std::span<const ObjectId> together) {
+                                   std::span<const ObjectId> together,
+                                   std::span<const ObjectId> more_loads) {
   IdList found(object);
   if (!scene.at(object).placed) return found.take();
-  for (const ObjectId id : together) found.add(id);
+  for (const auto& more : {together, more_loads})
+    for (const ObjectId id : more) found.add(id);
+  // Loads bring their loads, and group members theirs, until none is new.
   for (size_t i = 0; i < found.size(); ++i) {
     append_loads(scene, found[i], found);
     append_group_members(scene, found[i], found);
   }
   std::vector<ObjectId> ids = found.take();
+  // The object stays first; the others are ordered by slot, so that results repeat.
   std::sort(ids.begin() + 1, ids.end(), [](ObjectId a, ObjectId b) { return a.index < b.index; });
   return ids;
 }
 
+std::vector<ObjectId> loads_by_forces(const Scene& scene, ObjectId object,
+                                      std::span<const ObjectId> together,
+                                      const SettleOptions& options) {
+  std::vector<ObjectId> out, group = carried_with(scene, object, together);
+  if (!has_finite_friction(options) || !touches_others(scene, group)) return out;
+  StabilityOptions of_part;
+  of_part.clearance = options.clearance;
+  const std::vector<CarriedBy> carried = carried_by_part(scene, object, of_part);
+  // A load may carry further ones: they join until none is new.
+  for (size_t num = 0; num != group.size();) {
+    num = group.size();
+    for (const CarriedBy& c : carried)
+      if (c.by.is_object() && has_id(group, c.by.object()) && !has_id(group, c.object))
+        out.push_back(c.object);
+    group = carried_with(scene, object, together, out);
+  }
+  return out;
+}
+
 std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids) {
+  // A fixed or locked member holds the whole group.
   for (const ObjectId id : ids) {
     const Object& object = scene.at(id);
     if (!object.fixed && !object.locked) continue;
@@ -83,9 +125,10 @@ std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const Obje
 }
 
 MovingGroup::MovingGroup(const Scene& scene, ObjectId object, std::span<const ObjectId> together,
-                         double clearance, const SettleOptions& options, Detector* detector)
+                         double clearance, const SettleOptions& options, Detector* detector,
+                         std::span<const ObjectId> more_loads)
     : m_scene(&scene),
-      m_ids(carried_with(scene, object, together)),
+      m_ids(carried_with(scene, object, together, more_loads)),
       m_driven(driven_with(scene, object, together)),
       m_outside(scene, m_ids),
       m_clearance(clearance),
@@ -97,6 +140,7 @@ MovingGroup::MovingGroup(const Scene& scene, ObjectId object, std::span<const Ob
 }
 
 void MovingGroup::update() {
+  // Translations add up in one offset, so that long drags do not gather rounding.
   m_poses = m_origins;
   m_bodies.clear();
   m_contacts.assign(m_ids.size(), std::nullopt);
@@ -124,6 +168,7 @@ Vec3 MovingGroup::centre() const {
 
 void MovingGroup::place(const Pose& pose) {
   const Pose from = m_poses[0];
+  // All members turn about the first one, which goes exactly to the pose.
   const Rotation& r = from.rotation;
   const Rotation turn = (pose.rotation * Rotation{r.w, -r.x, -r.y, -r.z}).normalized();
   const Mat3 matrix = turn.matrix();
@@ -136,6 +181,7 @@ void MovingGroup::place(const Pose& pose) {
 }
 
 void MovingGroup::advance(const Motion& motion, double time) {
+  // A rotation rounds poses anyway, and takes the offset into them.
   if (motion.kind == Motion::Kind::Translation) {
     m_offset += time * motion.axis;
   } else {
@@ -153,6 +199,7 @@ void MovingGroup::go_back(const Place& place) {
 
 bool MovingGroup::has_moved() const {
   for (size_t i = 0; i < m_ids.size(); ++i) {
+    // The comparison is exact: any change of a bit counts.
     const Pose &a = m_poses[i], &b = m_scene->at(m_ids[i]).pose;
     const Rotation &p = a.rotation, &q = b.rotation;
     if (a.translation != b.translation || p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z)
@@ -188,6 +235,7 @@ std::vector<GroupContact> MovingGroup::group_contacts() const {
 
 std::optional<Vec3> MovingGroup::separating_motion_for_sliding(
     const std::vector<ContactPoint>& points, double part) const {
+  // The motion has to open every gap far enough, or it is none.
   const Vec3 d = smallest_separating_motion(points, part * kSlideGap * m_clearance);
   if (!(d.norm() > 0) || d.norm() > kLargestSeparatingMotion * m_clearance) return std::nullopt;
   const bool opens_all = std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
@@ -197,6 +245,7 @@ std::optional<Vec3> MovingGroup::separating_motion_for_sliding(
 }
 
 bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
+  // Usually gaps are wide enough, or can be made so.
   m_motion_clearance = m_clearance;
   std::vector<ContactPoint> points;
   for (const GroupContact& t : group_contacts) points.push_back(t.point);
@@ -207,6 +256,7 @@ bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
   };
   if (is_open(1)) return false;
   std::optional<Vec3> d = separating_motion_for_sliding(points, 1);
+  // Opposite contacts may leave less room: then a smaller clearance is kept for this motion.
   for (const double part : kTightParts) {
     if (d) break;
     m_motion_clearance = part * m_clearance;
@@ -220,6 +270,7 @@ bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
   const double length = d->norm();
   const Motion motion = Motion::translation(*d / length, length);
   const double time = std::min(first_contact(motion).time, length);
+  // A motion that is stopped at once would be repeated for ever.
   if (time < 0.1 * length) return false;
   advance(motion, time);
   return true;
@@ -234,18 +285,21 @@ SettleOutcome MovingGroup::settle(Interrupt* interrupt) {
 
 SettleOutcome MovingGroup::give_way(Interrupt* interrupt, double longest_turn,
                                     std::int64_t max_queries) {
+  // Giving way follows the materials, whatever the object itself settles by.
   SettleProblem problem;
   problem.options = m_options;
   problem.options.perfect_friction = false;
   problem.interrupt = interrupt;
   problem.max_queries = max_queries;
   const bool alone = m_ids.size() == 1;
+  // A group with loads moves only once: its loads would slide on the way.
   problem.options.max_motions = alone ? std::min(m_options.max_motions, kMotionsOfGivingWay) : 0;
   if (!alone) problem.longest_turn = longest_turn;
   return settle(std::move(problem), true);
 }
 
 SettleOutcome MovingGroup::settle(SettleProblem problem, bool loads_weigh) {
+  // Loads are carried shapes, with weight where they may tip the object.
   std::vector<CarriedShape> carried;
   const double weight = weight_of(object());
   for (size_t i = 1; i < m_ids.size(); ++i) {
@@ -262,8 +316,10 @@ SettleOutcome MovingGroup::settle(SettleProblem problem, bool loads_weigh) {
   problem.clearance = m_clearance;
   problem.detector = m_detector;
   problem.carried = carried;
+  // Contacts at the start are known from planning.
   problem.contacts_at_start = &contacts(0);
   SettleOutcome outcome = trivet::settle(problem);
+  // Without a step nothing has changed, not even the offset.
   if (!outcome.steps.empty()) {
     m_origins = {outcome.pose};
     m_origins.insert(m_origins.end(), outcome.carried.begin(), outcome.carried.end());

@@ -13,8 +13,16 @@ namespace trivet {
 /// The object, its loads, transitively [Shinya 1995, 4.2], and the members of their groups with
 /// their loads. The object first, the others by slot. Fixed objects are never carried.
 /// @param together  in the scene, treated as members of the object's group.
+/// @param more_loads  that no link shows, with all that they carry.
 std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
-                                   std::span<const ObjectId> together = {});
+                                   std::span<const ObjectId> together = {},
+                                   std::span<const ObjectId> more_loads = {});
+
+/// Loads of carried_with() that no link shows: forces that balance the whole have its members carry
+/// them. None with perfect friction.
+std::vector<ObjectId> loads_by_forces(const Scene& scene, ObjectId object,
+                                      std::span<const ObjectId> together,
+                                      const SettleOptions& options);
 
 /// Objects that a hand moves: the object, those `together` with it, and their groups. The rest of
 /// carried_with() only lies on these.
@@ -35,8 +43,10 @@ struct GroupContact {
 class MovingGroup {
  public:
   /// @param clearance  metres, > 0. @param detector  null: BVHs.
+  /// @param more_loads  as carried_with() has them.
   MovingGroup(const Scene& scene, ObjectId object, std::span<const ObjectId> together,
-              double clearance, const SettleOptions& options, Detector* detector);
+              double clearance, const SettleOptions& options, Detector* detector,
+              std::span<const ObjectId> more_loads = {});
 
   const Scene& scene() const { return *m_scene; }
   const std::vector<ObjectId>& ids() const { return m_ids; }  // the object first

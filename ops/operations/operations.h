@@ -19,6 +19,7 @@
 #include "ops/operations/push.h"
 #include "ops/operations/put.h"
 #include "ops/operations/rename.h"
+#include "ops/operations/repair.h"
 #include "ops/operations/rotate.h"
 #include "ops/operations/stand.h"
 #include "ops/operations/translate.h"
@@ -27,11 +28,11 @@
 
 namespace trivet {
 
-using Operation =
-    std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation, TranslateOperation,
-                 RotateOperation, AppendOperation, DuplicateOperation, DeleteOperation,
-                 LockOperation, FixOperation, MaterialOperation, GroupOperation, StandOperation,
-                 UnplaceOperation, ArrangeOperation, RenameOperation, DrapeOperation>;
+using Operation = std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation,
+                               TranslateOperation, RotateOperation, AppendOperation,
+                               DuplicateOperation, DeleteOperation, LockOperation, FixOperation,
+                               MaterialOperation, GroupOperation, StandOperation, UnplaceOperation,
+                               ArrangeOperation, RenameOperation, DrapeOperation, RepairOperation>;
 
 /// Its name in layouts: "put", "push", "unlock", ...
 const char* op_name(const Operation& operation);

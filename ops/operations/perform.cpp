@@ -4,11 +4,11 @@
 #include "ops/free_places/place_region.h"
 #include "ops/operations/carried_drapes.h"
 #include "ops/operations/commit.h"
+#include "ops/operations/commit_at_rest.h"
 #include "ops/operations/draped_rest.h"
 #include "ops/operations/put_parts.h"
 #include "ops/operations/tries.h"
 #include "ops/operations/validate.h"
-#include "ops/operations/whole.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
 #include "ops/settle/program_memory.h"
@@ -33,6 +33,8 @@ bool unbalances(const FixOperation& o) { return !o.fixed; }
 /// costs less to put something elsewhere. With 300, bins of ten hold 1 to 2 %, heaps of 30 3 %
 /// more.
 constexpr Budget kBudgetOfPut{120};
+/// The same where other starts may be tried: a joint motion of many costs more than some of them.
+constexpr Budget kBudgetOfFirstStart{120, 4};
 /// The same at the places that a PUT tries, all together.
 constexpr Budget kBudgetOfTrials{2400};
 
@@ -40,6 +42,7 @@ constexpr Budget kBudgetOfTrials{2400};
 std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const PlaceOptions& place) {
   const Object& object = scene.at(id);
   const Named name = named(scene, Support(id));
+  // The object may have moved since its place was judged: it came to rest meanwhile.
   if (!PlaceRegion(place.region).holds(body_of(object)))
     return Refusal{Refusal::Cause::LeavesRegion, {name}};
   if (object.stability_margin < place.least_margin)
@@ -56,12 +59,14 @@ std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const Pl
 /// A PUT takes a place only where its commit would be accepted.
 OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOperation& o,
                             OperationRun& run, const Named& name) {
+  // The verdict at a place is that of a trial commit with all that follows from it.
   const bool is_judged = o.place && is_judged_at_rest(*o.place);
   Budget trials = kBudgetOfTrials;
   const auto refuse_place = [&](const MovePlan& plan) {
     Transaction trial(transaction);  // taken back
     const double clearance = plan.group ? plan.group->clearance() : 0;
     const CommitVerdict verdict = try_commit(trial, plan, run, name, kBudgetOfPut.within(trials));
+    // All places together share one budget of work.
     trials.first_contacts -= verdict.first_contacts;
     if (!is_judged || verdict.refusal) return verdict.refusal;
     rate_again(trial, {id}, rest_rules(run.options, clearance));
@@ -73,17 +78,21 @@ OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOper
     return commit_at_rest(inner, plan_put(inner.scene(), id, move, run, try_commit_there), run,
                           name, budget);
   };
+  // A start that was asked for exactly, or a place that is searched for, has no other tries.
   const bool is_exact = o.tries == 1 || o.place || run.options.literal_paper_rules;
-  if (!is_exact) return put_by_tries(transaction, id, o, put_from, kBudgetOfPut);
+  if (!is_exact) return put_by_tries(transaction, id, o, put_from, kBudgetOfFirstStart);
   return put_from(transaction, o, kBudgetOfPut);
 }
 
 template <class Any>
 OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o, OperationRun& run,
                             const RunContext& context) {
+  // Each kind of operation has a plan to commit, or edits the scene itself.
   const Named name = named(transaction.scene(), o.object);
   if constexpr (std::is_same_v<Any, ArrangeOperation>) {
     return o.problem->solve(transaction, run.options, context);
+  } else if constexpr (std::is_same_v<Any, RepairOperation>) {
+    return repair(transaction, o, run.options, context);
   } else if constexpr (Plannable<Any>) {
     const ContactMemory memory;  // what was tried is committed; what stays is judged again
     const ProgramMemory programs;
@@ -93,10 +102,12 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
       return commit_at_rest(transaction, plan(transaction.scene(), id, o, run), run, name);
   } else {
     const Scene& scene = transaction.scene();
+    // The place is noted before the edit, as the object may be gone afterwards.
     const Aabb place = scene.contains(id) ? scene.world_box(id) : Aabb{};
     OperationResult result = apply(transaction, o, run);
     if (!result.ok()) return result;
     const double clearance = clearance_near(scene, run.options, place);
+    // Edits that take away support let the whole give way.
     if (keeps_whole_at_rest(run.options) && unbalances(o))
       settle_whole(transaction, name, clearance, run, result);
     if (result.ok())
@@ -120,13 +131,16 @@ void tell_depth(const Scene& scene, std::optional<ObjectId> id, const Operation&
                 OperationResult& result) {
   if (!id || !result.refusal) return;
   Refusal& why = *result.refusal;
+  // Refusals by the exact tests of a pose have a depth, others have none.
   const bool is_exact_test =
       why.cause == Refusal::Cause::Crossing || why.cause == Refusal::Cause::Inside ||
       why.cause == Refusal::Cause::Float32Contact || why.cause == Refusal::Cause::BelowFloor ||
       why.cause == Refusal::Cause::Float32BelowFloor;
+  // At the end of a motion the pose is not the user's.
   if (!is_exact_test || why.at == Refusal::At::End) return;
   Pose pose = scene.at(*id).pose;
   const auto* const put = std::get_if<PutOperation>(&operation);
+  // A PUT that searches its place has no pose of the user's.
   if (put && put->place) return;
   if (put) pose = put->start;
   if (const auto* const stand = std::get_if<StandOperation>(&operation)) pose = stand->pose;
@@ -137,14 +151,17 @@ void tell_depth(const Scene& scene, std::optional<ObjectId> id, const Operation&
 
 OperationResult perform(Transaction& outer, const Operation& operation,
                         const SettleOptions& options, const RunContext& context) {
+  // Arguments are checked before the scene is looked at.
   if (auto why = validate(operation)) return refused(std::move(*why));
   const std::string& name = object_name(operation);
   const std::optional<ObjectId> object = outer.scene().find(name);
   const bool names_one = !std::holds_alternative<AppendOperation>(operation) &&
                          !std::holds_alternative<ArrangeOperation>(operation) &&
+                         !std::holds_alternative<RepairOperation>(operation) &&
                          !std::holds_alternative<DrapeOperation>(operation);
   if (!object && names_one) return refused(unknown_object(outer.scene(), name));
   OperationRun run(options, context);
+  // Everything happens in one transaction, which a refusal takes back.
   Transaction inner(outer);
   const CarriedDrapes carried(inner, moved_by(operation, object));
   OperationResult result = std::visit(
@@ -153,6 +170,8 @@ OperationResult perform(Transaction& outer, const Operation& operation,
       },
       operation);
   if (result.ok()) carried.follow(inner, run, result);
+  // Supports that a hand holds, or that are unsupported or invalid, are named: the result stands on
+  // them.
   if (result.ok() && object && inner.scene().contains(*object))
     for (const ObjectId id : unsound_supports(inner.scene(), *object))
       result.unsound.push_back(inner.scene().at(id).name);

@@ -14,6 +14,7 @@ Vec3 away_from_contacts(const Scene& scene, const MovingGroup& group,
                         const std::optional<std::string>& with) {
   Vec3 sum = Vec3::Zero();
   bool is_held = false;
+  // Each contact counts once, whatever its area, as a hand pulls away from all alike.
   for (const ObjectContact& entry : group.object().contacts) {
     const std::string name = named(scene, entry.with).name;
     if (!(with ? name == *with : holds_up(entry))) continue;
@@ -21,6 +22,7 @@ Vec3 away_from_contacts(const Scene& scene, const MovingGroup& group,
     is_held |= holds_up(entry);
   }
   const double length = sum.norm();
+  // Normals that cancel out leave no direction.
   if (length > kSmallestDirection) return sum / length;
   return is_held ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::Zero());
 }

@@ -58,6 +58,8 @@ MovePlan plan(const Scene& scene, ObjectId id, const PushOperation& o, Operation
   const MovingGroup& group = planner.group();
   Push push(planner, o);
   if (planner.refused()) return planner.finish(ObjectState::Held);
+  // The way is given in axes of the surface: seen from above on a floor, seen from the front on a
+  // wall.
   const Vec2 start = in_push_axes(o.normal, group.pose().translation).head<2>();
   const Vec2 goal = o.to.value_or(start + o.distance * o.direction.normalized());
   for (size_t i = 0; i <= o.via.size() && !planner.refused(); ++i)

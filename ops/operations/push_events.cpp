@@ -25,12 +25,14 @@ Push::Push(MovePlanner& planner, const PushOperation& o)
       m_shortest(kShortestPush * planner.group().clearance()) {
   find_contacts();
   note_way(false);
+  // An object that nothing carries has no surface to slide on.
   const bool carried = std::any_of(
       m_group_contacts.begin(), m_group_contacts.end(),
       [&](const GroupContact& t) { return from_world(t.point.normal).z() > kSupportNormalZ; });
   if (!carried) m_planner.refuse({Refusal::Cause::NothingToSlideOn, {m_planner.name()}});
 }
 
+// Contacts are looked for again only where the group has moved.
 void Push::find_contacts() {
   const Vec3 offset = m_group.here().offset;
   if (m_found_at != offset) m_group_contacts = m_group.group_contacts(), m_found_at = offset;
@@ -46,8 +48,10 @@ void Push::push_to(const Vec2& goal) {
   m_num_stalls = 0;
   m_climb = true;
   m_planner.result().end = OperationResult::End::Reached;
+  // The number of events is bounded, as a path may go round in circles.
   const auto max_events =
       m_planner.result().steps.size() + static_cast<size_t>(m_planner.options().max_motions);
+  // Each event plans anew from the contacts of the place.
   while (event() == Next::GoOn) {
     if (m_planner.refused() || m_planner.interrupted()) return;
     if (m_planner.result().steps.size() > max_events)
@@ -66,6 +70,7 @@ Push::Next Push::event() {
   if (!m_is_separated && m_group.separate(m_group_contacts)) m_found_at = m_group.here().offset;
   m_is_separated = true;
   const Vec3 direction = level(left / length);
+  // The plan of the slide tells the event: on, a wall, or an edge.
   const SlidePlan way = slide(direction);
   switch (way.kind) {
     case SlidePlan::Kind::Go:
@@ -85,6 +90,7 @@ SlidePlan Push::slide(const Vec3& direction) const {
 }
 
 double Push::end_of(size_t contact, const Vec3& velocity) const {
+  // Obstacles have no known end, and are looked at again after a little way.
   if (contact >= m_group_contacts.size()) return kUnknownEnd * m_group.clearance();
   const GroupContact& t = m_group_contacts[contact];
   std::optional<Body> fixed;
@@ -96,12 +102,14 @@ double Push::end_of(size_t contact, const Vec3& velocity) const {
 // --- going on --------------------------------------------------------------------------------
 
 Push::Next Push::go(const SlidePlan& plan, double length) {
+  // The slide ends at the goal, at the end of a contact, or where a steep part gets too high.
   double way = std::min(length, plan.lasts);
   const std::optional<double> allowance = steep_allowance(plan);
   if (allowance) {
     if (*allowance <= m_shortest) return give_up_steep(plan);
     way = std::min(way, *allowance);
   }
+  // The speed is that along the surface; `way` is level.
   const double speed = plan.velocity.norm();
   const Motion motion = Motion::translation(to_world(plan.velocity / speed), way * speed);
   const ObstacleContact found = m_group.first_contact(motion);
@@ -112,6 +120,7 @@ Push::Next Push::go(const SlidePlan& plan, double length) {
   }
   const double time = std::min(found.time, motion.limit);
   const bool gets_on = time > m_shortest;
+  // Progress forgets old obstacles and stalls.
   if (gets_on) {
     m_group.advance(motion, time);
     m_planner.note_step(SettleStep::Kind::Slide);
@@ -120,8 +129,10 @@ Push::Next Push::go(const SlidePlan& plan, double length) {
     m_num_stalls = 0;
     if (!allowance) m_steep.reset(), m_climb = true;
   }
+  // The obstacle ahead becomes a contact of the next plan.
   if (found.status == FirstContact::Status::Contact)
     m_obstacles.push_back({found.normal, found.point, found.with});
+  // A slide that gets nowhere again and again is blocked.
   if (!gets_on && ++m_num_stalls > kMaxStalls) {
     m_planner.note_blocked(found.with, found.point);
     return Next::Stop;
@@ -150,6 +161,7 @@ std::optional<SettleOutcome> Push::settled_from(const Vec3& offset) {
   const double z = m_group.centre().z();
   SettleOutcome outcome = m_planner.settle();
   const double sinks = z - m_group.centre().z();
+  // An object that sinks deeper than a step has left the surface.
   if (outcome.status != SettleOutcome::Status::AtRest ||
       sinks > m_options.step_down + m_group.clearance())
     return std::nullopt;
@@ -165,12 +177,14 @@ bool Push::holds_at(const Vec3& offset) {
 
 // The last place on the way from where it holds, if it does so at the start.
 std::optional<Vec3> Push::last_place_that_holds() {
+  // The way is searched by halving: it holds at its start and not at its end.
   if (m_way.size() < 2 || !holds_at(m_way[0].offset)) return std::nullopt;
   size_t good = 0, bad = m_way.size() - 1;
   while (bad - good > 1 && !m_planner.interrupted()) {
     const size_t middle = (good + bad) / 2;
     (holds_at(m_way[middle].offset) ? good : bad) = middle;
   }
+  // Within a straight stretch the halving goes on to the last place itself.
   Vec3 last = m_way[good].offset, beyond = m_way[bad].offset;
   while (m_way[bad].straight && (beyond - last).norm() > 2 * m_shortest &&
          !m_planner.interrupted()) {
@@ -185,6 +199,7 @@ std::optional<Vec3> Push::last_place_that_holds() {
 void Push::release() {
   if (!m_is_level) return m_planner.release();
   find_contacts();
+  // An object that stands on the surface by its contacts needs no search.
   std::vector<ContactPoint> points;
   for (const GroupContact& t : m_group_contacts)
     if (t.member == 0) points.push_back(t.point);
@@ -192,6 +207,7 @@ void Push::release() {
   if (m_planner.is_joint() || (stands && !has_finite_friction(m_planner.options())))
     return m_planner.release();  // it stands there
   Place end = m_group.here();
+  // An object without that settles from where it is, or from the last place that holds.
   if (const auto outcome = settled_from(end.offset)) return m_planner.end_settled(*outcome);
   m_group.go_back(end);
   if (const std::optional<Vec3> last = last_place_that_holds()) {

@@ -15,6 +15,7 @@ constexpr double kLeastCosine = 0.02;  // of the push to a wall, for how far is 
 
 // Length of a steep rise or drop that may still be followed; nullopt: the plan's is not steep.
 std::optional<double> Push::steep_allowance(const SlidePlan& plan) {
+  // The rise so far counts from where the steep part began.
   const double rise = plan.velocity.z(), z = position().z();
   if (std::abs(rise) <= kSteepRise) return std::nullopt;
   if (!m_steep) m_steep = Steep{m_group.here(), z, m_way.size()};
@@ -24,6 +25,7 @@ std::optional<double> Push::steep_allowance(const SlidePlan& plan) {
 
 // Back to where it began; from there it is an edge, or a wall.
 Push::Next Push::give_up_steep(const SlidePlan& plan) {
+  // The object goes back to where the steep part began.
   m_group.go_back(m_steep->start);
   m_way.resize(m_steep->way_length);
   m_steep.reset();
@@ -41,11 +43,14 @@ Push::Next Push::give_up_steep(const SlidePlan& plan) {
 
 Push::Next Push::pass_wall(const SlidePlan& blocked, const Vec3& direction, double length) {
   const Vec3 wall = m_normals[blocked.blocker];
+  // Stalls end the attempts at one place.
   if (++m_num_stalls > kMaxStalls) return stop_blocked(blocked.blocker);
+  // A step is climbed if it may be; if it is too high, the object slides along.
   if (m_options.step_up > 0 && climb(direction, wall, m_options.step_up)) return Next::GoOn;
   if (m_options.slide)
     if (const auto along = slide_direction(m_normals, direction, blocked.blocker, m_climb)) {
       const SlidePlan aside = slide(*along);
+      // A slide that leads away from the goal is none.
       const double gain = length * along->dot(direction);
       if (gain > m_shortest && aside.kind == SlidePlan::Kind::Go) return go(aside, gain);
       if (gain > m_shortest && aside.kind == SlidePlan::Kind::NoSupport && go_down(*along))
@@ -72,12 +77,16 @@ std::optional<double> Push::climb(const Vec3& direction, const Vec3& wall, doubl
     m_group.advance(motion, time);
     return time;
   };
+  // The object rises as high as the step may be, and a little more for clearance.
   const double up = move(Vec3::UnitZ(), highest + clearance);
+  // It goes forward until it is surely over the step, more so the flatter the wall is met.
   const double cosine = std::max(kLeastCosine, -direction.dot(wall));
   const double forward = std::min(kStepOn * clearance / cosine, way_left().norm());
   if (up < clearance || move(direction, forward) < 0.9 * forward) return give_up();
+  // Whatever it comes down onto within a step's depth is the new ground.
   const double down = up + clearance + m_options.step_down;
   if (move(-Vec3::UnitZ(), down) >= down) return give_up();
+  // A ground that is too high after all is no step.
   const double rise = position().z() - z;
   if (rise > highest + 0.5 * clearance) return give_up();
   // Steep surfaces were followed before, and found to be higher: this is the same one, not its top.
@@ -93,10 +102,12 @@ std::optional<double> Push::climb(const Vec3& direction, const Vec3& wall, doubl
 bool Push::go_down(const Vec3& direction) {
   const Place before = m_group.here();
   const double clearance = m_group.clearance();
+  // A little way ahead is enough to leave the edge.
   const double forward = std::min(kStepOn * clearance, way_left().norm());
   const Motion over = Motion::translation(to_world(direction), forward);
   const ObstacleContact ahead = m_group.first_contact(over);
   m_group.advance(over, std::min(ahead.time, forward));
+  // The drop may be as deep as a step; without ground there it is an edge.
   const Motion fall =
       Motion::translation(to_world(-Vec3::UnitZ()), m_options.step_down + clearance);
   const ObstacleContact below = m_group.first_contact(fall);
@@ -110,6 +121,7 @@ bool Push::go_down(const Vec3& direction) {
   m_obstacles = {{below.normal, below.point, below.with}};
   if (ahead.status == FirstContact::Status::Contact)
     m_obstacles.push_back({ahead.normal, ahead.point, ahead.with});
+  // Standing still again and again is no progress.
   const bool stands_still = ahead.time < m_shortest && below.time < m_shortest;
   m_num_stalls = stands_still ? m_num_stalls + 1 : 0;
   return m_num_stalls <= kMaxStalls;
@@ -128,6 +140,7 @@ Push::Next Push::stop_blocked(size_t contact) {
   const size_t num_steps = m_planner.result().steps.size();
   const Vec3 normal = m_axes.row(2).cwiseAbs();
   const double height = 2 * m_group.bodies()[0].world_box.half_extent().dot(normal);
+  // The climb is tried without limit of height, only to tell a step from a wall.
   m_climb = true;  // if it were allowed to
   if (left.norm() > m_shortest && height > m_options.step_up &&
       climb(level(left.normalized()), m_normals[contact], height)) {

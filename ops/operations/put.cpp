@@ -11,6 +11,7 @@ namespace {
 
 // A start that touches the floor is raised by as much as motions keep clear of it.
 Pose clear_of_floor(const Scene& scene, const Object& object, Pose pose, double clearance) {
+  // Vertices decide, as the floor is flat.
   if (!scene.floor) return pose;
   const Affine world = world_from_object(pose, object.up, object.scale);
   double lowest = kInfinity;
@@ -108,12 +109,14 @@ MovePlan plan_put_from_start(const Scene& scene, ObjectId id, const PutOperation
   MovePlanner planner(scene, id, o, o.start, run);
   if (planner.refused()) return planner.finish(ObjectState::Stable);
   MovingGroup& group = planner.group();
+  // The object and its loads go to the start as a group.
   group.place(o.start);
   if (auto why = refuse_interpenetration(scene, group.placements(), false)) {
     why->at = Refusal::At::Start;
     planner.refuse(*why);
     return planner.finish(ObjectState::Stable);
   }
+  // A start that touches the floor may fall all the same.
   group.place(clear_of_floor(scene, group.object(), o.start, group.clearance()));
   planner.release();
   if (!planner.refused() && refuse_end)
@@ -138,6 +141,7 @@ std::optional<Pose> start_of_put(const Operation& operation, const OperationResu
   if (result.tried) return result.tried->start;
   if (!put->place) return put->start;
   if (steps.empty() || steps.front().kind != SettleStep::Kind::Fall) return std::nullopt;
+  // The start is that of the fall, which ended where the first step did.
   Pose start = steps.front().pose_after;
   start.translation.z() += steps.front().energy_drop;
   return start;

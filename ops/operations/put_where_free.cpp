@@ -32,12 +32,15 @@ class FreePlaceSearch {
         m_carried(carried_with(scene, id)) {}
 
   MovePlan plan() {
+    // A request that cannot be met anywhere is refused before any search.
     if (auto why = refuse_request()) return refused(std::move(*why));
     PlaceRequest request = this->request();
     const ExactPlaces exact(m_scene, m_id, m_carried, request, clearance());
+    // The point that was asked for comes first, exactly.
     if (request.near && exact.fits(*request.near))
       if (auto done = try_here(exact.start(*request.near))) return std::move(*done);
     Places places;
+    // Windows are searched one after the other, each with its places in order.
     for (const PlaceWindow& window :
          place_windows(m_scene, m_id, m_carried, request, clearance())) {
       if (m_num_trials >= kPlaceTrials) break;
@@ -50,6 +53,7 @@ class FreePlaceSearch {
     }
     // On the unbounded floor there is room farther out, unless the scene would get too large.
     const Places beyond = places_beyond(m_scene, m_id, m_carried, request, clearance());
+    // Without room anywhere the refusal tells how many places were judged and why they failed.
     if (beyond.starts.empty()) return refused(refuse_everywhere(places));
     m_num_trials = 0;
     auto done = request.near ? try_nearest(beyond, exact, *request.near, kInfinity)
@@ -97,6 +101,7 @@ class FreePlaceSearch {
   std::optional<Refusal> refuse_keep() const {
     const double keep = m_operation.place->keep;
     const SceneExtent others = this->others();
+    // Without other objects there is no size to compare with.
     if (others.box.empty()) return std::nullopt;
     const double size = size_of(m_scene.at(m_id));
     const double smallest = std::min(others.smallest_diagonal, size > 0 ? size : kInfinity);
@@ -142,11 +147,13 @@ class FreePlaceSearch {
   }
 
   MovePlan put_at(const Pose& start) const {
+    // The trial is a PUT from this start, with all its checks.
     PutOperation put = m_operation;
     put.place.reset();
     put.start = start;
     MovePlan plan = plan_put_from_start(
         m_scene, m_id, put, m_run, [this](const MovingGroup& group) { return refuse_end(group); });
+    // A wedged end may pass for a PUT that was asked for, but not at a place of ours.
     if (plan.result.ok() && plan.wedged) plan.result.refuse(*plan.wedged);
     if (plan.result.ok() && m_try_commit)
       if (auto why = m_try_commit(plan)) plan.result.refuse(std::move(*why));
@@ -166,6 +173,7 @@ class FreePlaceSearch {
     const size_t num_doubtful = std::min(places.doubtful.size(), kMaxDoubtful);
     for (size_t k = 0; k < places.starts.size() + num_doubtful; ++k) {
       if (m_num_trials >= kPlaceTrials) break;
+      // Doubtful places come last: their distance is measured before they are tried.
       const bool doubtful = k >= places.starts.size();
       const Pose& start = doubtful ? places.doubtful[k - places.starts.size()] : places.starts[k];
       if (near_a_failure(start, places.spacing)) continue;
@@ -180,6 +188,7 @@ class FreePlaceSearch {
   // over an edge, for example), where it stays.
   std::optional<MovePlan> try_nearest(const Places& places, const ExactPlaces& exact,
                                       const Vec2& near, double reach) {
+    // The nearest place that fits is tried first, then others by their distance.
     const std::optional<Vec2> nearest = exact.nearest(places);
     if (!nearest || (*nearest - near).norm() > reach) return std::nullopt;
     if (auto done = try_here(exact.start(*nearest))) return done;
@@ -187,6 +196,7 @@ class FreePlaceSearch {
       const Vec2 at = exact.centre_at(start);
       if (m_num_trials >= kPlaceTrials || (at - near).norm() > reach) break;
       if (near_a_failure(start, places.spacing) || !exact.fits(at)) continue;
+      // Between a place where it stays and the point, halving finds the last where it does.
       if (stays_at(start)) return try_here(exact.start(last_to_stay(exact, at, near)));
       ++m_num_trials;
       m_failures.push_back(start.translation.head<2>());
@@ -210,11 +220,13 @@ class FreePlaceSearch {
 
   // After it has settled: on the support alone, and as far from everything else as asked for.
   std::optional<Refusal> refuse_end(const MovingGroup& group) const {
+    // Contacts with anything else mean that it leans or lies elsewhere.
     for (const GroupContact& touch : group.group_contacts())
       if (touch.with != *m_on.support)
         return Refusal{Cause::RestsOnOther, {m_name, named(m_scene, touch.with)}};
     const double keep = m_operation.place->keep;
     if (!(keep > 0)) return std::nullopt;
+    // Distances are measured between surfaces, of the object and of its loads.
     for (const Body& body : group.bodies()) {
       const Neighbours near = group.outside().near(body.world_box, 1.01 * keep);
       for (size_t k = 0; k < near.ids.size(); ++k)
@@ -226,9 +238,11 @@ class FreePlaceSearch {
 
   Refusal refuse_everywhere(const Places& places) const {
     const bool has_region = !m_operation.place->region.empty();
+    // Places that all lie outside are the region's fault alone.
     if (has_region && places.num_judged == places.num_outside)
       return Refusal{Cause::LeavesRegion, {m_name, m_on}};
     Refusal why{Cause::NoFreePlace, {m_name, m_on}};
+    // The counts tell where the search got stuck: outside, beside, blocked, or refused at a trial.
     why.numbers = {{"judged", double(places.num_judged)},
                    {"spacing", places.spacing},
                    {"beside", double(places.num_beside)},

@@ -22,13 +22,16 @@ class Release {
         m_result(result) {}
 
   void run() {
+    // The lowest goes first, as others may come to rest on it.
     while (const auto id = lowest()) {
       const std::string name = m_scene.at(*id).name;
       ++m_tries[name];
       m_stuck.insert(name);
+      // A move may free those that were stuck.
       if (release(*id)) m_stuck.clear(), add_name(m_result.settled, name);
       if (m_run.interrupt.reason()) return;
     }
+    // Objects that came to rest meanwhile are unsupported no more.
     const auto still_waits = [&](const std::string& name) {
       return m_scene.at(*m_scene.find(name)).state == ObjectState::Unsupported;
     };
@@ -64,6 +67,7 @@ class Release {
     MovePlan plan;
     plan.group.emplace(m_scene, id, std::span<const ObjectId>(), m_clearance, m_run.options,
                        m_run.detector);
+    // Fixed and locked loads hold the object where it is.
     if (refuse_immovable(m_scene, plan.group->ids())) return plan;
     const SettleOutcome outcome = plan.group->settle(&m_run.interrupt);
     if (m_run.interrupt.reason()) return plan;
@@ -73,6 +77,8 @@ class Release {
     plan.result.steps = outcome.steps;
     plan.otherwise = rests ? ObjectState::Stable : ObjectState::Wedged;
     plan.settled = true;
+    // A release counts if it ends at rest, or wedged where that is accepted, and passes the exact
+    // test.
     plan.changes_scene =
         (rests || wedged) && !refuse_interpenetration(m_scene, plan.group->placements(), true);
     return plan;

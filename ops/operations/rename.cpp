@@ -33,6 +33,7 @@ const OperationTable& table<RenameOperation>() {
 
 OperationResult apply(Transaction& transaction, const RenameOperation& o, OperationRun&) {
   if (auto why = refuse_name(transaction.scene(), o.to)) return refused(std::move(*why));
+  // Draped objects keep names of their supports, and follow.
   transaction.edit(id_named(transaction, o.object), [&](Object& object) { object.name = o.to; });
   for (const ObjectId id : transaction.scene().ids())
     if (transaction.scene().at(id).flexible) rename_support(transaction, id, o);

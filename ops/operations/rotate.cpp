@@ -34,6 +34,7 @@ void rotate_group(MovePlanner& planner, const Vec3& centre, const Vec3& axis, do
   result.end = OperationResult::End::Reached;
   const double sign = angle_deg < 0 ? -1 : 1;
   double left = std::abs(angle_deg);
+  // A turn goes in quarters, as motions do, and ends at the first contact.
   while (left > 0 && !planner.refused() && !planner.interrupted()) {
     const double part = std::min(left, kQuarterTurnDeg);
     const Motion motion = Motion::rotation(centre, sign * axis, turn_time(part));
@@ -44,6 +45,7 @@ void rotate_group(MovePlanner& planner, const Vec3& centre, const Vec3& axis, do
     } else {
       time = planner.advance(motion, SettleStep::Kind::Turn);
     }
+    // The angle that was reached is told, not that which was asked for.
     const bool whole = result.end == OperationResult::End::Reached;
     result.turned_deg += sign * (whole ? part : turned_deg(time));
     if (!whole) return;

@@ -29,6 +29,7 @@ bool is_wall(const Vec3& normal, const Vec3& direction, bool climb) {
 SlidePlan follow(const std::vector<Vec3>& normals, const Vec3& direction,
                  const std::function<double(size_t, const Vec3&)>& ends, double shortest,
                  bool climb) {
+  // Contacts under the object force it up; the steepest that lasts decides.
   std::vector<size_t> order;
   for (size_t i = 0; i < normals.size(); ++i)
     if (normals[i].z() > 0 && !is_wall(normals[i], direction, climb)) order.push_back(i);
@@ -38,9 +39,11 @@ SlidePlan follow(const std::vector<Vec3>& normals, const Vec3& direction,
   SlidePlan plan;
   for (const size_t i : order) {
     const double here = rise(normals[i], direction);
+    // Contacts of the same rise last together: the longest of them counts.
     if (plan.kind == SlidePlan::Kind::Go && here < plan.velocity.z() - kSameRise) break;
     const Vec3 velocity(direction.x(), direction.y(), here);
     const double end = ends(i, velocity);
+    // A contact that ends at once carries no farther.
     if (end <= shortest) continue;
     if (plan.kind != SlidePlan::Kind::Go)
       plan.kind = SlidePlan::Kind::Go, plan.velocity = velocity, plan.blocker = i;
@@ -58,6 +61,7 @@ bool is_steep(const Vec3& normal, const Vec3& direction) {
 SlidePlan plan_slide(const std::vector<Vec3>& normals, const Vec3& direction,
                      const std::function<double(size_t, const Vec3&)>& ends, double shortest,
                      bool climb) {
+  // A wall stops a level direction; a ceiling stops the rise.
   SlidePlan plan = follow(normals, direction, ends, shortest, climb);
   for (size_t i = 0; i < normals.size(); ++i) {
     const Vec3& n = normals[i];
@@ -75,6 +79,7 @@ SlidePlan plan_slide(const std::vector<Vec3>& normals, const Vec3& direction,
 
 std::optional<Vec3> slide_direction(const std::vector<Vec3>& normals, const Vec3& direction,
                                     size_t blocker, bool climb) {
+  // Walls are seen from above.
   std::vector<Vec3> walls;  // level, unit
   for (size_t i = 0; i < normals.size(); ++i) {
     const Vec3 level(normals[i].x(), normals[i].y(), 0);
@@ -84,6 +89,8 @@ std::optional<Vec3> slide_direction(const std::vector<Vec3>& normals, const Vec3
   }
   std::optional<Vec3> best;
   double best_gain = kLeastAlong;
+  // Each wall gives a direction along it; the one that leads farthest to the goal, and into no
+  // other wall, is taken.
   for (const Vec3& wall : walls) {
     Vec3 along = direction - wall.dot(direction) * wall;
     const double length = along.norm();

@@ -18,6 +18,7 @@ bool is_interpenetration(const Refusal& why) {
 // kApart clearances along one axis of the world, two or all three.
 std::optional<Pose> moved_apart(const Scene& scene, ObjectId id, const Pose& pose,
                                 double clearance) {
+  // One axis is tried first, then two, then three: the shortest ways that part it.
   for (int num_axes = 1; num_axes <= 3; ++num_axes)
     for (int code = 0; code < 27; ++code) {
       const Vec3 way(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
@@ -57,12 +58,14 @@ OperationResult apply(Transaction& transaction, const StandOperation& o, Operati
   const PlacedBox expected{id, expected_box(scene, object, o.pose)};
   const double clearance = clearance_near(scene, run.options, expected.box, {&expected, 1});
   Pose pose = o.pose;
+  // Objects in files often touch exactly; they are parted, and only real crossings are refused.
   if (auto why = refuse_stand(scene, id, pose, run.options)) {
     std::optional<Pose> apart;
     if (is_interpenetration(*why)) apart = moved_apart(scene, id, pose, clearance);
     if (!apart) return refused(std::move(*why));
     pose = *apart;
   }
+  // Objects that it leaves are noted before it goes.
   std::vector<ObjectId> dependents;
   if (was_placed) dependents = dependents_of(scene, id);
   stand_at(transaction, id, pose, rest_rules(run.options, clearance));

@@ -12,6 +12,7 @@ bool is_one_of(const std::vector<const char*>& words, const std::string& word) {
 }  // namespace
 
 size_t OperationTable::form_of(const void* operation) const {
+  // The first form whose condition holds is the operation's.
   for (size_t f = 0; f < forms.size(); ++f)
     if (!forms[f].holds || forms[f].holds(operation)) return f;
   return 0;
@@ -34,6 +35,7 @@ std::vector<const char*> OperationTable::keys(size_t form, bool required) const 
 std::optional<size_t> OperationTable::chosen(
     std::string_view op, const std::function<bool(const char* key)>& given,
     const std::function<std::string(const char* key)>& word) const {
+  // Keys that are given choose the form, as JSON does not name it.
   for (size_t f = 0; f < forms.size(); ++f) {
     const Form& form = forms[f];
     if (op != form.op) continue;

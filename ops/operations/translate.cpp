@@ -22,6 +22,7 @@ const OperationTable& table<TranslateOperation>() {
 
 void translate_group(MovePlanner& planner, const Vec3& offset, bool free) {
   MovingGroup& group = planner.group();
+  // Displacements count from where the object was at first, whatever was in the way since.
   const Vec3 by = offset - (group.pose().translation - group.object().pose.translation);
   const double length = by.norm();
   planner.result().end = OperationResult::End::Reached;
@@ -36,6 +37,7 @@ void translate_group(MovePlanner& planner, const Vec3& offset, bool free) {
 }
 
 MovePlan finish_move(MovePlanner& planner, bool free, bool settle) {
+  // A free move settles only where nothing is crossed.
   const bool releases =
       settle && !planner.refused() &&
       (!free || !refuse_interpenetration(planner.scene(), planner.group().placements(), true));

@@ -7,6 +7,7 @@
 #include "core/motion/motion.h"
 #include "ops/operations/container.h"
 #include "ops/operations/moving_group.h"
+#include "ops/stability/carried.h"
 
 namespace trivet {
 namespace {
@@ -16,9 +17,10 @@ constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
 constexpr int kTriesToTouch = 3;  // more of them, where it came to rest across a gap
 constexpr int kStartsOfTry = 2;   // looked at for each try: some interpenetrate
-/// First contacts by which the whole may come to rest in a try, and in the last; see whole.h. More
-/// are seldom worth the time that another start takes.
-constexpr Budget kBudgetOfTry{40}, kBudgetOfLast{600};
+/// The whole has to stand at once at the first tries, may move at the next, most at the last. From
+/// most other starts it stands at once, in a tenth of the time.
+constexpr int kTriesToStand = 4;
+constexpr Budget kBudgetToStand{40, 0}, kBudgetOfTry{40}, kBudgetOfLast{600};
 
 // Between half a turn either way.
 double wrapped_deg(double deg) { return std::remainder(deg, 360); }
@@ -44,12 +46,6 @@ bool starts_blocked(const OperationResult& result) {
          result.refusal->at == Refusal::At::Start;
 }
 
-// Carried by what is more than the tolerance of contacts away.
-bool rests_across_gap(const Object& object) {
-  return std::any_of(object.contacts.begin(), object.contacts.end(),
-                     [](const ObjectContact& entry) { return entry.across_gap && entry.carries; });
-}
-
 /// The starts after the first.
 class Tries {
  public:
@@ -63,17 +59,19 @@ class Tries {
 
   /// @param first  refused, or at rest across a gap and taken back.
   OperationResult go_on(OperationResult first, Budget budget) {
+    // A rest across a gap is kept in hand while a few starts are tried for a closer one.
     if (first.ok()) note_gap({1, 0, 0, m_operation.start}, budget);
     int num_tries = 1;
+    // Blocked starts cost little and do not count as tries; their number is bounded, too.
     for (int n = 2; n <= kStartsOfTry * m_operation.tries && num_tries < m_operation.tries; ++n) {
       if (m_gap && m_gap->tries_left-- <= 0) break;
-      const bool is_last = num_tries + 1 == m_operation.tries;
-      const auto result = try_number(n, is_last ? kBudgetOfLast : kBudgetOfTry);
+      const auto result = try_number(n, budget_of(num_tries + 1));
       if (!result) continue;
       const bool is_over = result->ok() || result->status != OperationResult::Status::Refused;
       if (is_over) return *result;
       ++num_tries;
     }
+    // No try was better than the rest across a gap.
     if (m_gap) return take(*m_gap);
     if (num_tries > 1) {
       first.refusal->numbers.push_back({"tries", static_cast<double>(num_tries)});
@@ -83,6 +81,11 @@ class Tries {
   }
 
  private:
+  Budget budget_of(int try_number) const {
+    if (try_number == m_operation.tries) return kBudgetOfLast;
+    return try_number <= kTriesToStand ? kBudgetToStand : kBudgetOfTry;
+  }
+
   const Object& object() const { return m_transaction.scene().at(m_id); }
   Vec3 centre(const Pose& pose) const { return centre_at(object(), pose); }
 
@@ -104,6 +107,7 @@ class Tries {
 
   // As far from the first start as it is free and in the container. @return nothing: nowhere.
   std::optional<OperationResult> try_number(int number, Budget budget) {
+    // A start that is blocked is tried nearer to the first one.
     for (const double part : kPartsOfShift) {
       const StartTried start = start_to_try(object(), m_operation, number, part);
       if (!m_container.holds(centre(start.start))) continue;
@@ -116,12 +120,14 @@ class Tries {
   OperationResult try_from(const StartTried& start, Budget budget) {
     PutOperation put = m_operation;
     put.start = start.start;
+    // Each try has a transaction of its own, and leaves no trace unless it is taken.
     Transaction inner(m_transaction);
     OperationResult result = m_put(inner, put, budget);
     if (!result.ok()) return result;
+    // The object may roll out of its container: then the try fails.
     if (start.number > 1 && !m_container.holds(inner.scene().at(m_id).centre_of_mass()))
       return refused({Refusal::Cause::LeavesRegion, {named(inner.scene(), Support(m_id))}});
-    if (!m_accepts_gap && rests_across_gap(inner.scene().at(m_id))) {
+    if (!m_accepts_gap && is_carried_across_gap(inner.scene().at(m_id))) {
       note_gap(start, budget);
       return refused({Refusal::Cause::Topples, {named(inner.scene(), Support(m_id))}});
     }
@@ -144,12 +150,15 @@ class Tries {
 StartTried start_to_try(const Object& object, const PutOperation& o, int number, double part) {
   StartTried out{number, 0, 0, o.start};
   if (number <= 1) return out;
+  // Starts fill the disc evenly: the area within them grows with their number.
   const double n = number - 1, area = std::min(1.0, n / std::max(1, o.tries - 1));
   out.shifted = part * o.within * size_of(object) * std::sqrt(area);
   out.turned_deg = wrapped_deg(n * kTurnDeg);
+  // Angles of turns and shifts never repeat each other.
   const Vec3 way = about_vertical(wrapped_deg(n * kWayDeg)).matrix() * Vec3::UnitX();
   out.start.rotation = (about_vertical(out.turned_deg) * o.start.rotation).normalized();
   out.start.translation.setZero();
+  // The centre of mass goes to the shifted place, not the model's origin.
   out.start.translation =
       centre_at(object, o.start) + out.shifted * way - centre_at(object, out.start);
   return out;
@@ -161,7 +170,7 @@ OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOpe
   {
     Transaction inner(transaction);
     first = put(inner, o, budget);
-    const bool touches = first.ok() && !rests_across_gap(inner.scene().at(id));
+    const bool touches = first.ok() && !is_carried_across_gap(inner.scene().at(id));
     if (touches) inner.commit();
     if (touches || !(first.ok() || may_do_better_nearby(first))) return first;
   }

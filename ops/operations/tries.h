@@ -6,9 +6,10 @@
 //   interpenetrates, or leaves the container (container.h)
 //                            shifted by a half, a quarter, nothing instead; then skipped
 //   leans across a gap       tried at three more; taken if none of these does better
-//   else                     an operation of its own, proved as any other, with a third of the time
-//                            to bring the whole to rest (the last: with five times as much); the
-//                            first that is done and ends in the container is taken
+//   else                     an operation of its own, proved as any other; the first that is done
+//                            and ends in the container is taken. From starts 2 to 4 the whole has
+//                            to stand at once, from the next ones after few motions, from the last
+//                            after more
 #pragma once
 
 #include <functional>

@@ -57,6 +57,7 @@ const OperationTable& table<TurnOperation>() {
 std::optional<TurnAxis> axis_or_refusal(MovePlanner& planner, const TurnOperation& o) {
   const Scene& scene = planner.scene();
   const ObjectContact* entry = held_contact(scene, planner.group().object(), o.with);
+  // Without a contact there is nothing to hold in the turn.
   if (!entry) {
     Refusal why{Refusal::Cause::NoContact, {planner.name()}};
     if (o.with) why.objects.push_back(named(scene, *o.with));
@@ -64,6 +65,7 @@ std::optional<TurnAxis> axis_or_refusal(MovePlanner& planner, const TurnOperatio
     planner.refuse(why);
     return std::nullopt;
   }
+  // A point has no line to turn about.
   if (o.about == TurnOperation::About::Line && entry->contact.hull.size() < 2) {
     planner.refuse({Refusal::Cause::PointContact, {planner.name(), named(scene, entry->with)}});
     return std::nullopt;

@@ -20,6 +20,7 @@ double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
 // rises; where it stands over the line, that towards x (then y, then z).
 Vec3 chosen_direction(const Vec3& along, const Vec3& line, const Vec3& centre, double size,
                       const std::optional<Vec3>& wanted) {
+  // The side of the line on which the centre lies tells in which direction it rises.
   double sign = wanted ? along.dot(*wanted) : along.cross(centre - line).z();
   if (std::abs(sign) <= kOverLine * (wanted ? wanted->norm() : size)) {
     sign = 0;
@@ -43,6 +44,7 @@ Vec3 centre_of(const Contact& contact) {
   for (const Vec3& p : hull) mean += p / static_cast<double>(hull.size());
   Vec3 sum = Vec3::Zero();
   double area = 0;
+  // The centroid of the hull is that of its triangles, weighted by area.
   for (size_t i = 0; i + 1 < hull.size() && contact.type == ContactType::Area; ++i) {
     const double twice = contact.normal.dot((hull[i] - hull[0]).cross(hull[i + 1] - hull[0]));
     sum += twice * (hull[0] + hull[i] + hull[i + 1]) / 3;
@@ -54,12 +56,14 @@ Vec3 centre_of(const Contact& contact) {
 std::array<Vec3, 2> held_line(const Contact& contact, const Vec3& point) {
   const std::vector<Vec3>& hull = contact.hull;
   std::array<Vec3, 2> best{hull[0], hull[1]};
+  // A line's ends are the two points farthest from each other.
   if (contact.type == ContactType::Line) {
     for (const Vec3& a : hull)
       for (const Vec3& b : hull)
         if ((a - b).squaredNorm() > (best[0] - best[1]).squaredNorm()) best = {a, b};
     return best;
   }
+  // An area is held at the side nearest to the point.
   for (size_t i = 0; i < hull.size(); ++i) {
     const Vec3 &a = hull[i], &b = hull[(i + 1) % hull.size()];
     if (squared_distance(point, a, b) < squared_distance(point, best[0], best[1])) best = {a, b};

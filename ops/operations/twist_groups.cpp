@@ -28,6 +28,8 @@ class Grouping {
   }
 
   std::vector<TwistGroup> groups(double same) const {
+    // Two bodies in contact are apart by how their velocities differ at the contact, and by how
+    // they turn.
     std::map<std::pair<Index, Index>, double> apart;  // of pairs in contact
     for (const CoulombContact& c : m_motion.contacts) {
       if (!moves(c.on) || !moves(c.from)) continue;
@@ -44,6 +46,7 @@ class Grouping {
       while (root[i] != i) i = root[i] = root[root[i]];
       return i;
     };
+    // Bodies that differ little move as one group.
     for (const auto& [pair, most] : apart)
       if (most < same * std::max(m_motion.speed(pair.first), m_motion.speed(pair.second))) {
         const Index a = find(pair.first), b = find(pair.second);
@@ -54,6 +57,7 @@ class Grouping {
       if (moves(i)) by_root[find(i)].members.push_back(i);
     std::vector<TwistGroup> out;
     for (auto& [unused, group] : by_root) {
+      // The heaviest member leads: the group takes its twist.
       group.leader = *std::max_element(
           group.members.begin(), group.members.end(),
           [&](Index a, Index b) { return m_motion.bodies[a].weight < m_motion.bodies[b].weight; });
@@ -75,6 +79,7 @@ class Grouping {
     const size_t n = groups.size();
     const std::vector<Index> of = group_of(groups);
     std::vector<std::vector<double>> waits(n, std::vector<double>(n, 0));  // [first][then]
+    // A group waits for one that moves out of its way.
     for (const CoulombContact& c : m_motion.contacts) {
       if (c.from == CoulombContact::kGround) continue;
       const Index a = of[c.on], b = of[c.from];
@@ -86,6 +91,7 @@ class Grouping {
     }
     std::vector<char> done(n, 0);
     std::vector<TwistGroup> out;
+    // The group that violates the least goes next; of a cycle that is the smallest error.
     for (size_t k = 0; k < n; ++k) {
       size_t best = n;
       double least = kInfinity;
@@ -107,6 +113,7 @@ class Grouping {
   void part_from_what_stands(TwistGroup& group, const std::vector<Index>& of) const {
     const Vec3 centre = m_motion.bodies[group.leader].centre;
     const Index own = of[group.leader];
+    // Turning is scaled by the group's reach, so that all six numbers are speeds.
     double reach = 0;
     for (const Index i : group.members)
       reach = std::max(reach,
@@ -118,6 +125,7 @@ class Grouping {
     std::vector<HalfSpace<6>> parted;
     for (const CoulombContact& c : m_motion.contacts) {
       const Index a = of[c.on], b = c.from < 0 ? -1 : of[c.from];
+      // Contacts with what stands still bound the twist; those with other groups do not.
       if ((a == own) == (b == own) || (a >= 0 && b >= 0)) continue;
       const Vec3 n = a == own ? c.normal : Vec3(-c.normal);
       Vec6 row;

@@ -18,6 +18,7 @@ OperationResult apply(Transaction& transaction, const UnplaceOperation& o, Opera
   const Object& here = transaction.scene().at(id);
   if (!here.placed && !here.locked)
     return refused({Refusal::Cause::NotPlaced, {named(transaction.scene(), Support(id))}});
+  // Contacts of the partners go first: they name this object.
   return take_away(transaction, id, o, "unplace", run, [&] {
     transaction.clear_contacts(id);
     transaction.edit(id, [](Object& object) {

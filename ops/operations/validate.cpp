@@ -40,6 +40,7 @@ Found refuse_components(const char* key, const Vec& v, const Accepts& accepts) {
 template <class Vec>
 Found refuse_vector(const char* key, const Vec& v, const Accepts& accepts) {
   if (auto found = refuse_components(key, v, accepts)) return found;
+  // Directions shorter than this lose their digits when they are made unit.
   if (accepts.sort != Sort::Direction || v.cwiseAbs().maxCoeff() >= kMinDirectionComponent)
     return std::nullopt;
   return InvalidArgument{key, shown(v), "a direction whose length is not zero"};
@@ -110,6 +111,7 @@ Found find_invalid_argument(const Operation& operation) {
   const OperationTable& table = table_of(operation);
   void* const data = const_cast<void*>(data_of(operation));  // slots are only read here
   const size_t form = table.form_of(data);
+  // Fields of other forms are not looked at.
   for (const Field& field : table.fields) {
     if (!field.is_in(form)) continue;
     if (auto found = std::visit(Check{field}, field.slot(data))) return found;

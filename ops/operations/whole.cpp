@@ -36,30 +36,39 @@ class Whole {
         m_result(result),
         m_rules(rest_rules(run.options, clearance)),
         m_queries_left(budget.first_contacts),
+        m_most_movers(budget.most_movers),
         m_is_trial(purpose == Purpose::Trial) {}
 
   /// @param ids  what a hand has moved and still holds where it does not rest.
   void keep_in_hand(std::vector<ObjectId> ids) { m_in_hand = std::move(ids); }
 
-  Budget budget_left() const { return {m_queries_left}; }
+  Budget budget_left() const { return {m_queries_left, m_most_movers}; }
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
       if (m_scene.at(id).placed) return;  // no other verdict counts until that is resolved
+    // The parts that the operation has touched are judged, and those that topple give way, until
+    // all stand.
     PartVerdict verdict = judge();
+    // A hand holds what it has moved: it does not topple.
     if (!verdict.stands && hold(verdict.topples)) verdict = judge();
-    for (int round = 0; !verdict.stands && round < kMaxRounds && m_queries_left > 0; ++round) {
+    for (int round = 0; !verdict.stands && round < kMaxRounds && may_go_on(verdict); ++round) {
       [[maybe_unused]] const double before = energy_gained().sum;
       if (stopped() || !give_way(verdict)) break;
       assert(energy_gained().sum <= before + energy_gained().rounding);
       verdict = judge();
     }
     if (stopped()) return;
+    // Parts that do not come to rest in time are refused as a whole.
     if (!verdict.stands) return refuse(verdict);
     if (!m_is_trial) note_who_gave_way();
   }
 
  private:
+  bool may_go_on(const PartVerdict& verdict) const {
+    return m_queries_left > 0 && verdict.topples.size() <= m_most_movers;
+  }
+
   bool stopped() const { return m_run.interrupt.reason().has_value(); }
 
   // The hand does not let go of what would rest alone, pinched by others, but not with them.
@@ -76,11 +85,13 @@ class Whole {
   // All together; and if they stand, each by its own contacts: the part counts what is some
   // clearances away as a contact, which may be all that holds an object.
   PartVerdict judge() {
+    // Only parts connected with what changed can have lost their balance.
     const std::vector<ObjectId> changed = touched();
     PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
-                                      m_clearance, kMaxProgramObjects);
+                                      m_clearance, kMaxProgramObjects, proof());
     if (!verdict.stands || m_is_trial) return verdict;
     judge_each();
+    // Names are sorted, so that the order in which they were found does not matter.
     std::vector<std::string> names = m_result.unsupported;
     std::sort(names.begin(), names.end());
     for (const std::string& name : names)
@@ -88,6 +99,8 @@ class Whole {
     verdict.stands = verdict.topples.empty();
     return verdict;
   }
+
+  Proof proof() const { return m_most_movers == 0 ? Proof::Quickest : Proof::Whole; }
 
   std::vector<ObjectId> parts() const { return connected_with(m_scene, touched()); }
 
@@ -104,6 +117,7 @@ class Whole {
   // Weights times rises of all that gave way so far. Never grows, whoever gives way.
   Energy energy_gained() const {
     Energy out;
+    // Rounding of heights is allowed for in the sum.
     for (const auto& [slot, before] : m_before) {
       const double weight = weight_of(m_scene.at(before.id)), now = height(before.id);
       out.sum += weight * (now - centre_before(before).z());
@@ -118,9 +132,11 @@ class Whole {
   }
 
   bool give_way(const PartVerdict& verdict) {
+    // Single objects move first; a joint motion is searched for when each holds alone.
     if (move_each(m_transaction, verdict.topples)) return true;
     const FreeBodies part =
         near_part(m_scene, parts(), m_clearance, is_fixed_or_held, std::nullopt);
+    // Members of groups and locked objects take no part in joint motions.
     std::vector<ObjectId> free = verdict.topples;
     std::erase_if(free, [&](ObjectId id) { return !may_move_alone(id); });
     note_poses(free);
@@ -138,6 +154,7 @@ class Whole {
     std::vector<ObjectId> waiting = ids;
     std::map<std::uint32_t, int> num_tries;
     bool moved = false;
+    // Whoever touches a moved object may have lost its support, and waits again.
     for (int n = 0; !waiting.empty() && n < kMaxMotionsOfAll && !stopped(); ++n) {
       if (m_queries_left <= 0) break;
       const auto lowest =
@@ -183,6 +200,7 @@ class Whole {
 
   bool move_one(Transaction& transaction, ObjectId id) {
     MovingGroup group(m_scene, id, {}, m_clearance, m_run.options, m_run.detector);
+    // The object moves only if everything it carries may.
     if (!std::all_of(group.ids().begin(), group.ids().end(),
                      [&](ObjectId member) { return may_move(member); }) ||
         refuse_immovable(m_scene, group.ids()))
@@ -190,6 +208,7 @@ class Whole {
     note_poses(group.ids());
     const SettleOutcome outcome = group.give_way(&m_run.interrupt, kLongestTurn, m_queries_left);
     count(group.num_queries());
+    // A motion counts if it lowers the object and passes the exact test.
     double drop = 0;
     for (const SettleStep& step : outcome.steps) drop += step.energy_drop;
     const bool lies = outcome.status == SettleOutcome::Status::AtRest ||
@@ -220,12 +239,14 @@ class Whole {
 
   void note_who_gave_way() {
     std::vector<ObjectId> ids;
+    // Objects are named in the order of the scene, whoever gave way first.
     ids.reserve(m_before.size());
     for (const auto& [slot, before] : m_before) ids.push_back(before.id);
     m_scene.sort(ids);
     for (const ObjectId id : ids) {
       const Placement& before = m_before.at(id.index);
       const Object& object = m_scene.at(id);
+      // The turn is told by the angle between both orientations.
       const Rotation &p = before.pose.rotation, &q = object.pose.rotation;
       const double moved = (object.centre_of_mass() - centre_before(before)).norm();
       const Rotation turn = (q * Rotation{p.w, -p.x, -p.y, -p.z}).normalized();
@@ -239,6 +260,7 @@ class Whole {
   void judge_each() {
     std::vector<ObjectId> ids;
     if (!m_before.empty()) ids = touched();
+    // Objects that leant on the former place may have lost it.
     for (const auto& [slot, before] : m_before) {
       const Body was = body_of(m_scene.at(before.id), before.pose);
       const std::vector<ObjectId> leaning = m_scene.leaning_near(was.world_box);
@@ -260,6 +282,7 @@ class Whole {
   }
 
   void refuse(const PartVerdict& verdict) {
+    // The refusal names all that topple, and the least friction among their contacts.
     Refusal why{Refusal::Cause::Topples, {m_object}};
     double friction = kInfinity;
     for (const ObjectId id : verdict.topples) {
@@ -282,74 +305,21 @@ class Whole {
   const ContactMemory m_memory;  // what stays where it is, is judged again and again
   const ProgramMemory m_programs;
   std::int64_t m_queries_left;
+  const size_t m_most_movers;
   const bool m_is_trial;
   std::vector<ObjectId> m_in_hand;
   std::map<std::uint32_t, Placement> m_before;  // by slot
 };
 
-// An object that settling called wedged may have come to rest since; otherwise that is the refusal.
-void refuse_wedged(Transaction& transaction, Refusal wedged, const RestRules& rules,
-                   OperationResult& result) {
-  const Scene& scene = transaction.scene();
-  const ObjectId id = *scene.find(wedged.objects.front().name);
-  rate_left_alone(transaction, id, rules, result);
-  if (scene.at(id).state != ObjectState::Stable) result.refuse(std::move(wedged));
-}
-
-/// A commit in which the whole comes to rest.
-struct WholeCommit {
-  OperationResult result;
-  Budget left;
-};
-
-WholeCommit commit_whole(Transaction& transaction, MovePlan plan, OperationRun& run,
-                         const Named& object, Budget budget, Purpose purpose) {
-  const double clearance = plan.group ? plan.group->clearance() : 0;
-  const char* const op = plan.op;
-  const bool settles = keeps_whole_at_rest(run.options) && plan.changes_scene && !plan.is_free;
-  std::optional<Refusal> wedged = std::move(plan.wedged);
-  std::vector<ObjectId> in_hand;
-  if (settles && plan.otherwise == ObjectState::Held && !plan.settled)
-    in_hand = plan.group->driven();
-  WholeCommit out{commit(transaction, std::move(plan), run), budget};
-  if (settles && out.result.ok()) {
-    Whole whole(transaction, object, clearance, run, out.result, budget, purpose);
-    whole.keep_in_hand(std::move(in_hand));
-    whole.settle();
-    out.left = whole.budget_left();
-    if (run.interrupt.reason()) run.interrupt.refuse(op, object, out.result);
-    if (wedged && out.result.ok())
-      refuse_wedged(transaction, std::move(*wedged), rest_rules(run.options, clearance),
-                    out.result);
-  }
-  return out;
-}
-
 }  // namespace
 
 Budget settle_whole(Transaction& transaction, const Named& object, double clearance,
-                    OperationRun& run, OperationResult& result, Budget budget, Purpose purpose) {
+                    OperationRun& run, OperationResult& result, Budget budget, Purpose purpose,
+                    std::vector<ObjectId> in_hand) {
   Whole whole(transaction, object, clearance, run, result, budget, purpose);
+  whole.keep_in_hand(std::move(in_hand));
   whole.settle();
   return whole.budget_left();
-}
-
-OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, OperationRun& run,
-                               const Named& object, Budget budget) {
-  const double clearance = plan.group ? plan.group->clearance() : 0;
-  const bool changes = plan.changes_scene;
-  OperationResult result =
-      commit_whole(transaction, std::move(plan), run, object, budget, Purpose::Commit).result;
-  if (changes && result.ok())
-    rate_again(transaction, transaction.touched(), rest_rules(run.options, clearance));
-  result.milliseconds = run.stopwatch.milliseconds();
-  return result;
-}
-
-CommitVerdict try_commit(Transaction& trial, MovePlan plan, OperationRun& run, const Named& object,
-                         Budget budget) {
-  WholeCommit tried = commit_whole(trial, std::move(plan), run, object, budget, Purpose::Trial);
-  return {std::move(tried.result.refusal), budget.first_contacts - tried.left.first_contacts};
 }
 
 }  // namespace trivet

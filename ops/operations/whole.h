@@ -11,21 +11,26 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
+#include <limits>
+#include <vector>
 
 #include "core/scene/transaction.h"
 #include "ops/operations/move_plan.h"
 
 namespace trivet {
 
-/// First contacts by which the whole may come to rest: a bound of time that is the same on every
-/// machine.
+/// Work by which the whole may come to rest: a bound of time that is the same on every machine.
 struct Budget {
   std::int64_t first_contacts = 300;
+  /// Objects that may be about to move at a time: where more are, it is refused at once, as their
+  /// joint motion costs more than another start. 0: all have to stand as they are; in large parts
+  /// the quickest proof that they do is the only one.
+  size_t most_movers = std::numeric_limits<size_t>::max();
 
   /// The smaller of both.
   Budget within(const Budget& other) const {
-    return {std::min(first_contacts, other.first_contacts)};
+    return {std::min(first_contacts, other.first_contacts),
+            std::min(most_movers, other.most_movers)};
   }
 };
 
@@ -36,24 +41,11 @@ enum class Purpose { Commit, Trial };
 /// Settles the parts of the scene that were touched within `transaction`; adds to result.gave_way,
 /// and refuses when they do not come to rest: the transaction is then to be rolled back. Objects
 /// held by a hand count as fixed. Every motion is exact and lowers the energy of all.
-/// @param object  of the operation.
+/// @param object  of the operation. @param in_hand  moved by a hand, which does not let go of them
+/// where they would not rest.
 /// @return what is left of the budget.
 Budget settle_whole(Transaction& transaction, const Named& object, double clearance,
                     OperationRun& run, OperationResult& result, Budget budget = {},
-                    Purpose purpose = Purpose::Commit);
-
-/// commit(), and settle_whole() if the options ask for it.
-OperationResult commit_at_rest(Transaction& transaction, MovePlan plan, OperationRun& run,
-                               const Named& object, Budget budget = {});
-
-/// Verdict of commit_at_rest() on a plan, and the cost of the trial.
-struct CommitVerdict {
-  std::optional<Refusal> refusal;  // nullopt: the plan can be committed
-  std::int64_t first_contacts = 0;
-};
-
-/// Commits a plan within `trial`, which the caller then rolls back.
-CommitVerdict try_commit(Transaction& trial, MovePlan plan, OperationRun& run, const Named& object,
-                         Budget budget);
+                    Purpose purpose = Purpose::Commit, std::vector<ObjectId> in_hand = {});
 
 }  // namespace trivet

@@ -11,6 +11,7 @@ namespace trivet {
 namespace {
 
 double size_in(const Aabb& box) {
+  // Both the size of the scene and its exported coordinates limit float32.
   const Vec3 origin = export_origin(box);
   const Aabb exported{box.lower - origin, box.upper - origin};
   return std::max(box.diagonal(), exported.max_abs_coordinate());
@@ -21,6 +22,7 @@ double followed(const SceneExtent& extent) { return std::max(kClearanceReach, ex
 
 ClearanceRange range_in(const SceneExtent& extent) {
   const double size = size_in(extent.box);
+  // The clearance is never below what float32 tells apart.
   const double rounding = kSmallestClearance * std::max(size, extent.box.max_abs_coordinate());
   return {std::max(kRelativeClearance * std::min(size, followed(extent)), rounding), rounding,
           std::max(kLargestClearance * size, rounding)};
@@ -63,6 +65,7 @@ double four_digits(double value, bool up) {
     std::from_chars(text, end.ptr, out);
     return out;
   };
+  // A number rounded the wrong way moves by one in its last digit.
   const double near = rounded(value);
   if (up ? near >= value : near <= value) return near;
   constexpr double kNextDigit = 1e-3;
@@ -96,7 +99,9 @@ struct Culprits {
 ClearanceRange clearance_range_near(const Scene& scene, const Aabb& place,
                                     std::span<const PlacedBox> moved) {
   const SceneExtent all = united(scene.extent_without({}), scene, moved);
+  // A clearance without a place is that of the whole scene.
   if (place.empty()) return range_in(all);
+  // Near the place the boxes within reach count in full; farther ones by a share that fades.
   const auto within = [&](double distance) {
     return united(scene.extent_near(place, distance), scene, moved);
   };
@@ -132,6 +137,7 @@ double clearance_of(const Scene& scene, const SettleOptions& options, const Aabb
 }
 
 Aabb expected_box(const Scene& scene, const Object& object, const Pose& start) {
+  // The object may come to rest anywhere between the lowest and the highest thing in its column.
   Aabb box = body_of(object, start).world_box;
   Aabb column = box;
   column.lower.z() = -kInfinity, column.upper.z() = kInfinity;
@@ -163,6 +169,7 @@ std::optional<Refusal> refuse_too_coarse(const Scene& scene, std::span<const Pla
   const double accepted = kCoarsestClearance * extent.smallest_diagonal;
   const ClearanceRange range = range_in(extent);
   const double usual = range.usual;
+  // Scenes are mostly fine: the culprits are looked for only when a refusal names them.
   if (usual <= accepted || (clearance > 0 && clearance <= accepted)) return std::nullopt;
   const Culprits culprits(scene, moved);
   Refusal why;

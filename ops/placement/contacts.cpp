@@ -10,6 +10,7 @@ namespace trivet {
 std::vector<ContactsWith> contacts_with(const Body& body, const Neighbourhood& others,
                                         double tolerance, double slack) {
   std::vector<ContactsWith> out;
+  // The floor comes first, as in all lists of partners.
   if (others.floor()) {
     auto points = floor_contact_points(body, tolerance);
     if (!points.empty()) out.push_back({Support::floor(), std::move(points)});
@@ -48,6 +49,7 @@ std::vector<ObjectContact> object_contacts_of(const Object& object, const Pose& 
   std::vector<ObjectContact> object_contacts;
   object_contacts.reserve(contacts.size());
   for (const ContactsWith& c : contacts) {
+    // Points of several faces at one place are one point.
     const auto points = merged(c.points, kContactTolerance * clearance);
     if (c.with.is_floor()) {
       object_contacts.push_back(
@@ -56,6 +58,7 @@ std::vector<ObjectContact> object_contacts_of(const Object& object, const Pose& 
     }
     const Object& other = scene.at(c.with.object());
     const Body support = body_of(other);
+    // The smaller of both objects decides how large a contact has to be to be a line or an area.
     const double smaller = std::min(size, size_of(other));
     object_contacts.push_back(
         {c.with, make_contact(points, body, &support, kContactExtent * smaller)});

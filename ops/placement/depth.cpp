@@ -20,6 +20,7 @@ class PairDepth {
   }
 
   Depth run() {
+    // Six axes are tried, and the normals of the first two faces that cross.
     std::vector<Vec3> ways;
     for (int k = 0; k < 3; ++k)
       for (const double sign : {1.0, -1.0}) ways.push_back(sign * Vec3::Unit(k));
@@ -33,6 +34,7 @@ class PairDepth {
           ways.push_back(n), ways.push_back(-n);
     }
     for (const Vec3& way : ways) {
+      // A way along which the best length so far is not enough cannot be shorter.
       if (best.metres < kInfinity && !is_free(best.metres / (1 + kAccuracy) * way)) continue;
       const double metres = least_along(way);
       if (metres < best.metres) best.metres = metres, best.way = way;
@@ -59,6 +61,7 @@ class PairDepth {
   }
 
   bool is_free(const Vec3& by) const {
+    // Both bodies stay as they are; only the test's placement moves.
     PlacedShape a = m_a;
     a.world_from_object.translation += by;
     return !count_crossings(a, m_b, 1) && !count_components_inside(a, m_b) &&
@@ -67,6 +70,7 @@ class PairDepth {
 
   // Metres along the way until the boxes part.
   double most_along(const Vec3& way) const {
+    // Boxes that are apart end the search: farther ways are free for certain.
     double out = kInfinity;
     for (int k = 0; k < 3; ++k) {
       if (way[k] == 0) continue;
@@ -79,6 +83,7 @@ class PairDepth {
 
   double least_along(const Vec3& way) const {
     const double most = most_along(way);
+    // The length is bracketed by steps that grow, and halved then.
     double held = 0, free = kTouch * m_size;
     while (free < most && !is_free(free * way)) held = free, free *= kFactor;
     if (held == 0) return 0;
@@ -109,6 +114,7 @@ Depth depth_below_floor(const ObjectInWorld& here) {
 }
 
 void add_depth(const Scene& scene, const Placement& given, Refusal& refusal) {
+  // Poses are taken as an export would hold them, from the same origin.
   const Vec3 origin = origin_with(scene, {&given, 1});
   std::vector<ObjectInWorld> here;
   for (const Named& name : refusal.objects) {
@@ -118,6 +124,8 @@ void add_depth(const Scene& scene, const Placement& given, Refusal& refusal) {
     here.push_back(in_world(object, id == given.id ? given.pose : object.pose, origin));
   }
   if (here.empty()) return;
+  // Two objects are as deep as the one must go to leave the other; one as far as it is below the
+  // floor.
   const Depth depth = here.size() > 1 ? depth_of(here[0], here[1]) : depth_below_floor(here[0]);
   refusal.numbers.insert(refusal.numbers.end(), {{"depth", depth.metres},
                                                  {"x", depth.point.x()},

@@ -35,6 +35,7 @@ class Collector {
 
   InterferingFaces take() {
     InterferingFaces out;
+    // The result says whether the limit has cut it short.
     out.complete = m_left >= 0;
     for (auto& [slot, of] : m_found) {
       std::sort(of.faces.begin(), of.faces.end());
@@ -67,6 +68,7 @@ bool add_crossing(ObjectId id_a, const PlacedShape& a, ObjectId id_b, const Plac
 // With a vertex below a height.
 void add_low_faces(ObjectId id, const PlacedShape& placed, const PlacedBvh& tree, Index node,
                    double height, Collector& out) {
+  // The bound grows by rounding, so that no face is missed.
   const PlacedBvh::Box box = tree.box(node);
   const double rounding = placed.slack + 1e-14 * std::abs(box.centre.z());
   if (box.centre.z() - box.half.z() - rounding > height) return;
@@ -78,6 +80,7 @@ void add_low_faces(ObjectId id, const PlacedShape& placed, const PlacedBvh& tree
   }
   for (Index i = n.second_child; i < n.second_child + n.num_faces; ++i) {
     const Triangle t = world_triangle(placed, tree.bvh.faces[i]);
+    // The test itself is exact: coordinates are compared as they are.
     const double lowest = std::min({t[0].z(), t[1].z(), t[2].z()});
     if (lowest < height && out.may_go_on()) out.add(id, tree.bvh.faces[i]);
   }
@@ -90,6 +93,7 @@ void add_low_faces(ObjectId id, const PlacedShape& placed, double height, Collec
 }
 
 void add_crossing_floor(ObjectId id, const ObjectInWorld& here, Collector& out) {
+  // The exported floats may be below the floor where the doubles are not.
   if (here.box.lower.z() >= 0) return;
   if (num_below_floor(here))
     add_low_faces(id, here.doubles, 0, out);
@@ -135,6 +139,7 @@ void find_near_pairs(const Placed& moved, const Placed& fixed, const Vec3& stopp
                    b = world_triangle(fixed.shape, face_fixed);
     const ClosestPoints c = closest_points(a, b);
     if (c.distance > tolerance) return true;
+    // Faces that touch have no direction between them, and count as looking there.
     const bool apart = c.features != ClosestPoints::Features::Crossing && c.distance > 0;
     const Vec3 towards = apart ? Vec3((c.point_a - c.point_b) / c.distance) : Vec3(Vec3::Zero());
     found.push_back({{moved.id, face_moved, !apart || looks_along(a, towards)},
@@ -154,6 +159,7 @@ void add_those_alike(const std::vector<NearPair>& found, Collector& out) {
       [](const NearPair& a, const NearPair& b) { return a.squared_distance < b.squared_distance; });
   std::vector<NearFace> faces;
   std::set<std::uint32_t> look_there;  // slots
+  // The direction of the pair nearest to the stop is that of the blockage.
   for (const NearPair& pair : found) {
     if (pair.towards != Vec3::Zero() && pair.towards.dot(nearest->towards) < kAlike) continue;
     for (const NearFace& face : {pair.moved, pair.fixed}) {
@@ -171,12 +177,14 @@ InterferingFaces crossing_faces(const Scene& scene, std::span<const Placement> m
   Collector out(limit);
   std::vector<ObjectId> ids;
   for (const Placement& placement : moved) ids.push_back(placement.id);
+  // Bodies that move together do not stop each other.
   const Neighbourhood outside(scene, ids);
   const Vec3 origin = origin_with(scene, moved);
   for (const Placement& placement : moved) {
     const Object& object = scene.at(placement.id);
     const ObjectInWorld here = in_world(object, placement.pose, origin);
     if (scene.floor && !may_pass_floor(scene, object)) add_crossing_floor(placement.id, here, out);
+    // Crossings of the exported floats are shown only where the doubles have none.
     bool any = false;
     std::vector<std::pair<ObjectId, ObjectInWorld>> others;
     for (const ObjectId id : outside.ids_near(here.box, here.floats.slack)) {
@@ -200,6 +208,7 @@ InterferingFaces blocking_faces(const Scene& scene, std::span<const Placement> m
     by.emplace(scene.at(id), Placement{id, scene.at(id).pose});
   }
   std::vector<NearPair> found;
+  // A floor stops by its height, an object by the faces that are near.
   for (const Placement& placement : moved) {
     const Placed here(scene.at(placement.id), placement);
     if (!by)

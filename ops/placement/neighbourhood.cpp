@@ -11,6 +11,7 @@ namespace {
 
 // Box of everything that a motion may come near.
 Aabb swept_box(Aabb box, const Motion& motion, double margin) {
+  // A translation sweeps the box; a turn stays within the ball through its farthest corner.
   if (motion.kind == Motion::Kind::Translation) {
     const Vec3 way = motion.limit * motion.axis;
     box.extend(Aabb{box.lower + way, box.upper + way});
@@ -36,6 +37,7 @@ double size_of(const Object& object) { return object.scale * object.shape->box.d
 Neighbourhood::Neighbourhood(const Scene& scene, std::span<const ObjectId> without)
     : m_scene(&scene), m_without(without.begin(), without.end()), m_floor(scene.floor) {
   std::sort(m_without.begin(), m_without.end(), by_slot);
+  // Rules that let pairs pass leave out those that none of the moving bodies can meet.
   if (!scene.pair_rules) return;
   for (const ObjectId id : m_without) m_passing.push_back(scene.at(id).pair_kind);
   if (may_be_passed(scene.floor_kind)) m_floor = false;
@@ -91,6 +93,7 @@ class NearMotion {
   }
   Neighbours find(const Neighbourhood& others, const Motion& motion,
                   const Clearance& clearance) const {
+    // The margin covers the largest stop and rounding.
     const double margin = 1.01 * clearance.largest_stop() + 1e-13 * m_box.max_abs_coordinate();
     return others.near(swept_box(m_box, motion, margin), 0);
   }
@@ -122,6 +125,7 @@ std::vector<ObstacleContact> first_contacts_early(std::span<const Body> moving,
                                                   const Clearance& clearance, Detector& detector,
                                                   SeparatingPlanes* planes) {
   const NearMotion near_motion(moving);
+  // Each motion has neighbours of its own; all queries are asked together.
   std::vector<Neighbours> near;
   for (const Motion& motion : motions) near.push_back(near_motion.find(others, motion, clearance));
   std::vector<FirstContactQuery> queries;

@@ -33,6 +33,7 @@ std::int64_t num_below(const PlacedShape& placed, double height) {
 
 std::optional<Refusal> refuse_below_floor(const Named& name, const ObjectInWorld& here,
                                           bool floats) {
+  // Most boxes are above the floor, and need no pass over vertices.
   if (here.box.lower.z() >= 0) return std::nullopt;
   if (num_below_floor(here)) return Refusal{Cause::BelowFloor, {name}};
   if (floats && num_floats_below_floor(here)) return Refusal{Cause::Float32BelowFloor, {name}};
@@ -45,6 +46,7 @@ Named name_of(const Scene& scene, ObjectId id) { return named(scene, Support(id)
 void find_interpenetrations(const Scene& scene, ObjectId id, const ObjectInWorld& here,
                             std::span<const ObjectId> others, bool floats, size_t limit,
                             std::vector<Interpenetration>& out) {
+  // Pairs that may pass through each other are never reported.
   if (scene.floor && !may_pass_floor(scene, scene.at(id)) && out.size() < limit)
     if (const auto why = refuse_below_floor(name_of(scene, id), here, floats))
       out.push_back({id, Support::floor(), *why});
@@ -70,6 +72,7 @@ Refusal float_contact(const Scene& scene, ObjectId a, ObjectId b) {
 std::optional<Refusal> refuse_float_contact(const Scene& scene, std::span<const Placement> moved,
                                             const Vec3& origin) {
   std::vector<ObjectInWorld> here;
+  // Doubles of a group keep their distances when it moves; floats are rounded anew.
   for (const Placement& p : moved) here.push_back(in_world(scene.at(p.id), p.pose, origin));
   for (size_t i = 0; i < here.size(); ++i)
     for (size_t j = i + 1; j < here.size(); ++j)
@@ -84,6 +87,7 @@ std::optional<Refusal> refuse_new_origin(const Scene& scene, std::span<const Pla
   std::vector<ObjectId> ids;
   for (const Placement& p : moved) ids.push_back(p.id);
   const Neighbourhood staying(scene, ids);
+  // A new origin changes the floats of all that stay.
   for (const ObjectId id : staying.ids_near(scene.box(), 0)) {
     if (is_invalid(scene, id)) continue;
     const ObjectInWorld here = in_world(scene.at(id), scene.at(id).pose, origin);
@@ -111,6 +115,7 @@ ObjectInWorld in_world(const Object& object, const Pose& pose, const Vec3& origi
   const Body body = body_of(object, pose);
   const Affine& world = body.world_from_object;
   out.box = body.world_box;
+  // The slack covers the rounding of exported floats, of the largest number in them.
   const double spread = object.scale * object.shape->box.max_abs_coordinate();
   const Affine near = relative_to(origin, world);
   const ExportedPlacement placement({object.name, object.model, near, {}}, object.shape->box);
@@ -134,10 +139,12 @@ PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool flo
                         std::int64_t limit) {
   PairVerdict out;
   out.crossings = count_crossings(a.doubles, b.doubles, limit);
+  // Containment means something only where the surfaces do not cross.
   if (!out.crossings) {
     out.a_inside_b = count_components_inside(a.doubles, b.doubles);
     out.b_inside_a = count_components_inside(b.doubles, a.doubles);
   }
+  // Members of the group are tested against others only: among each other they moved as one.
   if (floats) out.float_crossings = count_crossings(a.floats, b.floats, limit);
   return out;
 }
@@ -145,12 +152,14 @@ PairVerdict verify_pair(const ObjectInWorld& a, const ObjectInWorld& b, bool flo
 std::vector<Interpenetration> interpenetrations(const Scene& scene,
                                                 std::span<const Placement> moved, bool floats,
                                                 size_t limit) {
+  // Objects that moved together are one body: they are not tested among each other.
   std::vector<ObjectId> ids;
   for (const Placement& p : moved) ids.push_back(p.id);
   const Neighbourhood others(scene, ids);
   const Vec3 origin = origin_with(scene, moved);
   std::vector<Interpenetration> out;
   for (const Placement& p : moved) {
+    // A caller that wants one finding alone stops at it.
     if (out.size() >= limit) break;
     const ObjectInWorld here = in_world(scene.at(p.id), p.pose, origin);
     find_interpenetrations(scene, p.id, here, others.ids_near(here.box, here.floats.slack), floats,
@@ -165,6 +174,7 @@ std::vector<Support> passed_through(const Scene& scene, ObjectId id) {
   const ObjectInWorld here = in_world(object, object.pose, export_origin(scene.box()));
   std::vector<ObjectId> near = Neighbourhood(scene, id).ids_near(here.box, here.floats.slack);
   const bool invalid = is_invalid(scene, id);
+  // A valid object can only cross invalid ones.
   if (!invalid) std::erase_if(near, [&](ObjectId other) { return !is_invalid(scene, other); });
   std::vector<Interpenetration> found;
   if (invalid || !near.empty())
@@ -182,6 +192,7 @@ std::optional<Refusal> refuse_interpenetration(const Scene& scene, std::span<con
   const Vec3 origin = origin_with(scene, moved);
   if (moved.size() > 1)
     if (auto why = refuse_float_contact(scene, moved, origin)) return why;
+  // An origin that stays leaves all other floats as they were.
   if (origin == export_origin(scene.box())) return std::nullopt;
   return refuse_new_origin(scene, moved, origin);
 }

@@ -26,6 +26,7 @@ constexpr const char* kAccepted =
 // The id of a request, taken out of it.
 OrderedJson take_id(nlohmann::json& document, const JsonPlace& place) {
   const auto id = place.find("id");
+  // Answers name their request by it.
   if (!id) return {};
   if (!id->value().is_string() && !id->value().is_number()) id->refuse("text or a number");
   OrderedJson out = id->value();
@@ -72,6 +73,7 @@ bool is_cancel_line(const std::string& line) {
   if (line.size() > kLongest) return false;
   auto document = json_if_valid<nlohmann::json>(line);
   if (document && document->is_object()) document->erase("id");
+  // An id may come along, all else makes it another request.
   return document == nlohmann::json{{"cancel", true}};
 }
 
@@ -83,6 +85,7 @@ Dialogue::Dialogue(OpenedSession& opened, DialogueOptions options)
       m_state(opened.session.scene()) {
   m_options.settle = settle_of(opened, m_options.settle);
   m_session.limit_history(m_options.max_states);
+  // Each step tells the dialogue which objects it changed.
   m_session.on_event([this](const SessionEvent& event) {
     m_changed = event.changed;
     if (m_opened.others && event.kind == SessionEvent::Kind::Performed)
@@ -96,6 +99,7 @@ Dialogue::~Dialogue() { m_session.on_event({}); }
 Dialogue::Answer Dialogue::greeting() const { return answer_of(state()); }
 
 Dialogue::Answer Dialogue::answer(const std::string& line, const std::atomic<bool>& cancelled) {
+  // The request may be cancelled by another thread while it runs.
   m_options.context.cancel = &cancelled;
   m_changed.clear();
   const OrderedJson out = answered(line);
@@ -107,9 +111,11 @@ OrderedJson Dialogue::answered(const std::string& line) {
   OrderedJson id, out;
   try {
     nlohmann::json document = parse_json(line, m_options.source);
+    // The id is taken first, so that refusals have it, too.
     const JsonPlace place(document, m_options.source);
     id = take_id(document, place);
     out = done(document, place);
+    // News of poses come with every answer: clients need not ask.
     out["poses"] = m_told.news(m_session.scene(), m_changed);
   } catch (const Error& e) {
     out = {{"status", "error"}, {"reason", e.what()}};
@@ -119,6 +125,7 @@ OrderedJson Dialogue::answered(const std::string& line) {
 }
 
 OrderedJson Dialogue::done(const nlohmann::json& document, const JsonPlace& place) {
+  // Texts are bounded before any of them is looked up or kept.
   if (m_options.max_text_bytes > 0) check_texts(place, m_options.max_text_bytes);
   if (place.find("op")) {
     const std::vector<Operation> operations{read(place)};
@@ -126,6 +133,7 @@ OrderedJson Dialogue::done(const nlohmann::json& document, const JsonPlace& plac
     return perform(operations);
   }
   if (place.find("move_joint")) return move_joint(place);
+  // All other requests have one key alone.
   if (document.size() != 1) place.refuse(kAccepted);
   if (const auto operations = place.find("do")) return perform(read_all(*operations));
   if (is_asked(place, "undo")) return undo();
@@ -141,11 +149,13 @@ OrderedJson Dialogue::done(const nlohmann::json& document, const JsonPlace& plac
 
 Operation Dialogue::read(const JsonPlace& place) const {
   Operation operation = read_operation(place);
+  // Scenes of other programs keep their objects: operations only move them.
   if (m_opened.others && !is_for_others(operation))
     place.at("op").refuse(
         "operations that move objects: a scene of another program keeps its objects");
   const auto* const append = std::get_if<AppendOperation>(&operation);
   if (append && m_options.own_files) {
+    // A client of a server reads models of the start's folder alone.
     const fs::path file = fs::path(m_opened.model_folder) / append->model;
     if (!ModelFolder(m_opened.start_file).has(file))
       place.at("model").refuse("a file in the folder of the start, or below it");
@@ -164,6 +174,7 @@ std::vector<Operation> Dialogue::read_all(const JsonPlace& place) const {
 // Before anything is done: objects that the same line deletes count, too.
 void Dialogue::check_room(const std::vector<Operation>& operations, const JsonPlace& place) const {
   if (m_options.max_objects == 0) return;
+  // Each of these operations adds one object.
   const auto num_new = static_cast<size_t>(
       std::count_if(operations.begin(), operations.end(), [](const Operation& o) {
         return std::holds_alternative<AppendOperation>(o) ||
@@ -178,6 +189,7 @@ void Dialogue::check_room(const std::vector<Operation>& operations, const JsonPl
 
 OrderedJson Dialogue::state() const {
   OrderedJson json = {{"status", "ok"}};
+  // Forgotten steps count, so that numbers never fall.
   json["done"] = m_session.num_forgotten() + m_session.num_done();
   json["steps"] = m_session.num_forgotten() + m_session.steps().size();
   json["state"] = hash_text(m_state.value(m_session.scene()));
@@ -188,6 +200,7 @@ OrderedJson Dialogue::state() const {
 OrderedJson Dialogue::perform(const std::vector<Operation>& operations) {
   const OperationResult result =
       m_session.perform_all(operations, m_options.settle, m_options.context);
+  // A refusal leaves the session as it was, and says why.
   if (!result.ok()) {
     OrderedJson json = {{"status", to_string(result.status)}};
     add_refusal(result, json);
@@ -196,6 +209,7 @@ OrderedJson Dialogue::perform(const std::vector<Operation>& operations) {
   OrderedJson json = state();
   add_outcome(result, json);
   if (operations.size() == 1) return json;
+  // Several operations are one step: each has its own result.
   const std::vector<OperationResult>& results = m_session.steps()[m_session.num_done() - 1].results;
   json["results"] = OrderedJson::array();
   for (size_t i = 0; i < operations.size(); ++i) {
@@ -216,8 +230,10 @@ OrderedJson Dialogue::undo() {
 }
 
 OrderedJson Dialogue::save(const JsonPlace& file) {
+  // A server writes no file for its clients.
   if (m_options.own_files)
     file.fail("this server writes no files; it answers with a scene's bytes");
+  // Another program's scene is written back in its own format.
   if (m_opened.others) {
     m_opened.others->write(m_session, file.text());
     m_session.mark_saved(file.text());

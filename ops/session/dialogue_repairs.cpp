@@ -3,6 +3,7 @@
 #include "core/io/json.h"
 #include "ops/files/foreign/joint_moves.h"
 #include "ops/files/foreign/repair_json.h"
+#include "ops/files/report/repaired.h"
 #include "ops/mend/mend.h"
 #include "ops/session/dialogue.h"
 #include "ops/session/others.h"
@@ -100,7 +101,7 @@ OrderedJson Dialogue::mend(const JsonPlace& how) {
   begin(options);
   Scene scene = m_session.scene();
   const MendedScene mended = mend_scene(scene, options);
-  return repaired("mend", mended, mended_json(m_session.scene(), 0, mended));
+  return repaired("mend", mended, mended_json(mended));
 }
 
 OrderedJson Dialogue::settle(const JsonPlace& how) {
@@ -110,7 +111,7 @@ OrderedJson Dialogue::settle(const JsonPlace& how) {
   begin(options);
   Scene scene = m_session.scene();
   const SettledScene settled = settle_scene(scene, options);
-  return repaired("settle", settled, settled_json(m_session.scene(), 0, settled));
+  return repaired("settle", settled, settled_json(settled));
 }
 
 void Dialogue::begin(MendOptions& options) const {
@@ -123,7 +124,7 @@ void Dialogue::begin(MendOptions& options) const {
 OrderedJson Dialogue::move_joint(const JsonPlace& request) {
   request.expect_object({"move_joint"}, {"to", "by"});
   const JsonPlace name = request.at("move_joint");
-  if (!m_opened.others) name.refuse("a joint of a scene in MJCF: this scene has none");
+  if (!m_opened.others) name.refuse("a joint of a scene in MJCF, URDF or SDF: this scene has none");
   std::string known;
   const SceneJoint* found = nullptr;
   for (const SceneJoint& joint : joints()) {

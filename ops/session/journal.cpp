@@ -34,6 +34,7 @@ constexpr auto kAnySize = std::numeric_limits<std::uintmax_t>::max();
 // The lines, and how many bytes they are with their ends; what follows the last end is left out.
 std::vector<std::string> whole_lines(const std::string& text) {
   std::vector<std::string> lines;
+  // A line without its end was being written when the program died.
   size_t begin = 0;
   for (size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
     lines.push_back(text.substr(begin, end - begin));
@@ -49,6 +50,7 @@ std::string models_of(const std::string& journal) { return journal + ".models"; 
 
 void write_kept_model(const std::string& path, const Model& model) {
   std::error_code ignored;
+  // The name is the content's fingerprint: a file that is there is the same.
   if (fs::exists(path, ignored)) return;
   StagedFiles staged;
   staged.add(path, bytes_of_model(model));
@@ -70,6 +72,7 @@ RecordedModels record(const std::set<std::shared_ptr<const Model>>& models,
     out.push_back(recorded_model(*model));
     if (!journal.empty()) write_kept_model(kept_model_of(journal, out.back().fingerprint), *model);
   }
+  // The order must not depend on addresses of models.
   std::sort(out.begin(), out.end(),
             [](const RecordedModel& a, const RecordedModel& b) { return a.request < b.request; });
   return out;
@@ -124,6 +127,7 @@ std::string kept_model_of(const std::string& journal, const std::string& fingerp
 void keep_start_copy(const std::string& journal, const std::string& start_file) {
   const std::string copy = start_copy_of(journal);
   std::error_code ignored;
+  // An equal copy of an earlier session serves again.
   if (!fs::exists(copy, ignored)) return copy_file_atomically(start_file, copy);
   // A second name of the start file would change with it.
   if (!fs::equivalent(start_file, copy, ignored) && same_bytes(start_file, copy)) return;
@@ -145,6 +149,7 @@ JournalContent read_journal(const std::string& path) {
   size_t num_valid = 0;
   JournalContent content;
   for (size_t i = 0; i < lines.size(); ++i) {
+    // A line whose checksum is wrong is allowed at the end alone, as a torn one.
     const auto json = checked_line(lines[i]);
     if (!json) continue;
     const std::string name = path + ": line " + std::to_string(i + 1);
@@ -171,6 +176,7 @@ JournalContent read_journal(const std::string& path) {
 Journal::Journal(std::string path, std::uintmax_t size, bool keep_models)
     : m_path(std::move(path)), m_size(size), m_keeps_models(keep_models) {
   m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  // The lock ends with the process: no journal stays locked by a crash.
   if (m_descriptor < 0) fail(m_path, "the journal cannot be opened", errno);
   if (flock(m_descriptor, LOCK_EX | LOCK_NB) == 0) return;
   const int error = errno;
@@ -185,9 +191,11 @@ Journal::~Journal() { close(m_descriptor); }
 std::unique_ptr<Journal> Journal::create(const std::string& path, JournalStart start,
                                          const Scene& scene) {
   check_there_is_room(path);
+  // Companions are written first and vanish if anything below fails.
   NewCompanions companions(path);
   keep_start_copy(path, start.file);
   std::uintmax_t bytes = 0;
+  // The copy is what the session begins from: it must be what was read.
   if (hash_of_file(start_copy_of(path), bytes) != start.hash || bytes != start.bytes)
     throw Error(Error::Kind::Environment, "%1: has changed while it was opened; open it again",
                 start.file);
@@ -196,6 +204,7 @@ std::unique_ptr<Journal> Journal::create(const std::string& path, JournalStart s
   add_models(scene, scene.ids(), models);
   start.models = record(models, start.keep_models ? path : "");
   const std::string line = journal_line(start_json(start));
+  // The journal's first line makes the session: it is there as a whole or not at all.
   write_file_atomically(path, line);
   companions.keep();
   std::unique_ptr<Journal> journal(new Journal(path, line.size(), start.keep_models));
@@ -208,8 +217,10 @@ std::unique_ptr<Journal> Journal::reopen(const std::string& path, const JournalC
       new Journal(path, content.whole_bytes, content.start.keep_models));
   struct stat now {};
   if (fstat(journal->m_descriptor, &now) != 0) fail(path, "the journal cannot be read", errno);
+  // The file may have grown since it was read, by a session that held the lock.
   if (static_cast<std::uintmax_t>(now.st_size) != content.all_bytes)
     throw Error(Error::Kind::Environment, "%1: another session has written this journal", path);
+  // The torn end is cut off, so that the next line begins on its own.
   if (content.torn() && ftruncate(journal->m_descriptor, static_cast<off_t>(journal->m_size)) != 0)
     fail(path, "the journal cannot be written", errno);
   return journal;
@@ -231,6 +242,7 @@ void Journal::check_unchanged() const {
 }
 
 void Journal::append_line(const std::string& line) {
+  // A line behind a torn one could not be read: nothing more is written.
   if (m_is_broken) fail(m_path, "the journal cannot be written", EIO);
   check_unchanged();
   const auto failed = [&](int error) {
@@ -245,6 +257,7 @@ void Journal::append_line(const std::string& line) {
     if (written < 0) failed(errno);
     done += static_cast<size_t>(written);
   }
+  // The step counts only when the disk has it.
   if (fdatasync(m_descriptor) != 0) failed(errno);
   m_size += line.size();
 }
@@ -256,12 +269,14 @@ void Journal::append_step(const SessionStep& step, const Scene& scene,
     operations.push_back(operation_json(operation));
   Models models;
   add_models(scene, changed, models);
+  // Each model is recorded once, by the first step that needs it.
   std::erase_if(models, [&](const auto& model) { return m_recorded.contains(model); });
   JournalJson line = {{"do", operations.size() == 1 ? operations[0] : operations},
                       {"settle", settle_json(step.settle)},
                       {"state", hash_text(step.fingerprint)}};
   if (!models.empty()) line["models"] = models_json(record(models, m_keeps_models ? m_path : ""));
   line["poses"] = poses_json(recorded_poses(scene, changed));
+  // The line is written before models count as recorded: a failure leaves both undone.
   append_line(journal_line(line));
   m_recorded.merge(models);  // moves nodes: nothing can fail
 }

@@ -30,6 +30,7 @@ OthersScene::OthersScene(OpenedScene opened)
 }
 
 const std::vector<SceneJoint>& OthersScene::joints(size_t num_done) const {
+  // Joints are those of the last step that moved one.
   return std::prev(m_joints.upper_bound(num_done))->second;
 }
 
@@ -39,17 +40,20 @@ void OthersScene::forget_from(size_t num_done) {
 
 JointMove OthersScene::move(Session& session, const std::string& name, double to,
                             const OperationRun& run) {
+  // The move is computed on a copy of the session's scene, and becomes one of its steps.
   m_opened.judged.scene = session.scene();
   m_opened.joints = joints(session.num_done());
   SceneJoint& joint = joint_named(m_opened, name);
   const double before = joint.value;
   NewPoses poses;
   JointMove out = move_joint_of(m_opened, joint, to, run, poses);
+  // A joint that did not move is no step.
   if (out.value == before) return out;
   RecordedPoses recorded;
   for (const auto& [id, pose] : poses)
     recorded.push_back({session.scene().at(id).name, std::optional(pose)});
   session.place("move \"" + name + "\"", recorded, run.options);
+  // Values belong to the number of steps, so that undo brings the old ones back.
   m_joints[session.num_done()] = m_opened.joints;
   return out;
 }

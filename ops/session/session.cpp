@@ -23,7 +23,7 @@ std::string name_of(const std::vector<Operation>& operations) {
   });
   if (same && operations.size() > 1)
     return name.append(" ").append(std::to_string(operations.size())).append(" objects");
-  name.append(" \"").append(object_name(first)).append("\"");
+  if (!object_name(first).empty()) name.append(" \"").append(object_name(first)).append("\"");
   if (!same) name.append(" and ").append(op_name(operations.back()));
   return name;
 }

@@ -21,6 +21,8 @@ constexpr int kProjectionSweeps = 200;
 
 bool stands_against(const std::vector<ContactPoint>& contacts, const Vec3& point,
                     const Vec3& axis) {
+  // A contact hinders the turn if its point would move against its normal, faster than rounding
+  // explains.
   return std::any_of(contacts.begin(), contacts.end(), [&](const ContactPoint& c) {
     const Vec3 arm = c.point - point;
     return c.normal.dot(axis.cross(arm)) < -kApproach * arm.norm();
@@ -34,6 +36,8 @@ Vec3 parting_axis(const std::vector<ContactPoint>& contacts, const Vec3& point,
   std::vector<HalfSpace<3>> parted;
   for (const ContactPoint& c : contacts) {
     const Vec3 arm = c.point - point;
+    // The object's point at the arm has the speed axis x arm; its part along the normal has to be
+    // positive.
     const double length = arm.norm();
     if (length == 0) continue;
     const Vec3 g = arm.cross(c.normal) / length;  // speed of parting = g . axis
@@ -42,10 +46,13 @@ Vec3 parting_axis(const std::vector<ContactPoint>& contacts, const Vec3& point,
   }
   const Vec3 axis = nearest_inside<3>(parted, wanted, kProjectionSweeps);
   const double length = axis.norm();
+  // A short axis means that hardly any room is left between the half spaces.
   return length > 0.05 ? Vec3(axis / length) : Vec3(Vec3::Zero());
 }
 
 double gauss_gain(const Vec3& axis, const Vec3& r, double radius_squared) {
+  // Kinetic energy against drop: Gauss' principle prefers the motion in which gravity gains most
+  // for its mass and inertia.
   const Vec3 speed = axis.cross(r);
   return speed.z() * speed.z() / (radius_squared + speed.squaredNorm());
 }
@@ -62,6 +69,7 @@ class Enumeration {
       : m_contacts(contacts), m_object(object) {}
 
   void fall(double limit) {
+    // The object falls freely while no contact bears on it from below, however slightly.
     const bool held = std::any_of(m_contacts.begin(), m_contacts.end(),
                                   [](const ContactPoint& c) { return c.normal.z() >= kNoSupport; });
     if (!held)
@@ -69,6 +77,7 @@ class Enumeration {
   }
 
   void about_point(const Vec3& p) {
+    // An object turns about a contact as far as nothing else stands in the way.
     for (const Vec3& axis : sinking_axes(p, m_object))
       if (!stands_against(m_contacts, p, axis)) add(SettleStep::Kind::TurnAboutPoint, p, axis);
   }
@@ -81,7 +90,9 @@ class Enumeration {
   // Where other contacts stand against the turn: the nearest one that they allow.
   void about_point_parting(const Vec3& p) {
     for (const Vec3& wanted : sinking_axes(p, m_object)) {
+      // Free turns are tried elsewhere.
       if (!stands_against(m_contacts, p, wanted)) continue;
+      // The turn that is nearest to the wanted one is kept if it still lowers the centre.
       const Vec3 axis = parting_axis(m_contacts, p, wanted);
       if (axis != Vec3::Zero() && axis.cross(m_object.centre - p).z() < 0 &&
           !stands_against(m_contacts, p, axis))
@@ -109,6 +120,7 @@ class Enumeration {
 
 Candidate paper_point(const Vec3& p, const SettlingObject& object) {
   const Vec3 r = object.centre - p;
+  // Right above the point any level axis will do.
   const double level = r.head<2>().norm();
   const Vec3 axis =
       level > kTie * object.size ? Vec3(Vec3(-r.y(), r.x(), 0) / level) : Vec3(Vec3::UnitX());
@@ -116,6 +128,7 @@ Candidate paper_point(const Vec3& p, const SettlingObject& object) {
 }
 
 Candidate paper_line(const Vec3& p, const Vec3& q, const SettlingObject& object) {
+  // The centre beside the segment turns about the nearer end, as the other one lifts off.
   const Vec3 d = q - p;
   const double along = d.dot(object.centre - p) / d.squaredNorm();
   if (along < 0) return paper_point(p, object);
@@ -128,7 +141,9 @@ Candidate paper_line(const Vec3& p, const Vec3& q, const SettlingObject& object)
 // Hull seen from above: the edge or corner nearest to the centre.
 std::vector<Candidate> paper_area(const std::vector<ContactPoint>& contacts,
                                   const std::vector<Vec2>& hull, const SettlingObject& object) {
+  // The centre above the hull means rest in the paper.
   if (hull_margin(hull, object.centre.head<2>()) >= 0) return {};
+  // Corners of the hull are contacts; their height is looked up again.
   const auto lifted = [&](const Vec2& p) {
     return std::find_if(contacts.begin(), contacts.end(),
                         [&](const ContactPoint& c) { return Vec2(c.point.head<2>()) == p; })
@@ -149,10 +164,13 @@ Axes sinking_axes(const Vec3& point, const SettlingObject& object) {
   Axes out;
   const Vec3 r = object.centre - point;
   const double level = r.head<2>().norm();
+  // The centre beside the point sinks fastest about the level axis across its arm.
   if (level > kTie * object.size) {
     out.add(Vec3(-r.y(), r.x(), 0) / level);
     return out;
   }
+  // Right above the point every level axis is as good: eight of them, a part of a turn apart,
+  // written without libm.
   const double d = 0.70710678118654752;
   for (const auto& [x, y] : {std::pair(1.0, 0.0),
                              {d, d},
@@ -172,6 +190,7 @@ Axes sinking_axes(const Vec3& p, const Vec3& q, const SettlingObject& object) {
   const double length = d.norm();
   if (length <= kTie * object.size) return out;
   const Vec3 axis = d / length;
+  // The sign tells which way round the centre sinks; in a tie both ways may.
   const double down = axis.cross(object.centre - p).z();
   const bool tie = std::abs(down) <= kTie * object.size;
   if (down < 0 || tie) out.add(axis);
@@ -181,15 +200,19 @@ Axes sinking_axes(const Vec3& p, const Vec3& q, const SettlingObject& object) {
 
 Motion turn_to_lowest(const Vec3& point, const Vec3& axis, const Vec3& centre) {
   const Vec3 r = centre - point;
+  // The height of the centre along the turn is a wave: its lowest place ends the motion.
   const double a = r.z() - axis.z() * axis.dot(r), b = axis.cross(r).z();
   // z(t) = const + a cos t + b sin t is lowest at cos t = -a / h, sin t = -b / h.
   const double h = std::sqrt(a * a + b * b);
+  // By the half-angle formula, s = sin t / (1 + cos t). A centre that is highest now has h = a, and
+  // turns as far as a motion may.
   const double s = h - a > 0 ? -b / (h - a) : kQuarterTurn;
   return Motion::rotation(point, axis, s > 0 && s < kQuarterTurn ? s : kQuarterTurn);
 }
 
 std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& all,
                                         const SettlingObject& object, double fall_limit) {
+  // Pairs grow with the square of the contacts, so that a few have to stand for many.
   const std::vector<ContactPoint> contacts = reduced(all, kMaxContacts);
   Enumeration enumeration(contacts, object);
   enumeration.fall(fall_limit);
@@ -203,6 +226,7 @@ std::vector<Candidate> gauss_candidates(const std::vector<ContactPoint>& all,
 
 std::vector<Candidate> last_resorts(const std::vector<ContactPoint>& all,
                                     const SettlingObject& object) {
+  // These turns are about single contacts, and part from all others.
   const std::vector<ContactPoint> contacts = reduced(all, kMaxContacts);
   Enumeration enumeration(contacts, object);
   for (const ContactPoint& c : contacts) enumeration.about_point_parting(c.point);
@@ -211,6 +235,7 @@ std::vector<Candidate> last_resorts(const std::vector<ContactPoint>& all,
 
 std::vector<Candidate> paper_candidates(const std::vector<ContactPoint>& contacts,
                                         const SettlingObject& object, double fall_limit) {
+  // An object that touches nothing falls.
   if (contacts.empty())
     return {{SettleStep::Kind::Fall, Motion::translation(-Vec3::UnitZ(), fall_limit), 1}};
   std::vector<Vec2> points;

@@ -30,27 +30,35 @@ class CoulombSolver {
       : m_bodies(bodies), m_contacts(contacts), m_twists(bodies.size()), m_rows(contacts.size()) {
     double heaviest = 0;
     for (const CoulombBody& b : bodies) heaviest = std::max(heaviest, b.weight);
+    // Gravity acts for a unit of time; weights enter as parts of the heaviest, which keeps numbers
+    // near one.
     for (size_t i = 0; i < bodies.size(); ++i)
       m_twists[i].velocity = Vec3(0, 0, -bodies[i].weight / heaviest);
     for (size_t k = 0; k < contacts.size(); ++k) prepare(m_rows[k], contacts[k]);
   }
 
   std::vector<Twist> run(const CoulombOptions& options) {
+    // A first rough solution tells how fast anything moves, which scales the time that gaps may
+    // take to close.
     double fastest = 1;
     relax(fastest, kRoughChange, true);
     fastest = 0;
     for (size_t i = 0; i < m_bodies.size(); ++i) fastest = std::max(fastest, speed(i));
     if (!(fastest > 0)) return m_twists;
+    // The fastest body in terms of its size sets how long a step lasts.
     double relative = 0;  // sizes a second
     for (size_t i = 0; i < m_bodies.size(); ++i)
       relative = std::max(relative, speed(i) / m_bodies[i].size);
     const double duration = options.step / relative;
     for (size_t k = 0; k < m_rows.size(); ++k) {
+      // Contacts have to part a little, so that the motion found can be executed for a while; gaps
+      // may close within the step.
       const CoulombContact& c = m_contacts[k];
       double faster = speed(c.on);
       if (c.from != CoulombContact::kGround) faster = std::max(faster, speed(c.from));
       m_rows[k].contact.least_speed = options.parting * faster - c.room / duration;
     }
+    // The precise solution starts from the forces of the rough one.
     relax(fastest, kChange, false);
     return m_twists;
   }
@@ -75,17 +83,22 @@ class CoulombSolver {
 
   Side side(Index i, const CoulombContact& c, const Mat3& frame, double sign) const {
     if (i == CoulombContact::kGround) return {};
+    // A contact's force turns a body about its centre by the arm of the point.
     const Mat3 by_turning = -sign * frame * cross_matrix(c.point - m_bodies[i].centre);
     return {i, sign * frame.transpose(), by_turning,
             m_bodies[i].inverse_inertia_per_mass * by_turning.transpose()};
   }
 
   void prepare(Row& row, const CoulombContact& c) const {
+    // The frame's first row is the normal, so that components of force and velocity are normal,
+    // tangent, tangent.
     Mat3 frame;
     const Vec3 tangent = c.normal.unitOrthogonal();
     frame << c.normal.transpose(), tangent.transpose(), c.normal.cross(tangent).transpose();
     row.on = side(c.on, c, frame, 1);
     row.from = side(c.from, c, frame, -1);
+    // The response says how the contact's own velocity changes by its force: through mass and
+    // inertia of both bodies.
     Mat3 response = Mat3::Zero();
     for (const Side* s : {&row.on, &row.from})
       if (s->body != CoulombContact::kGround)
@@ -121,6 +134,8 @@ class CoulombSolver {
         const Vec3 u = velocity(row);
         // It stays without force.
         if (row.force == Vec3::Zero() && u.x() >= row.contact.least_speed) continue;
+        // The contact's own force is taken out, solved anew against all others' effect, and put
+        // back: a sweep of Gauss and Seidel.
         const Vec3 free = u - row.contact.response * row.force;
         const Vec3 force = contact_force(row.contact, row.inverse, free, row.force);
         const Vec3 more = force - row.force;
@@ -129,6 +144,7 @@ class CoulombSolver {
         push(row.from, more);
         change = std::max(change, (row.contact.response * more).norm());
       }
+      // Some sweeps always run, as forces spread from contact to contact.
       if (change <= enough * scale && sweep >= kFewestSweeps) return;
     }
   }
@@ -150,6 +166,8 @@ std::vector<Twist> first_motion(const std::vector<CoulombBody>& bodies,
 Vec3 parting_direction(const std::vector<Vec3>& normals, const Vec3& wanted, double parting) {
   std::vector<HalfSpace<3>> parted;
   parted.reserve(normals.size());
+  // Each contact asks for a half space of directions; the nearest one to the wish inside all of
+  // them is the answer.
   for (const Vec3& n : normals) parted.push_back({n, parting});
   const Vec3 x = nearest_inside<3>(parted, wanted, kConeSweeps);
   const double length = x.norm();

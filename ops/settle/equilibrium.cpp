@@ -14,7 +14,6 @@ namespace trivet {
 namespace {
 
 constexpr double kTotalFriction = 10;    // of all contacts together, in weights
-constexpr double kSameNormal = 0.999;    // cosine
 constexpr size_t kProgramContacts = 40;  // of the first linear program
 constexpr size_t kMoreContacts = 8;      // that join it at once
 constexpr double kGain = 1e-6;      // of a force that joins, in parts of itself; CLP knows 1e-7
@@ -40,6 +39,7 @@ struct Weight {
   template <class F>
   void for_each_force(const FrictionContact& c, const F& f) const {
     const auto column = [&](const Vec3& force, double part) {
+      // Torques are divided by the size, so that all rows are of weight one.
       const Vec3 t = (c.point - centre).cross(force) / size;
       f(std::array<Entry, 7>{{{0, force.x()},
                               {1, force.y()},
@@ -49,6 +49,8 @@ struct Weight {
                               {5, t.z()},
                               {6, part}}});
     };
+    // The normal and eight edges of a pyramid inside the cone span all forces that the contact may
+    // give.
     column(c.normal, 0);
     if (c.friction > 0)
       for (const Vec3& force : friction_pyramid(c.normal, c.friction)) column(force, c.friction);
@@ -56,10 +58,14 @@ struct Weight {
 
   LinearProgram program(const std::vector<FrictionContact>& contacts) const {
     LinearProgram out;
+    // Forces have to sum to the weight, here 1, and torques to zero.
     for (const double weight : {0.0, 0.0, 1.0, 0.0, 0.0, 0.0}) out.add_row(weight, weight);
+    // Friction is limited altogether: two contacts a hair apart could otherwise hold anything.
     out.add_row(0, kTotalFriction);
     for (const FrictionContact& c : contacts)
       for_each_force(c, [&](const auto& entries) { out.add_column(entries, 0); });
+    // Missing force and torque may be bought at a price of one: the cost is what contacts cannot
+    // give.
     for (int row = 0; row < 6; ++row)
       for (const double sign : {1.0, -1.0}) out.add_column(std::array{Entry{row, sign}}, 1);
     return out;
@@ -83,12 +89,15 @@ struct Weight {
     double sum = 0;
     size_t column = 0;
     for (const FrictionContact& c : contacts) {
+      // A contact's columns follow each other; their sum is how hard it pushes.
       double push = 0;
       for (const size_t end = column + (c.friction > 0 ? 9 : 1); column < end; ++column)
         push += solution.x[column];
       if (!(push > 0)) continue;
       const Vec3 force(solution.prices[0], solution.prices[1], solution.prices[2]);
       const Vec3 torque(solution.prices[3], solution.prices[4], solution.prices[5]);
+      // The worth of a force across the normal is the part of the prices' pull in the tangent
+      // plane.
       const Vec3 worth = force + torque.cross(c.point - centre) / size;
       sum += push * (worth - worth.dot(c.normal) * c.normal).norm();
     }
@@ -127,6 +136,8 @@ class SinkingMotions {
   }
 
   double least_missing() {
+    // Three kinds of motion are tried: down the slope of a contact, about a level axis at it, and
+    // about a line of two.
     for (size_t i = 0; i < m_contacts.size(); ++i) {
       slide(m_contacts[i]);
       const Vec3 r = m_weight.centre - m_contacts[i].point;
@@ -162,6 +173,8 @@ class SinkingMotions {
 
   // Forces at pivots do no work.
   void offer(const Prices& rising, size_t pivot, size_t other) {
+    // A motion is a proof only if no force works against it; the best one found so far need not be
+    // tried again.
     const double largest = rising.cwiseAbs().maxCoeff();
     if (!(rising.z() > m_best * largest) || m_best > m_enough) return;
     for (size_t k = 0; k < m_forces.size(); ++k)
@@ -178,78 +191,13 @@ class SinkingMotions {
   double m_best = 0;
 };
 
-// The farthest from what is chosen already, again and again.
-template <class Point>
-std::vector<Point> farthest(const std::vector<Point>& points, size_t limit) {
-  std::vector<double> distance(points.size(), kInfinity);
-  std::vector<char> chosen(points.size(), 0);
-  size_t next = 0;
-  for (size_t n = 0; n < std::min(limit, points.size()); ++n) {
-    chosen[next] = 1;
-    size_t best = next;
-    for (size_t i = 0; i < points.size(); ++i) {
-      distance[i] = std::min(distance[i], (points[i].point - points[next].point).squaredNorm());
-      if (!chosen[i] && (chosen[best] || distance[i] > distance[best])) best = i;
-    }
-    next = best;
-  }
-  std::vector<Point> out;
-  for (size_t i = 0; i < points.size(); ++i)
-    if (chosen[i]) out.push_back(points[i]);
-  return out;
-}
-
-// Among points with one normal, keeps those whose feet on the plane are the hull's corners.
-template <class Point>
-std::vector<Point> hull_points(const std::vector<Point>& points) {
-  if (points.size() < 4) return points;
-  const auto [u, v] = tangents(points.front().normal);
-  const auto flat = [&, u = u, v = v](const Point& p) {
-    return Vec2(u.dot(p.point), v.dot(p.point));
-  };
-  std::vector<Vec2> all;
-  all.reserve(points.size());
-  for (const Point& p : points) all.push_back(flat(p));
-  std::vector<Vec2> hull = convex_hull(all);
-  std::vector<Point> out;
-  for (const Point& p : points) {
-    const auto at = std::find(hull.begin(), hull.end(), flat(p));
-    if (at == hull.end()) continue;
-    out.push_back(p);
-    hull.erase(at);  // each corner once
-  }
-  return out;
-}
-
-bool same_friction(const ContactPoint&, const ContactPoint&) { return true; }
-bool same_friction(const FrictionContact& a, const FrictionContact& b) {
-  return a.friction == b.friction;
-}
-
-template <class Point>
-std::vector<Point> reduced_points(const std::vector<Point>& contacts, size_t limit) {
-  if (contacts.size() <= limit) return contacts;
-  std::vector<std::vector<Point>> groups;
-  for (const Point& c : contacts) {
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-      return group.front().normal.dot(c.normal) > kSameNormal && same_friction(group.front(), c);
-    });
-    if (same == groups.end())
-      groups.push_back({c});
-    else
-      same->push_back(c);
-  }
-  std::vector<Point> out;
-  for (const auto& group : groups)
-    for (const Point& c : hull_points(group)) out.push_back(c);
-  return out.size() <= limit ? out : farthest(out, limit);
-}
-
 }  // namespace
 
 double hull_margin(const std::vector<Vec2>& points, const Vec2& centre) {
   const std::vector<Vec2> hull = convex_hull(points);
   if (hull.empty()) return -kInfinity;
+  // The centre is inside if it is to the left of all edges; the nearest edge gives the margin in
+  // either case.
   bool inside = hull.size() > 2;
   double nearest = kInfinity;
   for (size_t i = 0; i < hull.size(); ++i) {
@@ -294,12 +242,14 @@ Shortfall friction_shortfall(const std::vector<FrictionContact>& contacts, const
   Shortfall out;
   if (contacts.empty()) return out;
   const Weight weight{centre, size};
+  // Column generation begins with few contacts and adds those that would lower the cost fastest.
   std::vector<FrictionContact> chosen = reduced(contacts, kProgramContacts);
   while (true) {
     const LinearProgram::Solution solution =
         weight.program(chosen).solve(false, basis);  // all is of size one already
     if (!solution.optimal) return out;
     out = {solution.objective, weight.gain_of_friction(chosen, solution)};
+    // The bound is reached, or all contacts take part: more of them change nothing.
     if (out.missing <= enough || chosen.size() >= contacts.size()) return out;
     const std::vector<FrictionContact> more = weight.best(contacts, solution.prices);
     if (more.empty()) return out;
@@ -320,17 +270,11 @@ double least_missing(const std::vector<FrictionContact>& contacts, const Vec3& c
 bool forces_balance(const std::vector<FrictionContact>& contacts, const Vec3& centre, double size,
                     double enough) {
   const double clearly = 2 * enough + kClearlyMissing;
+  // A few contacts that miss the weight by far are told by a motion, which is cheaper than the
+  // program.
   if (contacts.size() <= kFewContacts && least_missing(contacts, centre, size, clearly) > clearly)
     return false;
   return friction_residual(contacts, centre, size, enough) <= enough;
-}
-
-std::vector<ContactPoint> reduced(const std::vector<ContactPoint>& contacts, size_t limit) {
-  return reduced_points(contacts, limit);
-}
-
-std::vector<FrictionContact> reduced(const std::vector<FrictionContact>& contacts, size_t limit) {
-  return reduced_points(contacts, limit);
 }
 
 double residual_tolerance(double size, double clearance) {
@@ -339,6 +283,7 @@ double residual_tolerance(double size, double clearance) {
 
 bool is_balanced(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                  double clearance) {
+  // The polygon decides most cases; forces are asked only when the centre is not above it.
   if (carrying_margin(contacts, centre) >= kRestMargin * size) return true;
   return forces_balance(with_friction(contacts, kLargestFriction), centre, size,
                         residual_tolerance(size, clearance));

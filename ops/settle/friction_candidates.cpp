@@ -51,8 +51,10 @@ class Turns {
   bool parts(const Vec3& point, const Vec3& axis) const {
     return std::all_of(m_contacts.begin(), m_contacts.end(), [&](const FrictionContact& c) {
       const Vec3 speed = axis.cross(c.point - point);
+      // Contacts on the axis do not slide, whatever the friction.
       const double total = speed.norm(), along = speed.dot(c.normal);
       if (total <= kOnAxis * m_body.clearance) return true;
+      // A dilatant turn opens contacts faster than their cones: friction cannot touch it.
       const double across = (speed - along * c.normal).norm();
       return along >= (m_dilatant ? c.friction * across : kPartingSpeed * total);
     });
@@ -77,12 +79,15 @@ class FirstMotion {
       : m_contacts(reduced(contacts, kMaxRubbing)), m_body(body) {}
 
   CoulombMotions run() {
+    // A motion that turns is a screw: its turn, and a slide without turning, are exact motions near
+    // to it; the screw itself is kept as the last resort.
     const Twist t = solve(true);
     const double turning = 0.5 * m_body.object.size * t.turning.norm();
     if (turning > kLeastTurning * t.velocity.norm()) {
       add_turn(t);
       add_slide(solve(false).velocity);
       m_out.screw = t;
+      // The duration lets the fastest point of the object go a part of its size.
       m_out.duration = kSlideStep * m_body.object.size / (t.velocity.norm() + turning);
     } else {
       add_slide(t.velocity);
@@ -92,8 +97,10 @@ class FirstMotion {
 
  private:
   Twist solve(bool may_turn) const {
+    // An object that may not turn gets no inverse inertia, and slides.
     CoulombBody body{m_body.object.centre, 1, m_body.object.size, Mat3::Zero()};
     if (may_turn) body.inverse_inertia_per_mass = m_body.inertia_per_mass.inverse();
+    // Contacts rub with a little less than their friction, so that what slips goes on slipping.
     std::vector<CoulombContact> rubbing;
     for (const FrictionContact& c : m_contacts)
       rubbing.push_back(
@@ -112,10 +119,13 @@ class FirstMotion {
   void add_turn(const Twist& screw) {
     const double rate = screw.turning.norm();
     const Vec3 axis = screw.turning / rate;
+    // The part of the velocity along the axis is left out; the rest is a pure turn about a point
+    // beside the centre.
     const Twist t{screw.velocity - screw.velocity.dot(axis) * axis, screw.turning};
     if (t.velocity.z() > -kLeastSinking * t.velocity.norm() || stands_against(t)) return;
     const Vec3 point = m_body.object.centre + t.turning.cross(t.velocity) / (rate * rate);
     Motion turn = turn_to_lowest(point, axis, m_body.object.centre);
+    // The turn ends once the farthest point has gone a step; s is half of a small angle.
     const double angle =
         kSlideStep * m_body.object.size / (t.velocity.norm() / rate + 0.5 * m_body.object.size);
     turn.limit = std::min(turn.limit, 0.5 * angle);
@@ -124,6 +134,7 @@ class FirstMotion {
 
   void add_slide(const Vec3& velocity) {
     const double speed = velocity.norm();
+    // A slide that hardly sinks is creeping, and no motion.
     if (!(speed > 0) || velocity.z() > -kLeastSinking * speed) return;
     const Twist t{velocity / speed, Vec3::Zero()};
     if (stands_against(t)) return;
@@ -168,13 +179,16 @@ std::optional<ScrewMotions> screw_motions(const std::vector<FrictionContact>& co
   const Vec3 along = screw.velocity.dot(axis) * axis;
   const Twist turning{screw.velocity - along, screw.turning};
   std::vector<ContactPoint> pressed;  // with gaps that lack what the turn would take
+  // The turn would press some contacts together; the object first moves away by what that takes.
   for (const FrictionContact& c : contacts) {
     pressed.push_back(c);
     const double approach = -c.normal.dot(turning.at(c.point - body.object.centre)) * duration;
     pressed.back().gap = approach > 0 ? -kRoom * approach : 0;
   }
+  // The smallest motion that opens all gaps frees the way for the turn.
   const Vec3 away = smallest_separating_motion(pressed, 0);
   const double length = away.norm();
+  // A way that long means that there is no room to turn.
   if (length > kFarthestAway * kSlideStep * body.object.size) return std::nullopt;
   const Vec3 centre = body.object.centre + turning.turning.cross(turning.velocity) / (rate * rate);
   return ScrewMotions{
@@ -186,6 +200,8 @@ std::vector<Candidate> frictionless_slide(const std::vector<FrictionContact>& co
                                           const RubbingObject& body) {
   std::vector<Vec3> normals;
   for (const FrictionContact& c : reduced(contacts, kMaxRubbing)) normals.push_back(c.normal);
+  // Friction is left out, and the direction nearest to straight down is taken along which all
+  // contacts part.
   const Vec3 way = parting_direction(normals, -Vec3::UnitZ(), kPartingSpeed);
   if (normals.empty() || way.z() > -kLeastSinking) return {};
   const Motion slide = Motion::translation(way, kSlideStep * body.object.size);

@@ -30,10 +30,13 @@ class FrictionSettling {
   SettleOutcome run() {
     const size_t most = static_cast<size_t>(m_problem.options.max_motions);
     while (m_body.outcome().steps.size() <= most && !has_asked_enough()) {
+      // An interruption leaves the object where it came to; the caller decides what that is worth.
       if (m_problem.interrupt && m_problem.interrupt->reason())
         return m_body.finish(SettleOutcome::Status::Interrupted);
       const std::vector<ContactPoint> points = look_around();
+      // Gaps that became too small are opened first, as motions need room to begin.
       if (m_body.separate_if_needed(points)) continue;
+      // Rest is asked before any motion: what is held does not move.
       if (is_held() == Hold::Firmly || has_closed_too_much())
         return m_body.finish(SettleOutcome::Status::AtRest);
       switch (give_way()) {
@@ -101,10 +104,14 @@ class FrictionSettling {
   }
 
   Hold is_held() {
+    // The polygon of contacts whose cones hold a vertical force decides most cases.
     if (friction_margin(m_close, object().centre) >= kRestMargin * object().size)
       return Hold::Firmly;
+    // Balanced forces hold an object unless it merely stands on a tip.
     if (balances(m_close)) return none_topples(m_close) ? Hold::Firmly : Hold::No;
     if (!lies_on_something()) return Hold::No;
+    // Contacts a little farther away may hold it, once their gaps are closed; the place is
+    // remembered for then.
     const std::vector<FrictionContact> near = m_body.friction_points(kBalanceTolerance);
     if (are_the_same(near, m_close) || !balances(near) || !none_topples(m_close)) return Hold::No;
     if (!m_held_at) m_held_at = {m_body.here(), object().centre};
@@ -146,6 +153,8 @@ class FrictionSettling {
 
   Outcome give_way() {
     m_best.reset();
+    // Each round adds the contacts that blocked the last motion; after that it may slide along
+    // them.
     const RubbingObject body = rubbing();
     std::vector<FrictionContact> contacts = m_close;
     CoulombMotions first;
@@ -153,18 +162,23 @@ class FrictionSettling {
       const size_t num_known = contacts.size();
       first = coulomb_motions(contacts, body);
       std::vector<Candidate>& motions = first.exact;
+      // Falls and turns do not change by blockers, so that they are tried in the first round alone.
       if (round == 0) {
         for (const Candidate& c : fall(m_close, m_body.fall_limit())) motions.push_back(c);
         for (const Candidate& c : sticking_turns(m_close, body, false)) motions.push_back(c);
       }
+      // The motion that gains most is tried first; slides without friction come last, as the least
+      // likely.
       sort_by_gain(motions);
       for (const Candidate& c : frictionless_slide(contacts, body)) motions.push_back(c);
       for (size_t i = 0; i < motions.size(); ++i) {
         if (i == 1) foresee_after_first(motions);
         if (const auto done = attempt(motions[i], contacts)) return *done;
       }
+      // Without a new blocker the next round would find the same motions.
       if (contacts.size() == num_known) break;
     }
+    // A whole screw may lower the object where no exact motion does.
     if (first.duration > 0 && execute_screw(contacts, body, first)) return Outcome::Moved;
     return take_best();
   }
@@ -179,6 +193,7 @@ class FrictionSettling {
 
   // As far as it is tried.
   Candidate as_tried(Candidate c) const {
+    // A slide that went on may go twice as far the next time.
     if (c.kind == SettleStep::Kind::Slide && c.motion.kind == Motion::Kind::Translation)
       c.motion.limit *= m_slide_steps;
     if (c.motion.kind == Motion::Kind::Rotation)
@@ -193,19 +208,23 @@ class FrictionSettling {
     const Candidate c = as_tried(candidate);
     const bool slides = c.kind == SettleStep::Kind::Slide;
     const ObstacleContact found = m_body.query(c.motion);
+    // Objects that overlap from the start can be moved by nothing.
     if (found.status == FirstContact::Status::Crossing && num_steps() == 0)
       return Outcome::Crossing;
     if (c.kind == SettleStep::Kind::Fall && found.status == FirstContact::Status::Free)
       return Outcome::FallsOut;
     const double time = std::min(found.time, c.motion.limit);
     const Trial trial{c, time, m_body.sinks_by(c.motion, time)};
+    // A motion counts if it gets a fair part of its way, or a fair part of the size.
     const double predicted = m_body.sinks_by(c.motion, c.motion.limit);
     if (trial.drop >= kEnergyDrop * clearance() &&
         trial.drop >= std::min(kEnoughDrop * predicted, kEnoughOfSize * object().size)) {
       execute(trial);
       return Outcome::Moved;
     }
+    // The motion that gets farthest is kept, in case nothing better comes.
     if (!m_best || trial.drop > m_best->drop) m_best = trial;
+    // The blocker of a slide takes part in the next first motion, with its own friction.
     if (slides && found.status == FirstContact::Status::Contact)
       contacts.push_back(
           {{found.point, found.normal, found.gap, ContactFeatures::ClosestPoints, 0, 0},
@@ -223,15 +242,19 @@ class FrictionSettling {
   // The screw in three motions, none of which has to lower the object; all together have to.
   bool execute_screw(const std::vector<FrictionContact>& contacts, const RubbingObject& body,
                      const Twist& screw, double duration) {
+    // The object moves out of the way, turns, and comes back with the slide along the axis.
     const auto motions = screw_motions(contacts, body, screw, duration);
     if (!motions) return false;
     const SettlingBody::Place start = m_body.here();
     const double before = object().centre.z();
     const double away = go(SettleStep::Kind::Lift, motions->away);
     const double turned = go(SettleStep::Kind::Slide, motions->turn) / motions->turn.limit;
+    // The way back undoes the way out, and adds as much of the screw's advance as the turn has
+    // made.
     const Vec3 back = turned * motions->along - away * motions->away.axis;
     const double length = back.norm();
     if (length > 0) go(SettleStep::Kind::Slide, Motion::translation(back / length, length));
+    // All three together have to lower it enough; otherwise it stands where it stood.
     const double drop = before - object().centre.z();
     if (drop >= kEnergyDrop * clearance() && drop >= -kEnoughDrop * screw.velocity.z() * duration)
       return true;
@@ -254,6 +277,7 @@ class FrictionSettling {
 
   void execute(const Trial& t) {
     const Motion& m = t.candidate.motion;
+    // A slide that ran its whole way found the surface going on, and may go farther next time.
     const bool slid = t.candidate.kind == SettleStep::Kind::Slide &&
                       m.kind == Motion::Kind::Translation && t.time >= m.limit;
     // A fall closes the gap that a slide opens.
@@ -267,6 +291,7 @@ class FrictionSettling {
 
   // The motion that gets farthest, though not far: a limited number of times.
   Outcome take_best() {
+    // Small steps are limited, as they may creep without end.
     if (num_steps() >= kMaxMotions || m_num_small_steps >= kMaxSmallSteps) return Outcome::Stuck;
     if (!m_best || m_best->drop < kLastEnergyDrop * clearance()) return Outcome::Stuck;
     ++m_num_small_steps;

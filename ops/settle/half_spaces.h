@@ -19,6 +19,8 @@ struct HalfSpace {
 template <int N>
 Eigen::Matrix<double, N, 1> nearest_inside(const std::vector<HalfSpace<N>>& spaces,
                                            Eigen::Matrix<double, N, 1> x, int max_sweeps) {
+  // Each weight is the push that its half space has given so far. It never becomes negative: a
+  // space may take back its push, but does not pull.
   std::vector<double> weights(spaces.size(), 0.0);
   bool changes = true;
   for (int sweep = 0; changes && sweep < max_sweeps; ++sweep) {

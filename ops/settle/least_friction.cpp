@@ -21,6 +21,7 @@ template <class Holds>
 FrictionStep bisect(const Holds& holds) {
   FrictionStep step;
   while (step.holds - step.fails > kFineness * step.holds && step.holds > kSmallest) {
+    // Intervals end at a part of their value, so that small coefficients are told apart.
     const double middle = 0.5 * (step.fails + step.holds);
     (holds(middle) ? step.holds : step.fails) = middle;
   }
@@ -43,17 +44,21 @@ class FrictionSearch {
   double least() {
     if (holds(0)) return 0;
     for (int n = 0;; ++n) {
+      // The grid point above Newton's guess is asked; a failure moves the guess up.
       const double next = step_about(m_guess).holds;
       if (holds(next)) break;
+      // After a few failures the largest coefficient tells whether any will do.
       if (next >= kLargestFriction || (n == kFewSteps && !holds(kLargestFriction)))
         return kInfinity;
     }
+    // The grid point below is asked, too: where it fails, the bisection needs no further program.
     holds(step_about(std::nextafter(m_holds, 0)).fails);
     return bisect([&](double middle) { return holds(middle); }).holds;
   }
 
  private:
   bool holds(double friction) {
+    // Monotony answers outside the bracket without a program.
     if (friction <= m_fails || friction >= m_holds) return friction >= m_holds;
     const Shortfall found = friction_shortfall(with_friction(m_contacts, friction), m_centre,
                                                m_size, m_tolerance, &m_basis);
@@ -62,6 +67,7 @@ class FrictionSearch {
       return true;
     }
     m_fails = friction;
+    // The guess is where the missing part would vanish if the rate stayed the same.
     m_guess = found.gain > 0 ? friction + (found.missing - m_tolerance) / found.gain
                              : kWithoutSlope * friction;
     return false;
@@ -79,6 +85,7 @@ class FrictionSearch {
 
 double least_friction(const std::vector<ContactPoint>& contacts, const Vec3& centre, double size,
                       double tolerance) {
+  // Contacts that face straight up under the centre need no friction.
   if (carrying_margin(contacts, centre, 1 - 1e-9) >= 0) return 0;
   return FrictionSearch(contacts, centre, size, tolerance).least();
 }

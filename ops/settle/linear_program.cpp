@@ -65,6 +65,7 @@ class LinearProgram::Solver : public ClpSimplex {
 };
 
 std::array<Vec3, 2> tangents(const Vec3& n) {
+  // The coordinate axis that is least along n gives the best conditioned tangent.
   int k = 0;
   n.cwiseAbs().minCoeff(&k);
   const Vec3 u = n.cross(Vec3::Unit(k)).normalized();
@@ -88,6 +89,7 @@ int LinearProgram::add_row(double lower, double upper) {
 }
 
 int LinearProgram::add_column(std::span<const Entry> entries, double cost, double upper) {
+  // Rounding noise would become a pivot and make the basis depend on it.
   for (const Entry& e : entries)
     if (std::abs(e.value) > kNoise) {
       m_rows.push_back(e.row);
@@ -100,35 +102,40 @@ int LinearProgram::add_column(std::span<const Entry> entries, double cost, doubl
 }
 
 LinearProgram::Solution LinearProgram::solve(bool scale, Basis* basis) const {
-  return solve(scale, Method::Primal, basis);
+  return solve({scale, Method::Primal}, basis);
 }
 
-LinearProgram::Solution LinearProgram::solve_by_dual(bool scale) const {
-  return solve(scale, Method::Dual, nullptr);
+LinearProgram::Solution LinearProgram::solve_by_dual(bool scale, double most) const {
+  return solve({scale, Method::Dual, most}, nullptr);
 }
 
-LinearProgram::Solution LinearProgram::solve(bool scale, Method method, Basis* basis) const {
+LinearProgram::Solution LinearProgram::solve(const Way& way, Basis* basis) const {
+  // A basis of another shape cannot be a start.
   const bool is_start = basis && basis->size() == m_costs.size() + m_row_lower.size();
   const Basis start = is_start ? *basis : Basis();
   ProgramMemory* const memory = ProgramMemory::current();
-  Answer answer = memory && m_values.size() <= kMostRemembered
-                      ? solve_once(*memory, scale, method, start)
-                      : solve_now(scale, method, start);
+  // The same question often comes again while operations are tried: its answer is remembered to the
+  // bit.
+  Answer answer = memory && m_values.size() <= kMostRemembered ? solve_once(*memory, way, start)
+                                                               : solve_now(way, start);
+  // The basis of the optimum starts the next program of the same shape.
   if (basis && answer.solution.optimal) *basis = std::move(answer.basis);
   return std::move(answer.solution);
 }
 
-LinearProgram::Answer LinearProgram::solve_once(ProgramMemory& memory, bool scale, Method method,
+LinearProgram::Answer LinearProgram::solve_once(ProgramMemory& memory, const Way& way,
                                                 const Basis& start) const {
-  std::string question = this->question(scale, method, start);
+  std::string question = this->question(way, start);
   if (const Answer* const known = memory.find(question)) return *known;
-  Answer out = solve_now(scale, method, start);
+  Answer out = solve_now(way, start);
   memory.remember(std::move(question), out);
   return out;
 }
 
-std::string LinearProgram::question(bool scale, Method method, const Basis& start) const {
-  std::string out{scale ? 's' : '-', method == Method::Dual ? 'd' : 'p'};
+std::string LinearProgram::question(const Way& way, const Basis& start) const {
+  // Everything that the answer depends on is part of the question, bit by bit.
+  std::string out{way.scale ? 's' : '-', way.method == Method::Dual ? 'd' : 'p'};
+  append_bytes(std::vector{way.most}, out);
   append_bytes(start, out);
   append_bytes(m_starts, out);
   append_bytes(m_rows, out);
@@ -137,16 +144,18 @@ std::string LinearProgram::question(bool scale, Method method, const Basis& star
   return out;
 }
 
-LinearProgram::Answer LinearProgram::solve_now(bool scale, Method method,
-                                               const Basis& start) const {
+LinearProgram::Answer LinearProgram::solve_now(const Way& way, const Basis& start) const {
   const size_t num_states = m_costs.size() + m_row_lower.size();
-  const auto held = Solver::of(*this, scale);
+  const auto held = Solver::of(*this, way.scale);
   Solver& solver = *held;
+  // A start moves the first vertex alone; the optimum found from it is as good.
   if (!start.empty()) solver.copyinStatus(start.data());
-  method == Method::Dual ? solver.dual() : solver.primal();
+  if (way.most < kInfinity) solver.setDualObjectiveLimit(way.most);
+  way.method == Method::Dual ? solver.dual() : solver.primal();
   Answer out;
   Solution& solution = out.solution;
   solution.optimal = solver.isProvenOptimal();
+  // A program that is not solved to optimality has no answer, rather than a half-way one.
   if (!solution.optimal) return out;
   out.basis.assign(solver.statusArray(), solver.statusArray() + num_states);
   const double *x = solver.primalColumnSolution(), *prices = solver.dualRowSolution();
@@ -158,6 +167,7 @@ LinearProgram::Answer LinearProgram::solve_now(bool scale, Method method,
 
 std::vector<double> LinearProgram::objectives_with(std::span<const Column> columns,
                                                    bool scale) const {
+  // All columns are part of one program, closed at first: only bounds change from one to the next.
   LinearProgram all = *this;
   for (const Column& column : columns) all.add_column(column.entries, 0, 0);
   const auto held = Solver::of(all, scale);
@@ -167,6 +177,8 @@ std::vector<double> LinearProgram::objectives_with(std::span<const Column> colum
   if (!solver.isProvenOptimal()) return out;
   const size_t num_states = all.m_costs.size() + m_row_lower.size();
   const Basis start(solver.statusArray(), solver.statusArray() + num_states);
+  // Each column is opened alone, from the same basis, so that its answer does not depend on the
+  // others.
   for (size_t k = 0; k < columns.size(); ++k) {
     const int number = static_cast<int>(m_costs.size() + k);
     const auto allow = [&](double cost, double upper) {

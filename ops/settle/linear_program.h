@@ -44,8 +44,9 @@ class LinearProgram {
   ///   numbers differ little, unless empty; the final one comes back.
   Solution solve(bool scale, Basis* basis = nullptr) const;
   /// The same by the dual simplex method, which starts at once where no cost is negative: another
-  /// of several solutions may be found.
-  Solution solve_by_dual(bool scale) const;
+  /// of several solutions may be found. @param most  objective beyond which there is none to be
+  /// found: it may end early.
+  Solution solve_by_dual(bool scale, double most = kInfinity) const;
 
   /// A solution, and where it ended. @see ProgramMemory.
   struct Answer {
@@ -64,11 +65,16 @@ class LinearProgram {
  private:
   class Solver;
   enum class Method { Primal, Dual };
-  Solution solve(bool scale, Method method, Basis* basis) const;
+  struct Way {
+    bool scale;
+    Method method;
+    double most = kInfinity;
+  };
+  Solution solve(const Way& way, Basis* basis) const;
   /// All that the solution follows from, byte by byte.
-  std::string question(bool scale, Method method, const Basis& start) const;
-  Answer solve_once(ProgramMemory& memory, bool scale, Method method, const Basis& start) const;
-  Answer solve_now(bool scale, Method method, const Basis& start) const;
+  std::string question(const Way& way, const Basis& start) const;
+  Answer solve_once(ProgramMemory& memory, const Way& way, const Basis& start) const;
+  Answer solve_now(const Way& way, const Basis& start) const;
 
   std::vector<int> m_starts{0}, m_rows;
   std::vector<double> m_values, m_costs, m_column_upper, m_row_lower, m_row_upper;

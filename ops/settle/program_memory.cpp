@@ -20,6 +20,7 @@ ProgramMemory::~ProgramMemory() {
 ProgramMemory* ProgramMemory::current() { return first_living; }
 
 const ProgramMemory::Answer* ProgramMemory::find(const std::string& question) {
+  // Answers that are still asked for are found in either half; only new ones are counted.
   if (const auto known = m_recent.find(question); known != m_recent.end()) return &known->second;
   const auto older = m_older.find(question);
   return older == m_older.end() ? nullptr : &older->second;

@@ -40,6 +40,7 @@ SettleProblem problem_at(const Object& object, const Pose& pose, const Neighbour
 
 // Lets it go: whether it gets no farther than closing gaps takes.
 bool is_stuck(SettleProblem problem, const Vec3& centre_of_shape) {
+  // A wedged object may close gaps, but gets no farther.
   problem.options.max_motions = kMotionsOfStuck;
   const SettleOutcome outcome = settle(problem);
   if (outcome.status != SettleOutcome::Status::Wedged) return false;
@@ -57,6 +58,7 @@ std::vector<FrictionContact> friction_contacts(const Scene& scene, const Surface
                                                double distance) {
   std::vector<FrictionContact> out;
   for (const ContactsWith& c : contacts) {
+    // Friction belongs to a pair of surfaces, so it is looked up for each partner.
     const double of_pair = friction_between(scene, surface, c.with);
     for (const ContactPoint& p : merged(c.points, distance)) out.push_back({p, of_pair});
   }
@@ -66,6 +68,7 @@ std::vector<FrictionContact> friction_contacts(const Scene& scene, const Surface
 double tipping_margin(const Scene& scene, const Object& object, const Vec3& centre,
                       const std::vector<ContactsWith>& contacts, const RestRules& rules) {
   const double distance = kContactTolerance * rules.clearance;
+  // Perfect friction counts every contact that can carry; finite friction those within their cones.
   if (rules.perfect_friction) return carrying_margin(all_points(contacts, distance), centre);
   return friction_margin(friction_contacts(scene, surface_of(object), contacts, distance), centre);
 }
@@ -82,6 +85,7 @@ bool rests_at(const Object& object, const Pose& pose, const Neighbourhood& other
 ObjectState state_at(const Object& object, const Pose& pose, const Neighbourhood& others,
                      const RestRules& rules) {
   const SettleProblem problem = problem_at(object, pose, others, rules);
+  // A free-hanging object is unsupported; one that touches and cannot move is wedged.
   if (is_at_rest(problem)) return ObjectState::Stable;
   const bool touches = !touching(body_of(object, pose), others, rules.clearance).empty();
   return touches && is_stuck(problem, object.shape->mass.centre) ? ObjectState::Wedged
@@ -103,6 +107,7 @@ RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
   };
   RestRating out{own_margin(scene, object, pose, contacts, rules),
                  least(contacts, kContactTolerance * rules.clearance)};
+  // Contacts that close under load may hold with less friction.
   if (rules.perfect_friction || out.least_friction <= object.material.friction) return out;
   const double distance = kBalanceTolerance * rules.clearance;
   const double of_near = least(contacts_with(body_of(object, pose), Neighbourhood(scene, id),
@@ -118,6 +123,7 @@ RestRating rate_unheld(const Scene& scene, const Object& object, const Pose& pos
 }
 
 RestRating rating_by_links(const Scene& scene, ObjectId id, const RestRules& rules) {
+  // Fixed objects need nothing to rest.
   const Object& object = scene.at(id);
   if (object.fixed) return {};
   const std::vector<ContactsWith> contacts = linked_contacts(object);

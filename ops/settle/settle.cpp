@@ -25,20 +25,28 @@ class Settling {
       if (m_problem.interrupt && m_problem.interrupt->reason())
         return m_body.finish(SettleOutcome::Status::Interrupted);
       const std::vector<ContactPoint> points = m_body.look_around();
+      // Gaps that became too small are opened first, as motions need room to begin.
       if (m_body.separate_if_needed(points)) continue;
+      // The centre above the support polygon is rest, by the paper's rule.
       if (carrying_margin(points, object().centre) >= kRestMargin * object().size)
         return m_body.finish(SettleOutcome::Status::AtRest);
       if (is_rocking() && is_held(points)) return m_body.finish(SettleOutcome::Status::AtRest);
       if (may_stay(points)) return m_body.finish(SettleOutcome::Status::AtRest);
+      // Motions that keep what they touch are tried in the order of Gauss' principle.
       const std::vector<Candidate> sticking = candidate_motions(points);
       Outcome outcome = give_way(sticking, kEnergyDrop);
+      // No turn that keeps its contacts lowers the object: forces balance it, or something more has
+      // to be tried.
       if (outcome == Outcome::Stuck) {
         const bool balanced = balance(m_body.points(kBalanceTolerance));
+        // A balanced object may still turn about a contact that carries; one that is not balanced
+        // may part from all.
         const std::vector<Candidate> motions =
             balanced ? carrying_motions(points) : last_motions(points);
         if (balanced && (m_problem.options.literal_paper_rules || none_sinks(motions)))
           return m_body.finish(SettleOutcome::Status::AtRest);
         outcome = give_way(motions, kEnergyDrop);
+        // Very short drops are the last resort before it counts as wedged.
         if (outcome == Outcome::Stuck) outcome = give_way(sticking, kLastEnergyDrop);
       }
       if (outcome == Outcome::FallsOut) return m_body.finish(SettleOutcome::Status::FallsOut);
@@ -94,6 +102,7 @@ class Settling {
   // Rest must not end because of one more contact: bodies that give pivots are left out in turn. As
   // obstacles they stay.
   bool is_held_by_some() {
+    // Contacts are collected once; each choice takes points away from them.
     const std::vector<TouchedPoint> close = m_body.touched(kContactTolerance),
                                     near = m_body.touched(kBalanceTolerance);
     std::vector<Index> bodies;
@@ -103,6 +112,7 @@ class Settling {
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     return holds_without_some(bodies, [&](const std::vector<Index>& left_out) {
       const std::vector<ContactPoint> carrying = points_without(near, left_out);
+      // Fewer contacts cannot balance what more do not: no subset of these is asked.
       if (!balance(carrying)) return Hold::Never;
       return none_sinks_about(points_without(close, left_out), carrying) ? Hold::Yes : Hold::No;
     });
@@ -137,12 +147,15 @@ class Settling {
       if (i == 1) foresee_after_first(candidates);
       const Candidate& c = candidates[i];
       const FirstContact found = m_body.query(c.motion);
+      // Objects that overlap from the start can be moved by nothing.
       if (found.status == FirstContact::Status::Crossing && m_body.outcome().steps.empty())
         return Outcome::Crossing;
       if (c.kind == SettleStep::Kind::Fall && found.status == FirstContact::Status::Free)
         return Outcome::FallsOut;
+      // A motion ends at its first contact or at its lowest point.
       const double time = std::min(found.time, c.motion.limit);
       const double drop = m_body.sinks_by(c.motion, time);
+      // A motion that hardly lowers it is none; the next one is tried.
       if (drop < least * clearance()) continue;
       m_body.execute(c.kind, c.motion, time, drop);
       m_sank = true;

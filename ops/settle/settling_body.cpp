@@ -33,6 +33,7 @@ SettlingBody::SettlingBody(const SettleProblem& problem) : m_problem(problem) {
   const Shape& shape = *problem.shape;
   m_object.size = problem.scale * shape.box.diagonal();
   m_object.radius_squared = problem.scale * problem.scale * shape.mass.radius_squared;
+  // Carried objects move along; their weight counts if they have any.
   for (const CarriedShape& c : problem.carried) {
     m_out.carried.push_back(c.start);
     m_loads_weigh = m_loads_weigh || c.mass > 0;
@@ -40,6 +41,7 @@ SettlingBody::SettlingBody(const SettleProblem& problem) : m_problem(problem) {
 }
 
 void SettlingBody::update() {
+  // Answers that were asked in advance hold at one pose only.
   m_foreseen.clear();
   m_bodies = {Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale))};
   for (size_t i = 0; i < m_problem.carried.size(); ++i) {
@@ -54,6 +56,7 @@ std::vector<ContactPoint> SettlingBody::look_around() {
   assert(is_lower_than_seen());
   m_seen_height = m_object.centre.z();
   m_num_seen_steps = m_out.steps.size();
+  // At the start the caller may know the contacts already.
   m_out.contacts = m_problem.contacts_at_start && m_out.steps.empty()
                        ? *m_problem.contacts_at_start
                        : contacts_with(m_bodies[0], *m_problem.others,
@@ -64,6 +67,8 @@ std::vector<ContactPoint> SettlingBody::look_around() {
 // Energy never rises, except by the tiny translations that open gaps.
 bool SettlingBody::is_lower_than_seen() const {
   if (m_out.steps.size() <= m_num_seen_steps) return true;  // unmoved, or back at a place
+  // A lift may raise it by the largest opening; every other step has to lower it by at least half
+  // the least drop.
   const bool lifted = m_out.steps.back().kind == SettleStep::Kind::Lift;
   const double most = lifted ? 1.001 * kLargestSeparatingMotion * clearance()
                              : -0.5 * kLastEnergyDrop * clearance();
@@ -78,7 +83,9 @@ Vec3 SettlingBody::centre_of(size_t body) const {
 
 void SettlingBody::weigh() {
   m_object.centre = centre_of(0);
+  // Loads without mass leave the centre and the size as they are.
   if (!m_loads_weigh) return;
+  // The common centre is the mean of all, weighted by mass, where the object's own is one.
   Vec3 moment = m_object.centre;
   double mass = 1;
   Aabb box = m_bodies[0].world_box;
@@ -88,6 +95,7 @@ void SettlingBody::weigh() {
     box.extend(m_bodies[i].world_box);
   }
   m_object.centre = moment / mass;
+  // The size stays that of the start, as tolerances depend on it.
   if (m_out.steps.empty()) m_object.size = box.diagonal();
 }
 
@@ -96,6 +104,8 @@ Mat3 SettlingBody::inertia_per_mass() const {
   double mass = 0;
   for (size_t i = 0; i < m_bodies.size(); ++i) {
     const Shape& shape = i == 0 ? *m_problem.shape : *m_problem.carried[i - 1].shape;
+    // Each body's inertia is moved to the common centre (Steiner), and a little is added for
+    // needles and points.
     const Vec3 arm = centre_of(i) - m_object.centre;
     sum += mass_of(i) * (inertia_in_world(shape, m_bodies[i]) +
                          arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
@@ -151,6 +161,7 @@ std::vector<TouchedPoint> SettlingBody::touched(double num_clearances) const {
 ObstacleContact SettlingBody::query(const Motion& motion) {
   Clearance keep;
   keep.distance = clearance();
+  // A question that was asked together with others is answered already, to the same bits.
   const std::optional<ObstacleContact> known = foreseen(motion);
   if (known) m_problem.detector->used_early();
   ObstacleContact found = known ? *known
@@ -162,6 +173,7 @@ ObstacleContact SettlingBody::query(const Motion& motion) {
 }
 
 void SettlingBody::foresee(std::span<const Motion> motions) {
+  // Asking together pays where a detector draws several queries at once.
   Detector* const detector = m_problem.detector;
   if (!detector || !detector->asks_together()) return;
   std::vector<Motion> unknown;
@@ -184,6 +196,7 @@ std::optional<ObstacleContact> SettlingBody::foreseen(const Motion& motion) cons
 }
 
 double SettlingBody::fall_limit() const {
+  // The fall ends where nothing can be below any more.
   const bool floor = m_problem.others->floor();
   const double lowest = std::min(floor ? 0.0 : kInfinity, m_problem.others->box().lower.z());
   Aabb box;
@@ -198,6 +211,7 @@ double SettlingBody::sinks_by(const Motion& motion, double time) const {
 
 // No longer than it takes to sink so far; nothing: it never does.
 std::optional<Motion> SettlingBody::part_that_sinks(const Motion& motion, double drop) const {
+  // The part is halved while it still sinks enough, so that queries stay short.
   if (sinks_by(motion, motion.limit) <= drop) return std::nullopt;
   Motion part = motion;
   while (sinks_by(motion, 0.5 * part.limit) > drop) part.limit *= 0.5;
@@ -213,6 +227,7 @@ bool SettlingBody::any_can_sink(std::span<const Candidate> candidates, double dr
   std::vector<Motion> parts;
   for (const Candidate& c : candidates)
     if (const auto part = part_that_sinks(c.motion, drop)) parts.push_back(*part);
+  // All motions are asked together; the first that sinks decides.
   foresee(parts);
   return std::any_of(candidates.begin(), candidates.end(),
                      [&](const Candidate& c) { return can_sink(c.motion, drop); });
@@ -226,6 +241,7 @@ void SettlingBody::execute(SettleStep::Kind kind, const Motion& motion, double t
 }
 
 bool SettlingBody::separate_if_needed(const std::vector<ContactPoint>& points) {
+  // The smallest gap decides whether there is anything to open.
   double smallest = kInfinity;
   for (const ContactPoint& c : points) smallest = std::min(smallest, c.gap);
   if (smallest >= kSeparateBelow * clearance() || m_num_separating_motions >= kMaxSeparatingMotions)
@@ -233,9 +249,11 @@ bool SettlingBody::separate_if_needed(const std::vector<ContactPoint>& points) {
   ++m_num_separating_motions;
   const Vec3 d = smallest_separating_motion(points, clearance());
   const double length = d.norm();
+  // An opening that is too long is no rounding: other means have to move it.
   if (!(length > 0) || length > kLargestSeparatingMotion * clearance()) return false;
   const Motion motion = Motion::translation(d / length, length);
   const double time = std::min(query(motion).time, length);
+  // Something else is in the way: the opening would be made again and again.
   if (time < 0.1 * length) return false;
   execute(SettleStep::Kind::Lift, motion, time, -d.z() * time / length);
   return true;

@@ -21,6 +21,7 @@ class PartFitter {
       m_changed = false;
       for (size_t a = 0; a < m_bodies.size(); ++a) {
         if (floor && !m_bodies[a].fixed) fit_to_floor(a);
+        // Two fixed bodies may overlap: no simulator pushes them apart.
         for (size_t b = a + 1; b < m_bodies.size(); ++b)
           if (!m_bodies[a].fixed || !m_bodies[b].fixed) fit(a, b);
       }
@@ -43,6 +44,7 @@ class PartFitter {
     if (all.size() <= static_cast<size_t>(node)) all.resize(node + 1);
     const HullTree::Node& of_tree = tree(body).node(node);
     Placed& out = all[node];
+    // A part whose thickness has changed is placed anew.
     if (!out.part || out.backing != of_tree.backing) {
       out.part = std::make_unique<PlacedPart>(of_tree.part, m_bodies[body].world_from_tree);
       out.backing = of_tree.backing;
@@ -52,6 +54,7 @@ class PartFitter {
 
   std::vector<Index> leaves(size_t body, const Aabb* near) {
     std::vector<Index> open, out;
+    // The last root goes first, so that leaves come in the order of the tree.
     for (Index i = tree(body).num_roots(); i-- > 0;) open.push_back(i);
     while (!open.empty()) {
       const Index i = open.back();
@@ -72,6 +75,7 @@ class PartFitter {
   }
 
   bool refine(size_t body, Index leaf) {
+    // Taking away a thickness adds no part; a split does, and their number is bounded.
     if (tree(body).node(leaf).backing == 0 && tree(body).num_leaves() >= kMaxFittedParts)
       return false;
     if (!tree(body).refine(leaf)) return false;
@@ -102,6 +106,7 @@ class PartFitter {
       const Pair pair = open.back();
       open.pop_back();
       const HullTree::Node &of_a = tree(a).node(pair.a), &of_b_node = tree(b).node(pair.b);
+      // Pairs are pushed down to leaves, as either may have been split since.
       if (!of_a.is_leaf()) {
         for (const Index child : of_a.children) open.push_back({child, pair.b});
       } else if (!of_b_node.is_leaf()) {
@@ -126,6 +131,7 @@ class PartFitter {
       return refine(b, pair.b) || refine(a, pair.a);
     }
     const double metres_a = m_bodies[a].scale, metres_b = m_bodies[b].scale;
+    // Thickness counts in metres, as models have units of their own.
     const double backing_a = of_a.backing * metres_a, backing_b = of_b.backing * metres_b;
     const bool a_first = backing_a != backing_b
                              ? backing_a > backing_b

@@ -46,6 +46,7 @@ size_t num_near_parts(const SimulationScene& scene) {
   const std::vector<PlacedBody> bodies = placed_bodies(scene);
   Aabb all;
   for (const PlacedBody& body : bodies) all.extend(body.box);
+  // Parts count as near within a small share of the scene's size.
   const double margin = bodies.empty() ? 0 : kNear * all.diagonal();
   size_t count = 0;
   for (size_t i = 0; i < bodies.size(); ++i) {
@@ -73,6 +74,7 @@ std::vector<PartOverlap> part_overlaps(const SimulationScene& scene,
   for (size_t i = 0; i < bodies.size(); ++i) {
     const PlacedBody& a = bodies[i];
     if (scene.floor && !a.body->fixed) {
+      // The floor is a half space: a part's depth is how far it reaches below.
       PartOverlap overlap{a.body->name, "floor", i, i, 0, limit(i, i), 0};
       for (const PlacedPart& part : a.parts) count(overlap, -part.box.lower.z(), rounding(a.box));
       keep(std::move(overlap));
@@ -87,6 +89,7 @@ std::vector<PartOverlap> part_overlaps(const SimulationScene& scene,
       keep(std::move(overlap));
     }
   }
+  // The deepest overlap is told first.
   std::stable_sort(out.begin(), out.end(),
                    [](const PartOverlap& a, const PartOverlap& b) { return a.depth > b.depth; });
   return out;

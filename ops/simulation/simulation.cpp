@@ -1,5 +1,6 @@
 #include "ops/simulation/simulation.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -32,6 +33,7 @@ Mesh in_frame(const Mesh& mesh, const Affine& frame_from_object) {
 }
 
 std::vector<ConvexPart> scaled(std::vector<ConvexPart> parts, double scale) {
+  // Scaled vertices are rounded as those that are written: they must not overlap by rounding.
   if (scale == 1) return parts;
   for (ConvexPart& part : parts)
     for (Vec3& v : part.vertices) v = as_float32(Vec3(v * scale));
@@ -41,6 +43,17 @@ std::vector<ConvexPart> scaled(std::vector<ConvexPart> parts, double scale) {
 PartRule part_rule(CollisionRule rule) {
   if (rule == CollisionRule::Hull) return PartRule::Hull;
   return rule == CollisionRule::Decomposition ? PartRule::Decomposition : PartRule::Components;
+}
+
+// Parts that are turned inside out count with negative masses.
+bool is_of_a_body(const Mat3& covariance) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvalues()[0] >= 0;
+}
+
+Mat3 nearest_of_a_body(const Mat3& covariance, double least) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(covariance);
+  const Vec3 spread = solver.eigenvalues().cwiseMax(least);
+  return solver.eigenvectors() * spread.asDiagonal() * solver.eigenvectors().transpose();
 }
 
 bool is_mjcf(const std::string& path) {
@@ -92,16 +105,34 @@ class SceneMaker {
     body.centre = link_from_object.apply(properties.centre);
     Mat3 covariance =
         link_from_object.linear * properties.covariance * link_from_object.linear.transpose();
-    if (properties.rule != MassRule::Volume) {  // the wall that gives it weight
-      const double wall = wall_thickness(object);
-      covariance += wall * wall / 12 * Mat3::Identity();
+    const double of_wall = wall_thickness(object) * wall_thickness(object) / 12;
+    if (properties.rule != MassRule::Volume) covariance += of_wall * Mat3::Identity();
+    if (!is_of_a_body(covariance)) {
+      covariance = nearest_of_a_body(covariance, of_wall);
+      m_out.notes.push_back(say(
+          "\"%1\" has parts that are turned inside out: its inertia is that of no body, and the "
+          "nearest one is written",
+          object.name));
     }
     body.inertia = body.mass * inertia_per_mass(covariance);
     body.friction = m_options.friction.value_or(object.material.friction);
     body.restitution = object.material.restitution;
+    body.gap = widest_gap(object);
     m_sizes.push_back(object.scale * object.shape->box.diagonal());
     m_out.scene.bodies.push_back(std::move(body));
     add_notes(id);
+  }
+
+  double widest_gap(const Object& object) {
+    double widest = 0;
+    for (const ObjectContact& entry : object.contacts) {
+      double of_entry = 0;
+      for (const ContactPoint& p : entry.contact.points) of_entry = std::max(of_entry, p.gap);
+      widest = std::max(widest, of_entry);
+      double& of_floor = m_out.scene.floor_gap;
+      if (entry.with.is_floor()) of_floor = std::max(of_floor, of_entry);
+    }
+    return widest;
   }
 
   void add_notes(ObjectId id) {
@@ -116,6 +147,7 @@ class SceneMaker {
     if (object.state != ObjectState::Fixed && object.state != ObjectState::Stable)
       m_out.notes.push_back(
           say("\"%1\" is %2: it will move", object.name, to_string(object.state)));
+    // The weakest contact decides: the needed friction is assumed at all of them.
     double friction = kInfinity;
     for (const ObjectContact& entry : object.contacts)
       friction = std::min(friction,
@@ -128,6 +160,7 @@ class SceneMaker {
   size_t model_of(const Object& object) {
     const auto key =
         std::make_tuple(object.model.get(), object.shape->index.get(), object.up, object.scale);
+    // Objects share a model where shape, up axis and scale are the same.
     const auto [it, is_new] = m_models.try_emplace(key, m_out.scene.models.size());
     if (is_new) add_model(object);
     return it->second;
@@ -175,6 +208,7 @@ class SceneMaker {
 
   /// @param unit  of the parts given, metres.
   void set_parts(SimulationModel& model, std::vector<ConvexPart> parts, double unit) const {
+    // The clearance is in units of the part's own frame.
     const double clearance = m_options.hull_clearance / model.scale;
     for (ConvexPart& part : scaled(std::move(parts), unit / model.scale))
       model.parts.push_back(clearance > 0 ? shrunk(part, clearance) : std::move(part));
@@ -227,6 +261,7 @@ bool is_too_deep(const PartOverlap& overlap) { return overlap.depth > overlap.al
 
 /// The triangles themselves for what parts cannot follow.
 void use_meshes(SimulationExport& done) {
+  // Models with a pair that is still too deep collide by their triangles, all of their bodies.
   std::set<size_t> models;
   for (const PartOverlap& o : done.overlaps)
     if (is_too_deep(o))

@@ -16,6 +16,7 @@ namespace {
 
 // Parts of three corners; negative outside.
 std::array<double, 3> barycentric(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
+  // Corners on a line have no triangle: no share is the best.
   const double area = cross(b - a, c - a);
   if (!(area > 0)) return {-kInfinity, -kInfinity, -kInfinity};
   const double wb = cross(p - a, c - a) / area, wc = cross(b - a, p - a) / area;
@@ -24,6 +25,7 @@ std::array<double, 3> barycentric(const Vec2& a, const Vec2& b, const Vec2& c, c
 
 std::vector<double> shares_of_segment(const std::vector<Vec2>& hull, const Vec2& p) {
   if (hull.size() == 1) return {1.0};
+  // The nearest point of the segment takes the place of a target beside it.
   const Vec2 d = hull[1] - hull[0];
   const double t = std::clamp(d.dot(p - hull[0]) / d.squaredNorm(), 0.0, 1.0);
   return {1 - t, t};
@@ -71,6 +73,7 @@ struct Sides {
 };
 
 Sides sides_of(const FreeBodies& all, double factor) {
+  // Each touch is noted for both of its bodies, which see its normal from opposite sides.
   Sides sides;
   sides.below.resize(all.bodies.size());
   sides.above.resize(all.bodies.size());

@@ -1,268 +1,25 @@
 #include "ops/stability/contact_forces.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <utility>
+#include <map>
 
-#include "ops/settle/equilibrium.h"
-#include "ops/settle/linear_program.h"
+#include "ops/stability/force_program.h"
+#include "ops/stability/unbalanced.h"
 
 namespace trivet {
 namespace {
 
-constexpr double kFrictionLimit = 10;  // at one body, in weights that it carries
-constexpr double kPushLimit = 20;      // the same, of the parts along the normals
-constexpr double kJoinGain = 1e-6;     // of a force that joins; CLP knows 1e-7
-constexpr int kJoinAtOnce = 4;         // touches of a pair
-constexpr double kMissing = 1e-6;      // of a body's weight: rounding below this
-constexpr double kNearlyWorst = 1e-4;  // of a margin: other orders of pivots differ by less
-constexpr double kMoves = 1e-6;        // virtual velocities, at most 1: rounding below this
-
-using Entry = LinearProgram::Entry;
-
-// Rows of a body, all in parts of what it carries: force x y z, torque x y z, friction, pushes,
-// what is missing beyond the tolerance.
-constexpr int kRowsPerBody = 9;
-constexpr int kFrictionRow = 6, kPushRow = 7, kMissingRow = 8;
-constexpr int kMissingColumns = 13;  // of a body: 6 rows with both signs; beyond the tolerance
-
-class ForceProgram {
- public:
-  ForceProgram(const FreeBodies& part, double clearance, double factor = 1,
-               std::span<const MayCarry> may = {})
-      : m_part(part), m_clearance(clearance), m_factor(factor), m_carried(carried_weights(part)) {
-    add_rows();
-    for (size_t k = 0; k < m_part.touches.size(); ++k)
-      add_touch(m_part.touches[k], may.empty() ? MayCarry{} : may[k]);
-    m_first_missing = m_num_columns;
-  }
-
-  // Force and torque that may be missing: what the tolerance allows, and at most `limit` more of a
-  // body's weight, at `cost`.
-  void add_missing(double cost, double limit) {
-    for (size_t i = 0; i < m_part.bodies.size(); ++i) {
-      // Both signs of each component count against the tolerance, which costs nothing.
-      for (int row = 0; row < 6; ++row)
-        for (const double sign : {1.0, -1.0}) {
-          const Entry entries[] = {{row_of(i) + row, sign}, {row_of(i) + kMissingRow, 1}};
-          add_column(entries, 0);
-        }
-      const double own = m_part.bodies[i].weight / m_carried[i];
-      // Beyond the tolerance each part of the weight has its price.
-      const Entry entries[] = {{row_of(i) + kMissingRow, -1}};
-      add_column(entries, cost / own, own * limit);
-    }
-  }
-
-  // All weights shifted along `d` by parts of `largest`, of which all are worth -1.
-  LinearProgram::Column shift(const Vec3& d, double largest) const {
-    LinearProgram::Column out{{}, -1, 1};
-    for (size_t i = 0; i < m_part.bodies.size(); ++i) {
-      const FreeBody& body = m_part.bodies[i];
-      const Vec3 torque = d.cross(Vec3(0, 0, -body.weight)) / (m_carried[i] * body.size);
-      for (int k = 0; k < 3; ++k) out.entries.push_back({row_of(i) + 3 + k, largest * torque[k]});
-    }
-    return out;
-  }
-  std::vector<double> objectives_with(std::span<const LinearProgram::Column> columns) const {
-    return m_program.objectives_with(columns, true);
-  }
-  LinearProgram::Solution solve_with(const LinearProgram::Column& column) const {
-    LinearProgram program = m_program;
-    program.add_column(column.entries, column.cost, column.upper);
-    return program.solve(true);
-  }
-
-  LinearProgram::Solution solve() const { return m_program.solve(true); }
-  LinearProgram::Solution solve_by_dual() const { return m_program.solve_by_dual(true); }
-
-  // Rate at which a force of this touch would lower the cost.
-  double gain(const BodyContact& t, const LinearProgram::Solution& solution) const {
-    double best = 0;
-    for_each_force(t, unit_of(t), [&](const Vec3&, const std::vector<Entry>& entries) {
-      double sum = 0;
-      // The dual prices tell what the force is worth in the rows that it enters.
-      for (const Entry& e : entries) sum += e.value * solution.prices[static_cast<size_t>(e.row)];
-      best = std::max(best, sum);
-    });
-    return best;
-  }
-
-  PartForces forces_of(const LinearProgram::Solution& solution) const {
-    PartForces out;
-    out.solved = true;
-    out.residual = solution.objective;
-    for (size_t i = 0; i < m_part.bodies.size(); ++i) {
-      const double own = m_part.bodies[i].weight / m_carried[i];
-      // This column holds what is missing beyond the tolerance.
-      const size_t beyond = m_first_missing + kMissingColumns * (i + 1) - 1;
-      double motion = 0;
-      for (int k = 0; k < 6; ++k)
-        motion = std::max(motion, std::abs(solution.prices[row_of(i) + k]));
-      out.missing.push_back(solution.x[beyond] / own);
-      out.moves.push_back(own * motion > kMoves);
-    }
-    out.motions = motions_of(solution);
-    // A contact force is the sum of its edges, each times the value of its column.
-    for (const Spanned& s : m_spanned) {
-      Vec3 force = Vec3::Zero();
-      for (size_t k = 0; k < s.edges.size(); ++k)
-        force += solution.x[s.first_column + k] * s.unit * s.edges[k];
-      out.forces.push_back(force);
-    }
-    return out;
-  }
-
- private:
-  // Prices are virtual velocities against all contact forces, so that bodies go the other way; they
-  // belong to rows that are scaled by what a body carries, and by its size.
-  std::vector<VirtualMotion> motions_of(const LinearProgram::Solution& solution) const {
-    std::vector<VirtualMotion> out(m_part.bodies.size());
-    double fastest = 0, power = 0;
-    for (size_t i = 0; i < out.size(); ++i) {
-      const FreeBody& body = m_part.bodies[i];
-      for (int k = 0; k < 3; ++k) {
-        out[i].velocity[k] = -solution.prices[row_of(i) + k] / m_carried[i];
-        out[i].spin[k] = -solution.prices[row_of(i) + 3 + k] / (m_carried[i] * body.size);
-      }
-      fastest = std::max(fastest, out[i].velocity.norm() + out[i].spin.norm() * body.size / 2);
-      power -= body.weight * out[i].velocity.z() - body.load.dot(out[i].velocity) -
-               body.load_torque.dot(out[i].spin);
-    }
-    const double scale = fastest > 0 ? (power < 0 ? -1 : 1) / fastest : 0;  // gravity drives it
-    for (VirtualMotion& m : out) {
-      m.velocity *= scale;
-      m.spin *= scale;
-    }
-    return out;
-  }
-
-  // A touch's forces are sums of these edges, in `unit` newtons.
-  struct Spanned {
-    int first_column;
-    double unit;
-    std::vector<Vec3> edges;
-  };
-
-  static int row_of(size_t body) { return static_cast<int>(body) * kRowsPerBody; }
-
-  // Each body's weight with all that lies on it, directly or not.
-  static std::vector<double> carried_weights(const FreeBodies& part) {
-    const size_t n = part.bodies.size();
-    std::vector<std::vector<Index>> loads(n);
-    for (const BodyContact& t : part.touches) {
-      if (t.from == BodyContact::kGround) continue;
-      if (t.contact.normal.z() > kSupportNormalZ) loads[t.from].push_back(t.on);
-      if (t.contact.normal.z() < -kSupportNormalZ) loads[t.on].push_back(t.from);
-    }
-    std::vector<double> out(n, 0.0);
-    for (size_t i = 0; i < n; ++i) {
-      std::vector<char> seen(n, 0);
-      // The search walks up through everything that lies on the body.
-      std::vector<Index> open{static_cast<Index>(i)};
-      seen[i] = 1;
-      while (!open.empty()) {
-        const Index body = open.back();
-        open.pop_back();
-        out[i] += part.bodies[body].weight + part.bodies[body].load.norm();
-        for (const Index load : loads[body])
-          if (!std::exchange(seen[load], 1)) open.push_back(load);
-      }
-    }
-    return out;
-  }
-
-  void add_rows() {
-    for (size_t i = 0; i < m_part.bodies.size(); ++i) {
-      const FreeBody& body = m_part.bodies[i];
-      // Contacts have to balance the weight and what certified bodies press with.
-      const Vec3 force = (Vec3(0, 0, body.weight) - body.load) / m_carried[i];
-      const Vec3 torque = -body.load_torque / (m_carried[i] * body.size);
-      // Force and torque are equations; friction, pushes and what is missing have limits.
-      for (const Vec3& balance : {force, torque})
-        for (int k = 0; k < 3; ++k) m_program.add_row(balance[k], balance[k]);
-      m_program.add_row(0, kFrictionLimit);
-      m_program.add_row(0, kPushLimit);
-      m_program.add_row(-kInfinity, 0);
-    }
-  }
-
-  // Calls f(edge, entries) for each force that spans the touch's pyramid, of `unit` newtons.
-  template <class F>
-  void for_each_force(const BodyContact& t, double unit, const F& f) const {
-    const double friction = m_factor * t.friction;
-    const auto column = [&](const Vec3& edge, double across) {
-      std::vector<Entry> entries;
-      // The force pushes one body and, reversed, the other.
-      append_force(t.on, t.contact.point, unit * edge, unit, across, entries);
-      if (t.from != BodyContact::kGround)
-        append_force(t.from, t.contact.point, -unit * edge, unit, across, entries);
-      f(edge, entries);
-    };
-    // The normal and the edges of a pyramid inside the friction cone span the forces that are
-    // allowed.
-    column(t.contact.normal, 0);
-    if (friction > 0)
-      for (const Vec3& edge : friction_pyramid(t.contact.normal, friction))
-        column(edge, unit * friction);
-  }
-
-  double unit_of(const BodyContact& t) const {
-    return t.from == BodyContact::kGround ? m_carried[t.on]
-                                          : std::min(m_carried[t.on], m_carried[t.from]);
-  }
-
-  void add_touch(const BodyContact& t, const MayCarry& may) {
-    Spanned spanned{m_num_columns, unit_of(t), {}};
-    for_each_force(t, spanned.unit, [&](const Vec3& edge, const std::vector<Entry>& entries) {
-      spanned.edges.push_back(edge);
-      // Pushing up what it is not meant to carry has its price.
-      const double up = spanned.unit * edge.z();
-      double cost = may.on ? 0 : std::max(0.0, up) / m_carried[t.on];
-      if (!may.from && t.from != BodyContact::kGround)
-        cost += std::max(0.0, -up) / m_carried[t.from];
-      add_column(entries, cost);
-    });
-    m_spanned.push_back(std::move(spanned));
-  }
-
-  void append_force(Index i, const Vec3& point, const Vec3& force, double push, double across,
-                    std::vector<Entry>& entries) const {
-    const FreeBody& body = m_part.bodies[i];
-    const Vec3 f = force / m_carried[i];
-    const Vec3 torque = (point - body.centre).cross(f) / body.size;
-    // A contact point is known to about a clearance, so that each push may be off by a little
-    // torque.
-    const double tolerance = residual_tolerance(body.size, m_clearance);
-    push /= m_carried[i];
-    for (int k = 0; k < 3; ++k) entries.push_back({row_of(i) + k, f[k]});
-    for (int k = 0; k < 3; ++k) entries.push_back({row_of(i) + 3 + k, torque[k]});
-    entries.push_back({row_of(i) + kFrictionRow, across / m_carried[i]});
-    entries.push_back({row_of(i) + kPushRow, push});
-    entries.push_back({row_of(i) + kMissingRow, -tolerance * push});
-  }
-
-  void add_column(std::span<const Entry> entries, double cost, double upper = kInfinity) {
-    m_program.add_column(entries, cost, upper);
-    ++m_num_columns;
-  }
-
-  const FreeBodies& m_part;
-  const double m_clearance;
-  const double m_factor;
-  const std::vector<double> m_carried;
-  LinearProgram m_program;
-  std::vector<Spanned> m_spanned;
-  int m_num_columns = 0, m_first_missing = 0;
-};
-
-}  // namespace
-
-namespace {
+constexpr double kJoinGain = 1e-6;        // of a force that joins; CLP knows 1e-7
+constexpr int kJoinAtOnce = 4;            // touches of a pair
+constexpr double kMissing = 1e-6;         // of a body's weight: rounding below this
+constexpr double kRoomOfBalance = 100;    // of a limit of the objective: for rounding and scaling
+constexpr double kNearlyWorst = 1e-4;     // of a margin: other orders of pivots differ by less
+constexpr double kClearlyMissing = 1e-2;  // weights: more than CLP's rounding
 
 // Takes the best candidate of each pair that would lower the cost. @return whether there are any.
 template <class Gain>
 bool join_best(FreeBodies& part, const Gain& gain) {
+  // Gains are worked out before anything joins, so that the order of candidates does not matter.
   std::vector<double> gains;
   for (const BodyContact& t : part.more) gains.push_back(gain(t));
   std::vector<char> joins(part.more.size(), 0);
@@ -297,6 +54,7 @@ bool PartForces::balanced() const {
 
 PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
   while (true) {
+    // The program grows by contacts until the forces balance or no contact would help.
     ForceProgram program(part, clearance, factor);
     program.add_missing(1, kInfinity);
     const LinearProgram::Solution solution = program.solve();
@@ -319,8 +77,23 @@ std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
 bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {
   ForceProgram program(part, clearance, factor);
   program.add_missing(1, kInfinity);
-  const LinearProgram::Solution solution = program.solve_by_dual();
+  // The dual simplex usually answers at once; contacts that were left out do not join here.
+  // Its objective only grows: beyond what may be missing no balance is to be found.
+  const double most = kRoomOfBalance * kMissing * static_cast<double>(part.bodies.size());
+  const LinearProgram::Solution solution = program.solve_by_dual(most);
   return solution.optimal && program.forces_of(solution).balanced();
+}
+
+bool clearly_unbalanced(const FreeBodies& part, double clearance, const FreeBodies& larger,
+                        const PartForces& forces_of_larger) {
+  if (!forces_of_larger.solved) return false;
+  std::map<std::uint32_t, VirtualMotion> known;  // by slot
+  for (size_t i = 0; i < larger.bodies.size(); ++i)
+    known[larger.bodies[i].id.index] = forces_of_larger.motions[i];
+  std::vector<VirtualMotion> motions;
+  motions.reserve(part.bodies.size());
+  for (const FreeBody& body : part.bodies) motions.push_back(known[body.id.index]);
+  return ForceProgram(part, clearance).least_missing(motions) > kClearlyMissing;
 }
 
 double shift_margin(const FreeBodies& part, double clearance) {

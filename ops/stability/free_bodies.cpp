@@ -50,6 +50,7 @@ bool contains(const std::vector<ContactPoint>& points, const ContactPoint& p) {
 FreeBodies bodies_only(const Scene& scene, std::span<const ObjectId> ids) {
   FreeBodies out;
   for (const ObjectId id : ids) {
+    // Weight and size are never zero, as rows are divided by them.
     const Object& object = scene.at(id);
     out.bodies.push_back({id, object.centre_of_mass(), std::max(weight_of(object), kLeastWeight),
                           std::max(size_of(object), kLeastSize)});

@@ -1,12 +1,14 @@
 #include "ops/stability/part.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "ops/placement/slot_order.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
+#include "ops/stability/unbalanced.h"
 
 namespace trivet {
 namespace {
@@ -15,8 +17,10 @@ constexpr size_t kManyBodies = 24;  // for which it pays to look for balance alo
 
 // False if a body has no contact that could push it up, but by what is tolerated.
 bool may_all_be_held_up(const FreeBodies& part) {
+  // A body that is pushed up by certified ones has a support already.
   std::vector<char> held;
   for (const FreeBody& body : part.bodies) held.push_back(body.load.z() > 0);
+  // Friction may lift even where the normal leans down a little.
   const auto note = [&](Index body, double normal_z, double friction) {
     if (body != BodyContact::kGround && normal_z > -friction) held[body] = 1;
   };
@@ -31,16 +35,18 @@ bool may_all_be_held_up(const FreeBodies& part) {
 class Judgement {
  public:
   Judgement(const Scene& scene, std::span<const ObjectId> ids, std::span<const ObjectId> changed,
-            double clearance, int max_program_objects)
+            double clearance, int max_program_objects, Proof proof)
       : m_scene(scene),
         m_ids(ids),
         m_changed(changed),
         m_clearance(clearance),
         m_limit(static_cast<size_t>(max_program_objects)),
+        m_proof(proof),
         m_all(linked_bodies(scene, ids, std::nullopt)),
         m_certificate(vertical_certificate(m_all)) {}
 
   PartVerdict run() {
+    // Contacts join bodies to parts; only parts with an open body need the program.
     const std::vector<Index> part_of = connected_parts(m_all);
     std::vector<Members> parts(
         part_of.empty() ? 0 : 1 + *std::max_element(part_of.begin(), part_of.end()));
@@ -62,34 +68,81 @@ class Judgement {
     std::vector<Index> all, open;  // open: not certified
   };
 
+  // Open bodies may stand by their own contacts and what certified ones press on them, or with
+  // these: where most are open, that is asked first, as the motion that it gives if they do not
+  // mostly tells of the open ones alone, too.
   void judge(const Members& part) {
-    if (part.open.size() <= m_limit && part.open.size() < part.all.size()) {
-      FreeBodies open = loaded_bodies(part.open, is_fixed_or_held);
-      if (part.all.size() > m_limit || may_all_be_held_up(open)) {
-        const PartForces forces = contact_forces(open, m_clearance);
-        if (forces.solved && forces.balanced()) return;
-      }
-    }
+    const bool mostly_open = 2 * part.open.size() >= part.all.size();
+    if (!mostly_open && stands_alone(part, {})) return;
     if (part.all.size() <= m_limit) {
       FreeBodies whole =
           near_part(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, std::nullopt);
-      if (whole.bodies.size() <= m_limit) return note(std::move(whole));
+      if (whole.bodies.size() <= m_limit)
+        return judge_together(part, std::move(whole), mostly_open);
     }
+    if (mostly_open && stands_alone(part, {})) return;
+    // A part that is too large is judged near the change alone, and the verdict says that it does
+    // not know the rest.
     m_out.known = false;
     const std::vector<Index> nearest = nearest_to_change(part.open);
-    note(loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
+    FreeBodies chosen = loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
       return is_fixed_or_held(id, object) || !is_certified(id);
-    }));
+    });
+    if (chosen.bodies.size() > kManyBodies) {
+      // Many bodies mostly stand: the quick proof spares the search for contacts.
+      if (quickly_balanced(chosen, m_clearance)) return;
+      if (m_proof == Proof::Quickest) return note_all(chosen);
+    }
+    note(chosen, contact_forces(chosen, m_clearance));
   }
 
-  void note(FreeBodies part) {
-    if (part.bodies.size() > kManyBodies && quickly_balanced(part, m_clearance)) return;
-    const PartForces forces = contact_forces(part, m_clearance);
+  // Bodies of which some are certified and others do not stand alone are seldom balanced: no quick
+  // look then.
+  void judge_together(const Members& part, FreeBodies whole, bool may_stand_alone) {
+    const bool is_large = whole.bodies.size() > kManyBodies;
+    if (is_large && m_proof == Proof::Quickest) {
+      const bool stands =
+          (may_stand_alone && stands_alone(part, {})) || quickly_balanced(whole, m_clearance);
+      if (!stands) note_all(whole);
+      return;
+    }
+    const bool is_quick = is_large && part.open.size() == part.all.size();
+    if (is_quick && quickly_balanced(whole, m_clearance)) return;
+    const PartForces forces = contact_forces(whole, m_clearance);
+    if (forces.solved && forces.balanced()) return;
+    const Larger larger{whole, forces};
+    if (may_stand_alone && stands_alone(part, larger)) return;
+    note(whole, forces);
+  }
+
+  /// A part with others, which does not stand.
+  struct Larger {
+    const FreeBodies& bodies;
+    const PartForces& forces;
+  };
+
+  bool stands_alone(const Members& part, const std::optional<Larger>& larger) const {
+    if (part.open.size() > m_limit || part.open.size() == part.all.size()) return false;
+    FreeBodies open = loaded_bodies(part.open, is_fixed_or_held);
+    if (part.all.size() <= m_limit && !may_all_be_held_up(open)) return false;
+    if (larger && clearly_unbalanced(open, m_clearance, larger->bodies, larger->forces))
+      return false;
+    const PartForces forces = contact_forces(open, m_clearance);
+    return forces.solved && forces.balanced();
+  }
+
+  void note(const FreeBodies& part, const PartForces& forces) {
     if (!forces.solved) m_out.known = false;
     if (!forces.solved || forces.balanced()) return;
     m_out.stands = false;
+    // Bodies that the proof moves are those that topple.
     for (size_t k = 0; k < part.bodies.size(); ++k)
       if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
+  }
+
+  void note_all(const FreeBodies& part) {
+    m_out.stands = false;
+    for (const FreeBody& body : part.bodies) m_out.topples.push_back(body.id);
   }
 
   std::vector<ObjectId> ids_of(const std::vector<Index>& members) const {
@@ -137,6 +190,7 @@ class Judgement {
   const std::span<const ObjectId> m_ids, m_changed;
   const double m_clearance;
   const size_t m_limit;
+  const Proof m_proof;
   const FreeBodies m_all;
   const Certificate m_certificate;
   PartVerdict m_out;
@@ -182,8 +236,8 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
 
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects) {
-  return Judgement(scene, ids, changed, clearance, max_program_objects).run();
+                        int max_program_objects, Proof proof) {
+  return Judgement(scene, ids, changed, clearance, max_program_objects, proof).run();
 }
 
 }  // namespace trivet

@@ -19,6 +19,11 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
 FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
                      const IsGround& is_ground, std::optional<double> friction);
 
+enum class Proof {
+  Whole,     // and, where there is none, who moves
+  Quickest,  // a large part for which no balance is found quickly counts as one that moves
+};
+
 struct PartVerdict {
   bool stands = true;
   bool known = true;              // false: a part is too large for a proof, or not solved
@@ -32,6 +37,6 @@ struct PartVerdict {
 /// @param ids  as connected_with() returns them. @param changed  any of them.
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects);
+                        int max_program_objects, Proof proof = Proof::Whole);
 
 }  // namespace trivet

@@ -8,6 +8,7 @@
 #include "core/base/tunables.h"
 #include "core/scene/materials.h"
 #include "ops/placement/clearance.h"
+#include "ops/stability/carried.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
 #include "ops/stability/part.h"
@@ -21,6 +22,7 @@ double clearance_of(const Scene& scene, const StabilityOptions& options) {
 
 // Free objects that contacts connect with these, in the scene's order.
 std::vector<ObjectId> linked_with(const Scene& scene, std::vector<ObjectId> ids) {
+  // Contacts are followed until no more objects come.
   std::set<std::uint32_t> seen;
   for (const ObjectId id : ids) seen.insert(id.index);
   for (size_t i = 0; i < ids.size(); ++i)
@@ -47,11 +49,15 @@ std::vector<ObjectId> judged_with(const Scene& scene, ObjectId object,
   }
 }
 
+enum class Wanted { Verdict, ForcesAlone };  // without margins
+
 class StabilityCheck {
  public:
-  StabilityCheck(const Scene& scene, const StabilityOptions& options, FreeBodies bodies)
+  StabilityCheck(const Scene& scene, const StabilityOptions& options, FreeBodies bodies,
+                 Wanted wanted = Wanted::Verdict)
       : m_scene(scene),
         m_options(options),
+        m_wanted(wanted),
         m_clearance(clearance_of(scene, options)),
         m_all(std::move(bodies)) {
     for (size_t i = 0; i < m_all.bodies.size(); ++i)
@@ -84,7 +90,7 @@ class StabilityCheck {
       if (failed[p] && !solved[p]) solve_part(p, part_of, solved);
     take_certified(certificate, part_of, solved);
     for (Index p = 0; p < num_parts; ++p)
-      if (no_reserve[p] && !solved[p]) judge_reserve(near(p));
+      if (no_reserve[p] && !solved[p] && m_wanted == Wanted::Verdict) judge_reserve(near(p));
     finish();
     return std::move(m_out);
   }
@@ -183,7 +189,8 @@ class StabilityCheck {
     // Forces that balance everything are the proof; without them gravity moves these bodies.
     const bool balanced = found.balanced();
     if (!balanced) m_out.status = Stability::Status::Unstable;
-    const double margin = balanced ? std::max(0.0, shift_margin(part, m_clearance)) : 0.0;
+    const bool is_rated = balanced && m_wanted == Wanted::Verdict;
+    const double margin = is_rated ? std::max(0.0, shift_margin(part, m_clearance)) : 0.0;
     for (size_t k = 0; k < members.size(); ++k) {
       ObjectStability& object = m_out.objects[members[k]];
       if (object.topples) continue;  // it touches nothing
@@ -191,8 +198,9 @@ class StabilityCheck {
       if (object.topples) object.motion = found.motions[k];
       if (balanced) set_margin(members[k], margin);
     }
-    if (balanced) judge_reserve(part);
+    if (is_rated) judge_reserve(part);
     const std::vector<Vec3> forces = balanced ? told_forces(part) : std::vector<Vec3>{};
+    // Forces that the scene's links explain are preferred to others that balance as well.
     for (size_t k = 0; k < part.touches.size(); ++k)
       add_force(part, part.touches[k], forces.empty() ? found.forces[k] : forces[k]);
   }
@@ -219,7 +227,10 @@ class StabilityCheck {
 
   void finish() {
     if (m_out.status != Stability::Status::Unknown) m_out.why_unknown.clear();
-    for (const ObjectStability& o : m_out.objects) m_out.margin = std::min(m_out.margin, o.margin);
+    for (ObjectStability& o : m_out.objects) {
+      m_out.margin = std::min(m_out.margin, o.margin);
+      if (!o.topples && is_carried_across_gap(m_scene.at(o.object))) o.marginal = true;
+    }
     judge_marginal();
     // Forces come in the order of the bodies they act on, whichever part was solved first.
     std::map<std::uint32_t, size_t> rank;  // of slots
@@ -239,6 +250,7 @@ class StabilityCheck {
 
   const Scene& m_scene;
   const StabilityOptions& m_options;
+  const Wanted m_wanted;
   const double m_clearance;
   const FreeBodies m_all;
   std::map<std::uint32_t, Index> m_index_of;  // in m_all, by slot
@@ -277,6 +289,38 @@ Stability stability_of_part(const Scene& scene, ObjectId object, const Stability
   return StabilityCheck(scene, options, linked_bodies(scene, ids, options.friction)).run();
 }
 
+namespace {
+
+bool is_linked(const Object& object, const Support& with) {
+  return std::any_of(object.contacts.begin(), object.contacts.end(),
+                     [&](const ObjectContact& entry) { return entry.with == with; });
+}
+
+}  // namespace
+
+bool is_carried_across_gap(const Object& object) {
+  return std::any_of(object.contacts.begin(), object.contacts.end(),
+                     [](const ObjectContact& entry) { return entry.across_gap && entry.carries; });
+}
+
+std::vector<CarriedBy> carried_by_part(const Scene& scene, ObjectId object,
+                                       const StabilityOptions& options) {
+  const Object& of = scene.at(object);
+  if (!of.placed || of.fixed) return {};
+  std::vector<ObjectId> ids = linked_with(scene, {object});
+  if (ids.size() > kMostAskedForCarriers) return {};
+  // Vertical forces through the links name all carriers: the usual case, which costs little.
+  const auto is_certified = [](const Certificate::Body& body) { return body.certified; };
+  const FreeBodies linked = linked_bodies(scene, ids, options.friction);
+  const Certificate certificate = vertical_certificate(linked);
+  if (std::all_of(certificate.bodies.begin(), certificate.bodies.end(), is_certified)) return {};
+  ids = judged_with(scene, object, options);
+  if (ids.size() > kMostAskedForCarriers) return {};
+  StabilityCheck check(scene, options, linked_bodies(scene, ids, options.friction),
+                       Wanted::ForcesAlone);
+  return carried_by_forces(scene, check.run());
+}
+
 std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& stability) {
   std::vector<CarriedBy> out;
   if (!stability.stable()) return out;
@@ -290,8 +334,10 @@ std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& st
       if (at == upward.end()) at = upward.insert(at, {f->from, 0});
       at->second += f->force.z();
     }
+    // Without a link nothing touches: such a force is one of several solutions.
     for (const auto& [from, force] : upward)
-      if (force > kCarriedPart * weight_of(scene.at(on))) out.push_back({on, from});
+      if (force > kCarriedPart * weight_of(scene.at(on)) && is_linked(scene.at(on), from))
+        out.push_back({on, from});
   }
   return out;
 }
@@ -302,12 +348,14 @@ double wall_thickness(const Object& object) {
 }
 
 double weight_of(const Object& object, double density) {
+  // A mass that is known wins; otherwise volume and density tell, and an open mesh is a sheet.
   if (object.given_mass) return kGravity * object.given_mass->kilograms;
   const MassProperties& mass = object.shape->mass;
   double wall = kWallThickness * object.shape->box.diagonal();
   if (const auto sheet = sheet_thickness(object.material))
     wall = std::min(wall, *sheet / object.scale);
   const double volume = mass.volume != 0 ? std::abs(mass.volume) : mass.area * wall;
+  // A mesh of lines and points weighs as a cube of its wall, so that the weight is never zero.
   const double least = wall * wall * wall;  // lines and points
   const double scale = object.scale;
   return kGravity * density * scale * scale * scale * std::max(volume, least);

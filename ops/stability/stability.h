@@ -56,7 +56,8 @@ struct Stability {
   enum class Status {
     Stable,    // forces inside the friction cones balance all weights
     Marginal,  // the same, but not shown for kMarginalFriction times the coefficients, or an object
-               // gives way when all weights shift by kMarginalShift of its size
+               // gives way when all weights shift by kMarginalShift of its size, or is carried
+               // across a gap
     Unstable,  // none do: proven by a motion that nothing stops
     Unknown,   // see why_unknown
   };
@@ -86,7 +87,7 @@ Stability stability(const Scene& scene, const StabilityOptions& options = {});
 Stability stability_of_part(const Scene& scene, ObjectId object,
                             const StabilityOptions& options = {});
 
-/// An object and a partner whose forces bear more than kCarriedPart of its weight.
+/// An object and a linked partner whose forces bear more than kCarriedPart of its weight.
 struct CarriedBy {
   ObjectId object;
   Support by;

@@ -29,7 +29,7 @@ class Model:
         self.lower, self.upper = size
 
     def radius(self):
-        """Of a ball about the origin that holds the model."""
+        """Radius of a ball about the origin that holds the model."""
         return math.hypot(*(max(abs(a), abs(b)) for a, b in zip(self.lower, self.upper)))
 
 

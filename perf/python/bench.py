@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the module costs beside C++.
+"""Measures the cost of the module beside C++.
 
     PYTHONPATH=build/dev/apps/python perf/python/bench.py build/dev/apps/trivet build/dev/perf/trivet_python_bench
 

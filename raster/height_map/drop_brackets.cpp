@@ -17,6 +17,7 @@ using Lanes = Eigen::Array<float, kLanes, 1>;  // which Eigen vectorises
 constexpr float kEmpty = std::numeric_limits<float>::infinity();
 
 void take_gaps(const float* low, const float* high, int count, Lanes& minima) {
+  // Neighbouring pixels are compared in lanes; the rest of a row goes one by one.
   int i = 0;
   for (; i + kLanes <= count; i += kLanes)
     minima = minima.min(Eigen::Map<const Lanes>(low + i) - Eigen::Map<const Lanes>(high + i));
@@ -33,6 +34,7 @@ struct Tile {
 // Tiles that are not empty.
 std::vector<Tile> tiles_of(const HeightMap& object, const std::vector<float>& heights) {
   std::vector<Tile> out;
+  // Tiles that hold nothing of the object are left out.
   for (int row = 0; row < object.height; row += kSide)
     for (int column = 0; column < object.width; column += kSide) {
       Tile tile{column, row, kEmpty, {}};
@@ -118,7 +120,10 @@ class SmallestGaps {
     const size_t place = m_top.index(column, row);
     const Eigen::Map<const Lanes> low(&m_top.objects.lowest[place]);
     const Eigen::Map<const Lanes> high(&m_top.objects.highest[place]);
+    // A scene that is flat under the object needs its lowest point alone.
     if ((low == high).head(count).all()) return m_lowest - high;
+    // Tiles bound the difference at several places at once; only those left in doubt look at
+    // pixels.
     const auto [least, most] = bounded(column, row, bounds);
     Lanes out = most;
     for (int lane = 0; lane < count; ++lane)
@@ -133,6 +138,8 @@ class SmallestGaps {
   bool farther(int column, int row, int count, const float* falls, char* out) const {
     bool all = true;
     for (int lane = 0; lane < count; ++lane) {
+      // The lowest point over the highest ground is a lower bound, over the lowest ground an upper
+      // one.
       const size_t place = m_top.index(column + lane, row);
       const bool never = !(falls[lane] < kEmpty);
       if (m_tiles.empty() || never) {
@@ -153,6 +160,7 @@ class SmallestGaps {
   void farther_by_tiles(int column, int row, int count, const float* falls,
                         std::vector<Lanes>& bounds, char* out) const {
     if (std::find(out, out + count, kUndecided) == out + count) return;
+    // Bounds of the tiles decide most; the rest compares pixels.
     const auto [least, most] = bounded(column, row, bounds);
     for (int lane = 0; lane < count; ++lane) {
       if (out[lane] != kUndecided) continue;
@@ -189,6 +197,8 @@ class SmallestGaps {
   // `found`.
   float at_place(int column, int row, int lane, float least, float found,
                  const std::vector<Lanes>& bounds) const {
+    // The tile with the least bound most likely holds the smallest difference, and rules out the
+    // others.
     size_t best = 0;
     while (bounds[best][lane] != least) ++best;
     found = std::min(found, in_tile(m_tiles[best], column, row));
@@ -215,6 +225,7 @@ class SmallestGaps {
 }  // namespace
 
 DropProbe::DropProbe(const HeightMap& object) : m_object(object) {
+  // Empty pixels at both ends of a row are skipped for all places.
   for (int row = 0; row < object.height; ++row) {
     const float* line = &object.bound[object.index(0, row)];
     int first = 0, last = object.width;
@@ -243,6 +254,7 @@ std::vector<DropBracket> drop_brackets(const HeightMap& object, const HeightMap&
   lower.prepare_tiles();
   upper.prepare_tiles();
   std::vector<DropBracket> out(size_t(columns) * rows);
+  // Rows of places are independent: threads share them.
   in_parallel(static_cast<size_t>(rows), [&](size_t row) {
     std::vector<Lanes> bounds;
     for (int column = 0; column < columns; column += kLanes) {

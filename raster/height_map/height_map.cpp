@@ -45,6 +45,7 @@ class SideSink final : public SpanSink {
       : m_map(map), m_hiding(map.sample.empty() ? map.bound : map.sample) {}
   // A depth never exceeds its triangle's by more than `centre_error`, which is taken off again.
   bool is_hidden(const PixelBox& box, float lower, float upper) const override {
+    // A face is hidden if it could better no pixel of its box.
     const float best = kTop ? upper : lower;
     const auto hides = [&](float height) { return kTop ? height >= best : height <= best; };
     for (int row = box.first_row; row <= box.last_row; ++row)
@@ -59,6 +60,7 @@ class SideSink final : public SpanSink {
     float* const bound = &m_map.bound[at];
     for (int i = 0; i < s.count; ++i)
       bound[i] = kTop ? std::max(bound[i], s.upper[i]) : std::min(bound[i], s.lower[i]);
+    // Centres that are known badly bound nothing.
     if (m_map.sample.empty() || !(s.centre_error <= kLargestCentreError)) return;
     float* const sample = &m_map.sample[at];
     for (int i = 0; i < s.count; ++i) {
@@ -84,6 +86,7 @@ class HiddenRuns {
   template <class Sink>
   bool hides(std::span<const Index3* const> faces, const std::vector<Vec3>& corners,
              const Sink& sink) const {
+    // The run's box grows by a pixel and by rounding, so that nothing of it is outside.
     Vec3 low = Vec3::Constant(kInfinity), high = -low;
     for (const Index3* const t : faces)
       for (const Index v : *t) low = low.cwiseMin(corners[v]), high = high.cwiseMax(corners[v]);
@@ -118,10 +121,12 @@ HeightMap draw(std::span<const Body> bodies, const MapGrid& grid, const View& vi
   SideSink<kTop> sink(map);
   TriangleRaster raster(view, has_samples);
   const HiddenRuns runs(view);
+  // Faces wholly above the ceiling are left out.
   const double highest = (ceiling - grid.level) / grid.pixel;
   std::vector<Vec3> corners;
   std::vector<const Index3*> later;
   for (const Body& body : bodies) {
+    // Bodies beside the map cannot be seen in it.
     if (beside(body.world_box, grid) || body.world_box.lower.z() > ceiling) continue;
     const Affine pixels = view.frame->pixels_from_object(body);
     const std::vector<Vec3>& vertices = body.shape->mesh.vertices;
@@ -156,6 +161,7 @@ class ReachOfRow {
 
   /// The maximum of row[x - half .. x + half], for each x of the width.
   Line highest(const float* row, int half) {
+    // Reaches begin and end outside the row, as the map has a border.
     m_highest.assign(row - half, row + m_width + half);
     // Two windows that overlap make one, at most twice as long.
     const int wanted = 2 * half + 1;
@@ -191,6 +197,7 @@ void to_metres(std::vector<float>& heights, float pixel, float rounding, float l
 MapGrid MapGrid::about(const Aabb& box, double pixel, double level) {
   MapGrid out;
   const Vec2 size = (box.upper - box.lower).head<2>();
+  // Two pixels more than the box, so that rounding never puts it outside.
   out.pixel = pixel;
   out.level = level;
   out.width = static_cast<int>(std::ceil(size.x() / pixel)) + 2;
@@ -204,6 +211,7 @@ HeightMap draw_underside(std::span<const Body> bodies, const MapGrid& grid, doub
   const ZListFrame frame = frame_of(grid, growth);
   const HeightMap map =
       draw<false>(bodies, grid, View::whole(frame, true), kInfinity, MapParts::All);
+  // Bounds are lowered and samples raised, so that both hold for the true heights.
   const auto pixel = static_cast<float>(grid.pixel);
   for (size_t i = 0; i < out.bound.size(); ++i) {
     if (map.bound[i] < kNothingBelow) out.bound[i] = lowered(pixel * map.bound[i]);
@@ -232,6 +240,7 @@ HeightMap widened_top(const HeightMap& map, double pixels, int border) {
   for (int y = -r; y < out.height + r; ++y)
     for (int dy = 0; dy <= r; ++dy) {
       if (!is_in(y - dy) && !is_in(y + dy)) continue;
+      // At a distance of dy rows the disc reaches this many columns.
       const auto half = static_cast<int>(std::sqrt(pixels * pixels - dy * dy));
       const Line highest = reach.highest(&map.bound[map.index(border, y + border)], half);
       if (is_in(y - dy)) take_higher(highest, out, y - dy);

@@ -39,6 +39,7 @@ PixelRange pixels_of(const ImageBox& box, const PixelRange& window) {
 // Cuts [lower, upper] to where the function is not negative: a half-line, as rounding keeps order.
 void cut_span(const PixelPlane& plane, double row, int& lower, int& upper) {
   const auto outside = [&](int x) { return plane.a * x + row < 0; };
+  // A long span is cut by division, with a pixel to spare; the exact test follows.
   if (upper - lower > kShortSpan && plane.a != 0) {
     const double root = -row / plane.a;
     if (plane.a > 0)
@@ -46,6 +47,7 @@ void cut_span(const PixelPlane& plane, double row, int& lower, int& upper) {
     else
       upper = std::min(upper, last_pixel(root + 1, lower, upper));
   }
+  // The last pixels are tested by the edge's own function: no gap opens beside a neighbour.
   while (lower <= upper && outside(lower)) ++lower;
   while (lower <= upper && outside(upper)) --upper;
 }
@@ -88,9 +90,11 @@ std::optional<FaceView> view_face(const Triangle& corners, const PinholeCamera& 
   FaceView face;
   face.box = pixels_of(image, window);
   if (face.box.empty()) return std::nullopt;
+  // The plane of the face gives its depth at each pixel; a face seen edge-on has none.
   const Vec3 normal = (q - p).cross(r - p);
   const double offset = normal.dot(p);
   if (!normal.allFinite() || !std::isfinite(offset) || offset == 0) return std::nullopt;
+  // Signs are turned so that inside is positive whichever way the face is wound.
   const double sign = offset > 0 ? 1 : -1;
   for (int i = 0; i < 3; ++i)
     face.edges[i] = sign * pixel_plane(corners[i].cross(corners[(i + 1) % 3]), camera);

@@ -63,6 +63,7 @@ class LabelRenderer {
 };
 
 void LabelRenderer::find_faces() {
+  // Faces are looked at in chunks of equal size, in parallel, and kept in the scene's order.
   std::vector<FaceChunk> chunks;
   for (std::size_t o = 0; o < m_views.size(); ++o) {
     const std::size_t count = m_scene.objects[o].mesh->triangles.size();
@@ -87,6 +88,7 @@ void LabelRenderer::draw_face(const SeenFace& seen, const PixelRange& rows,
     const auto [x0, x1] = covered_span(*face, y);
     NearestFace* const row = nearest.data() + std::size_t(y - rows.y0) * m_camera.width;
     const double slope = face->slope.row(y);
+    // Equal depths go to the face that comes first in the scene: results do not depend on threads.
     for (int x = x0; x <= x1; ++x) {
       const double depth = face->depth(x, slope);
       if (depth > 0 && depth < row[x].depth) row[x] = {depth, seen.object, seen.face};
@@ -99,6 +101,7 @@ void LabelRenderer::draw_band(int band) {
   rows.y0 = band * kLabelRows;
   rows.y1 = std::min(m_picture.y1, rows.y0 + kLabelRows - 1);
   std::vector<NearestFace> nearest(std::size_t(kLabelRows) * m_camera.width);
+  // Every band draws all faces that reach it: bands share nothing.
   for (const std::vector<SeenFace>& chunk : m_faces)
     for (const SeenFace& seen : chunk)
       if (seen.y0 <= rows.y1 && seen.y1 >= rows.y0) draw_face(seen, rows, nearest);
@@ -109,6 +112,7 @@ void LabelRenderer::draw_band(int band) {
 std::array<float, 3> LabelRenderer::normal_of(const NearestFace& nearest, const Vec3& ray) const {
   const Triangle t = m_views[nearest.object].triangle(nearest.face);
   Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized();
+  // Normals face the camera.
   if (n.dot(ray) > 0) n = -n;
   return {float(n.x()), float(n.y()), float(n.z())};
 }
@@ -122,6 +126,7 @@ void LabelRenderer::finish_row(int y, const NearestFace* nearest) {
     const double fall = -up.dot(ray);
     const double to_floor = floor && fall > 0 ? m_camera.eye.z() / fall : kInfinity;
     const std::size_t i = std::size_t(y) * m_camera.width + x;
+    // The nearest of object and floor is seen.
     if (nearest[x].hit() && nearest[x].depth <= to_floor) {
       m_labels.depth[i] = static_cast<float>(nearest[x].depth);
       m_labels.instances[i] = static_cast<std::uint16_t>(nearest[x].object + 1);
@@ -149,6 +154,7 @@ void LabelRenderer::add_visible(std::vector<ObjectLabel>& objects) const {
 
 void LabelRenderer::measure_object(std::size_t o) {
   ObjectLabel& object = m_labels.objects[o];
+  // Objects are measured beyond the picture too, to tell how much is cut off by its border.
   const PixelRange canvas = label_canvas(m_camera);
   object.whole_box = whole_box(m_views[o], m_camera);
   if (!m_options.visibility || object.whole_box.empty()) return;
@@ -166,6 +172,7 @@ Labels LabelRenderer::render() {
   if (m_options.normals) m_labels.normals.assign(num_pixels, {});
   m_labels.objects.resize(m_scene.objects.size());
   find_faces();
+  // Bands come first: objects are counted in the finished picture.
   const int num_bands = (m_camera.height + kLabelRows - 1) / kLabelRows;
   in_parallel(num_bands, [&](std::size_t band) { draw_band(static_cast<int>(band)); });
   in_parallel(m_views.size(), [&](std::size_t o) { measure_object(o); });

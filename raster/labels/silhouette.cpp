@@ -14,6 +14,7 @@ std::uint64_t bits(int from, int to) { return (~std::uint64_t{0} >> (63 - (to - 
 // Calls f(word, bits) for the words of the pixels [x0, x1], counted from the range's first.
 template <class F>
 void for_each_word(int x0, int x1, F f) {
+  // The first and last word are covered in part, all between them wholly.
   for (int word = x0 / 64; word <= x1 / 64; ++word)
     f(word, bits(std::max(x0 - 64 * word, 0), std::min(x1 - 64 * word, 63)));
 }
@@ -101,6 +102,7 @@ LabelBox Silhouette::box() const {
     if (out.empty()) out = {double(first), double(y), double(last), double(y)};
     out.x0 = std::min<double>(out.x0, first), out.x1 = std::max<double>(out.x1, last), out.y1 = y;
   };
+  // The first and last set bits of a row are found word by word.
   for (int y = m_range.y0; y <= m_range.y1; ++y) {
     const std::uint64_t* const words = row(y);
     std::size_t first = 0, last = m_words;

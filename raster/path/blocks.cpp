@@ -24,15 +24,18 @@ void PathTracer::finish(const Path& path, PixelSums& sums) {
   sums.coverage += c;
   sums.seen += 1;
   sums.normal += path.normal, sums.position += path.position;
+  // Sums of squares give the variance, by which the filter tells noise from detail.
   const float matt = luminance(path.sum_matt), bright = luminance(path.sum_bright);
   sums.squared_matt += matt * matt, sums.squared_bright += bright * bright;
 }
 
 void PathTracer::trace_block(int x0, int y0, SumImage& image) const {
+  // A cancelled picture ends at the next block.
   if (m_path.cancel && m_path.cancel->load(std::memory_order_relaxed)) throw PictureCancelled();
   std::array<PixelSums, kRayLanes> sums;
   for (int sample = 0; sample < m_options.samples; ++sample) {
     std::array<Path, kRayLanes> paths;
+    // Lanes beyond the picture's border stay off.
     for (int i = 0; i < kRayLanes; ++i) {
       const int x = x0 + i % kBlockWidth, y = y0 + i / kBlockWidth;
       paths[i].on = x < image.width && y < image.height;
@@ -57,9 +60,11 @@ class ProgressSteps {
       : m_count(count), m_tell(tell) {}
 
   void count_one() {
+    // At most 256 calls, and the last at the end.
     const int step = (m_count + 255) / 256, done = ++m_done;
     if (!m_tell || (done % step != 0 && done != m_count)) return;
     const std::lock_guard lock(m_mutex);
+    // Another thread may have told more meanwhile: fractions never fall.
     if (done < m_told) return;
     m_told = done;
     m_tell(double(done) / m_count);
@@ -84,6 +89,7 @@ SumImage PathTracer::trace() {
   const int blocks_per_row = (image.width + kBlockWidth - 1) / kBlockWidth;
   const int block_rows = (image.height + kBlockHeight - 1) / kBlockHeight;
   ProgressSteps progress(blocks_per_row * block_rows, m_options.progress);
+  // A band is one thread's work; its pixels depend on nothing but their own numbers.
   in_parallel(num_bands, [&](std::size_t band) {
     const int first = static_cast<int>(band) * kPathRows;
     for (int y = first; y < std::min(first + kPathRows, image.height); y += kBlockHeight)

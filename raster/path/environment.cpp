@@ -18,6 +18,7 @@ struct Place {
   float within, share;  // share: of the whole that this entry has
 };
 Place place_of(const float* first, int count, float u) {
+  // The last sum is 1 and is left out of the search: the place is always in the range.
   const float* const at = std::upper_bound(first, first + count - 1, u);
   const int index = static_cast<int>(at - first);
   const float before = index > 0 ? first[index - 1] : 0, share = first[index] - before;
@@ -27,6 +28,7 @@ Place place_of(const float* first, int count, float u) {
 // Sums of weights, ascending to 1; all the same where there are none.
 double add_up(float* first, int count) {
   double sum = 0;
+  // Sums run in double: float32 would lose small entries beside large ones.
   for (int i = 0; i < count; ++i) sum += first[i];
   double so_far = 0;
   for (int i = 0; i < count; ++i) {
@@ -48,6 +50,7 @@ EnvironmentMap::EnvironmentMap(FloatImage image) : m_image(std::move(image)) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double solid_angles = 0;
   for (int y = 0; y < height; ++y) {
+    // A row's share is its luminance times its solid angle, which is small at the poles.
     const double sine = std::sin(std::numbers::pi * (y + 0.5) / height);
     float* const row = m_columns.data() + std::size_t(y) * width;
     for (int x = 0; x < width; ++x) {
@@ -57,6 +60,7 @@ EnvironmentMap::EnvironmentMap(FloatImage image) : m_image(std::move(image)) {
     solid_angles += sine * width;
     m_rows[y] = static_cast<float>(sine * add_up(row, width));
   }
+  // Light is drawn in proportion: without any there is nothing to draw.
   if (!(add_up(m_rows.data(), height) > 0)) bad_input("an environment that is black");
   m_mean = (sum / solid_angles).cast<float>();
 }
@@ -69,6 +73,7 @@ Vec3f EnvironmentMap::pixel(int x, int y) const {
 }
 
 Vec3f EnvironmentMap::radiance(const Vec3f& d) const {
+  // The middle of the image looks along x; azimuths run clockwise as seen from above.
   const float azimuth = std::atan2(-d.y(), d.x()),
               polar = std::acos(std::clamp(d.z(), -1.0f, 1.0f));
   const float x = (0.5f + azimuth / (2 * kEnvironmentPi)) * float(m_image.width) - 0.5f;
@@ -82,12 +87,14 @@ Vec3f EnvironmentMap::radiance(const Vec3f& d) const {
 EnvironmentMap::Drawn EnvironmentMap::draw(Sampler::Pair u) const {
   const int width = m_image.width, height = m_image.height;
   const Place row = place_of(m_rows.data(), height, u.y);
+  // A row is drawn first, then a column in it.
   const Place column = place_of(m_columns.data() + std::size_t(row.index) * width, width, u.x);
   const float polar = kEnvironmentPi * (float(row.index) + row.within) / float(height);
   const float azimuth =
       2 * kEnvironmentPi * ((float(column.index) + column.within) / float(width) - 0.5f);
   const float sine = std::max(std::sin(polar), 1e-6f);
   const Vec3f direction(sine * std::cos(azimuth), -sine * std::sin(azimuth), std::cos(polar));
+  // The density per solid angle divides the pixel, so that the mean of draws is the light.
   const float density = row.share * column.share * float(width) * float(height) /
                         (2 * kEnvironmentPi * kEnvironmentPi * sine);
   const Vec3f none = Vec3f::Zero();

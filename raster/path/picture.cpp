@@ -41,6 +41,7 @@ std::uint8_t byte_of(float x) {
 
 // Nearly normal, of variance 1.
 float noise_of(std::uint64_t seed, std::uint64_t i) {
+  // Eight numbers of 16 bits, spread evenly in [-0.5, 0.5], add up to a nearly normal one.
   std::uint64_t z = seed + i * 0x9e3779b97f4a7c15u;
   float sum = 0;
   for (int k = 0; k < 2; ++k) {
@@ -65,12 +66,15 @@ void add_noise(Image& image, double noise, std::uint64_t seed) {
 void develop_pixel(const Radiance& light, const std::array<float, 4>& background, float noise,
                    std::uint8_t* out) {
   const float cover = std::clamp(light.coverage, 0.0f, 1.0f);
+  // The background shows through where the scene covers less.
   const float behind = background[3] * (1 - cover), alpha = cover + behind;
   for (int k = 0; k < 3; ++k) {
+    // A pixel of background alone keeps its bytes.
     if (cover <= 1e-4f || alpha <= 0) {
       out[k] = byte_of(background[k]);
       continue;
     }
+    // The film curve is for the scene's own colour, without the share that is not covered.
     const float drawn = film(std::max(light.colour[k], 0.0f) / cover) * cover;
     const float over = (linear_from_srgb(background[k]) * behind + drawn) / alpha;
     out[k] = byte_of(srgb_from_linear(over) + noise);

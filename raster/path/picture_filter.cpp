@@ -78,14 +78,17 @@ void Filter::prepare_row(int y) {
     const PixelSums& sums = m_image.pixels[at(x, y)];
     Guide& guide = m_guides[at(x, y)];
     guide.seen = sums.seen > 0;
+    // Pixels of background alone guide nothing.
     if (!guide.seen) {
       m_albedo[at(x, y)].setZero();
       continue;
     }
     guide.normal = sums.normal / sums.seen, guide.position = sums.position / sums.seen;
+    // Normals that differ within a pixel have a mean shorter than 1: such a pixel is less picky.
     guide.normal_width = kNormalWidth + std::max(0.0f, 1 - guide.normal.squaredNorm());
     m_albedo[at(x, y)] = sums.albedo / n;
     auto& [matt, bright] = m_lights[at(x, y)];
+    // Matt light is smoothed without its colour: textures stay sharp.
     matt.colour = (sums.matt / n).cwiseQuotient(m_albedo[at(x, y)].cwiseMax(kLeastAlbedo));
     // Relative to what was seen: the rest of the pixel is background.
     matt.variance = variance_of_mean(luminance(matt.colour), sums.squared_matt * n / sums.seen, n);
@@ -101,6 +104,7 @@ void Filter::measure_planes(int y) {
     float least = 1e30f;
     for (const auto& [dx, dy] : {std::pair(-1, 0), {1, 0}, {0, -1}, {0, 1}}) {
       const int i = x + dx, j = y + dy;
+      // Neighbours outside the picture or of the background have no position.
       if (i < 0 || j < 0 || i >= m_width || j >= m_height || !m_guides[at(i, j)].seen) continue;
       least = std::min(least, (m_guides[at(i, j)].position - guide.position).squaredNorm());
     }
@@ -110,6 +114,7 @@ void Filter::measure_planes(int y) {
 
 std::array<float, 2> Filter::near_variance(const std::vector<Lights>& lights, int x, int y) const {
   float matt = 0, bright = 0, weights = 0;
+  // The variance of one pixel is itself noisy: that of 3 x 3 is taken.
   for (int j = std::max(y - 1, 0); j <= std::min(y + 1, m_height - 1); ++j)
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, m_width - 1); ++i) {
       if (!m_guides[at(i, j)].seen) continue;
@@ -131,6 +136,7 @@ struct Gathered {
         brightness(luminance(own.colour)),
         inverse_width(1 / (kBrightnessWidth * kBrightnessWidth * near_variance + 1e-7f)) {}
   void add(const Light& other, float unlike, float kernel) {
+    // Brightness that differs by more than the noise is a detail, and is kept.
     const float difference = luminance(other.colour) - brightness;
     const float w = kernel * falling(unlike + difference * difference * inverse_width);
     sum += w * other.colour, weights += w, variance += w * w * other.variance;
@@ -146,10 +152,13 @@ Lights Filter::smooth_pixel(const std::vector<Lights>& lights, int x, int y, int
   const float inverse_plane = here.inverse_plane / float(step * step);
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
+      // Eight neighbours are a step away: steps grow from pass to pass, so that few pixels reach
+      // far.
       const int i = x + dx * step, j = y + dy * step;
       if ((dx == 0 && dy == 0) || i < 0 || j < 0 || i >= m_width || j >= m_height) continue;
       const Guide& there = m_guides[at(i, j)];
       if (!there.seen) continue;
+      // A neighbour off the tangent plane, or with another normal, is another surface.
       const float off = (there.position - here.position).dot(here.normal);
       const float unlike =
           (there.normal - here.normal).squaredNorm() * inverse_normal + off * off * inverse_plane;
@@ -174,11 +183,13 @@ std::vector<Radiance> Filter::run() {
   m_guides.resize(count), m_albedo.resize(count), m_lights.resize(count);
   for_rows([&](int y) { prepare_row(y); });
   for_rows([&](int y) { measure_planes(y); });
+  // Each pass doubles the step.
   for (int pass = 0; pass < kNumPasses; ++pass) m_lights = smooth(m_lights, 1 << pass);
   std::vector<Radiance> out(count);
   for_rows([&](int y) {
     for (int x = 0; x < m_width; ++x) {
       const std::size_t i = at(x, y);
+      // The colour is given back to the matt light.
       out[i].colour = m_albedo[i].cwiseProduct(m_lights[i][0].colour) + m_lights[i][1].colour;
       out[i].coverage = m_image.pixels[i].coverage / float(m_image.samples);
     }

@@ -22,6 +22,7 @@ bool is_closed(const PictureMesh& mesh) {
   for (const Index3& t : mesh.triangles)
     for (int c = 0; c < 3; ++c) {
       const Index a = t[c], b = t[(c + 1) % 3];
+      // In a closed mesh each edge is run through as often in both directions.
       a < b ? ++edges[{a, b}] : --edges[{b, a}];
     }
   return std::all_of(edges.begin(), edges.end(), [](const auto& e) { return e.second == 0; });
@@ -56,10 +57,12 @@ std::vector<PathMaterial> path_materials(const DrawnMesh& mesh, double diagonal)
     out.push_back(material);
   }
   if (see_through) {
+    // Closed see-through meshes refract as glass; open ones are thin sheets.
     const Finish finish = is_closed(mesh) ? Finish::Glass : Finish::Thin;
     for (PathMaterial& m : out)
       if (m.alpha < 1) m.finish = finish;
   }
+  // Textures that cut out, or fade, make sheets of all that they cover.
   for (std::size_t m = 0; m < out.size(); ++m)
     if (transparency_of(mesh, m) != Transparency::None) out[m].finish = Finish::Thin;
   for (std::size_t m = 0; m < out.size() && mesh.has_details(); ++m)
@@ -88,6 +91,7 @@ Vec3f passed_by(const PathMaterial& m) {
 PathScene::PathScene(const PictureScene& scene, const PictureFrame& frame) {
   std::map<const PictureMesh*, std::size_t> known;
   for (const PictureObject& object : scene.objects) {
+    // Objects share the mesh that they share in the scene.
     const auto [entry, is_new] = known.emplace(object.mesh, m_meshes.size());
     if (is_new) add_mesh(*object.mesh);
     if (!m_meshes[entry->second].triangles.empty()) add_instance(object, entry->second, frame);
@@ -104,6 +108,7 @@ void PathScene::add_mesh(const PictureMesh& given) {
   out.diagonal = box.diagonal();
   if (out.diagonal > 0) out.scale = 1 / out.diagonal;
   for (const Vec3& v : mesh.vertices) {
+    // Meshes are scaled to about 1, and centred, where float32 has most digits.
     const Vec3 p = (v - out.centre) * out.scale;
     out.vertices.push_back(p.allFinite() ? Vec3f(p.cast<float>()) : Vec3f::Zero());
   }
@@ -111,6 +116,7 @@ void PathScene::add_mesh(const PictureMesh& given) {
   const auto normals = picture_normals(mesh);
   std::vector<Vec3f> passed;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    // Faces with a vertex that is not finite are left out, from all tables alike.
     const Index3& t = mesh.triangles[f];
     if (!std::all_of(t.begin(), t.end(), [&](Index v) { return mesh.vertices[v].allFinite(); }))
       continue;
@@ -118,6 +124,7 @@ void PathScene::add_mesh(const PictureMesh& given) {
     out.triangles.push_back(t);
     out.normals.push_back(normals[f]);
     out.material.push_back(m);
+    // Faces whose transparency varies pass all light here, and are asked at each hit.
     const bool varies = transparency_of(mesh, m) != Transparency::None;
     passed.push_back(varies ? Vec3f(Vec3f::Ones()) : passed_by(out.materials[m]));
     if (mesh.has_details()) out.look_face.push_back(static_cast<std::uint32_t>(f));
@@ -128,6 +135,7 @@ void PathScene::add_mesh(const PictureMesh& given) {
   }
   if (!out.triangles.empty())
     out.id = m_rays.add_mesh(out.vertices, out.triangles, passed, passed_at(out));
+  // Absorption that the model does not give follows from its colour.
   for (PathMaterial& m : out.materials)
     if (m.finish == Finish::Glass && m.absorbed.isZero())
       m.absorbed = -glass_colour(m).array().log().matrix() / float(kAbsorptionShare);
@@ -152,6 +160,7 @@ void PathScene::add_instance(const PictureObject& object, std::size_t mesh,
   Instance instance;
   instance.mesh = mesh;
   instance.linear = (pose.linear * (frame.scale / its.scale)).cast<float>();
+  // Cofactors carry normals through any linear map; a mirrored one turns them.
   instance.normal = cofactors(pose.linear).cast<float>();
   if (pose.linear.determinant() < 0) instance.normal = -instance.normal;
   instance.scale = std::cbrt(std::abs(instance.linear.determinant()));
@@ -174,6 +183,8 @@ float PathScene::bulge(const Instance& instance, const Mesh& mesh, std::uint32_t
     const Vec3f n = side * mesh.normals[face][k];
     lift -= weights[k] * std::min((local - mesh.vertices[t[k]]).dot(n), 0.0f) * n;
   }
+  // The bulge grows like its triangle, up to a bound, past which it falls off: coarse meshes stay
+  // near their triangles.
   const float height = instance.scale * lift.norm();
   return height > kMaxBulge ? kMaxBulge * kMaxBulge / height : height;
 }
@@ -199,12 +210,14 @@ void PathScene::apply_look(const Instance& instance, const FaceLook& look, const
   const Vec3f off = out.normal;
   Vec3f right = instance.linear * tangent.head<3>();
   Vec3f up = instance.linear * (tangent[3] * smooth.cross(tangent.head<3>()));
+  // The tangents are made perpendicular to the smooth normal.
   right = (right - right.dot(off) * off).normalized();
   up = (up - up.dot(off) * off - up.dot(right) * right).normalized();
   const Vec3f mapped = look.mapped_normal();
   // Seen from behind, bumps are dents.
   const float side = out.outside ? 1.0f : -1.0f;
   const Vec3f bent = side * (mapped.x() * right + mapped.y() * up) + mapped.z() * off;
+  // A normal that looks away from the face would light what the face hides.
   if (bent.allFinite() && bent.dot(out.face) > 0) out.normal = bent.normalized();
 }
 
@@ -224,15 +237,18 @@ SurfacePoint PathScene::surface(const RayPacket& rays, const HitPacket& hits, in
   const Vec3f across = (b - a).cross(c - a), front = instance.normal * across;
   const float length = front.norm();
   const Vec3f unit = length > 0 ? Vec3f(front / length) : Vec3f(-direction.normalized());
+  // The face is turned to the ray; `outside` tells whether its front is seen.
   out.outside = unit.dot(direction) <= 0;
   out.face = out.outside ? unit : Vec3f(-unit);
   Vec3f own = Vec3f::Zero();
+  // The corners' normals are mixed by the hit's place.
   for (int k = 0; k < 3; ++k) own += weights[k] * mesh.normals[face][k];
   Vec3f smooth = instance.normal * own;
   const float squared = smooth.squaredNorm();
   smooth = squared > 1e-12f ? Vec3f(smooth / std::sqrt(squared)) : out.face;
   out.normal = smooth.dot(out.face) < 0 ? Vec3f(-smooth) : smooth;
   const float side = smooth.dot(out.face) < 0 ? -1.0f : 1.0f;
+  // Rays start above the smooth surface, or shadows would show the triangles.
   out.start = out.position + bulge(instance, mesh, face, weights, side) * out.normal;
   if (mesh.look) {
     // Wider where it is met at a slant, by the area that it covers.

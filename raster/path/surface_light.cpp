@@ -55,6 +55,7 @@ float unmasked(float cosine, float a) {
 
 NextRay matt_ray(const SurfacePoint& at, Sampler::Pair u, float share) {
   const Tangents t = tangents(at.normal);
+  // The root makes directions as dense as their cosine, which leaves a plain weight.
   const float r = std::sqrt(u.x), phi = 2 * kFloatPi * u.y;
   NextRay next{NextRay::Kind::Matt, {}, {}, Vec3f::Constant(1 / share)};
   next.direction = (r * std::cos(phi) * t.x + r * std::sin(phi) * t.y +
@@ -72,11 +73,14 @@ std::optional<NextRay> mirrored_ray(const SurfacePoint& at, const Vec3f& to_eye,
   const Vec3f h = visible_normal(v.normalized(), a, u);
   const Vec3f world = h.x() * t.x + h.y() * t.y + h.z() * at.normal;
   const float vh = to_eye.dot(world);
+  // The ray is the view mirrored at the micro-surface's normal.
   NextRay next{NextRay::Kind::Bright, {}, 2 * vh * world - to_eye, {}};
   const float nl = next.direction.dot(at.normal);
+  // A ray into the surface is lost, as behind a facet.
   if (vh <= 0 || nl <= 0 || next.direction.dot(at.face) <= 0) return std::nullopt;
   const Vec3f f0 = mirrored_colour(at.material);
   const Vec3f f = f0 + (Vec3f::Ones() - f0) * fifth_power(1 - std::min(vh, 1.0f));
+  // The density of visible normals cancels all but Fresnel's share and the masking of the light.
   next.weight = f * (unmasked(nl, a) / share);
   next.from = lifted(at, next.direction);
   return next;
@@ -85,6 +89,7 @@ std::optional<NextRay> mirrored_ray(const SurfacePoint& at, const Vec3f& to_eye,
 // Fresnel's share of unpolarised light; 1 when all of it is reflected.
 float glass_reflects(float cosine, float ratio, float& refracted_cosine) {
   const float squared_sine = (1 - cosine * cosine) * ratio * ratio;
+  // Beyond the critical angle all light is reflected.
   if (squared_sine >= 1) return 1;
   refracted_cosine = std::sqrt(1 - squared_sine);
   const float p = (cosine - ratio * refracted_cosine) / (cosine + ratio * refracted_cosine);
@@ -100,9 +105,11 @@ NextRay glass_ray(const SurfacePoint& at, const Vec3f& to_eye, float choice) {
   NextRay next{NextRay::Kind::Bright, {}, {}, Vec3f::Ones()};
   // From outside, mirror images are traced more often than they are bright, for less noise.
   const float mirrored = at.outside && reflects < 1 ? std::max(reflects, kLeastMirrored) : reflects;
+  // The weight corrects the choice: its mean is that of an even-handed one.
   next.weight *= choice < mirrored ? reflects / mirrored : (1 - reflects) / (1 - mirrored);
   if (choice < mirrored) {
     next.direction = 2 * cosine * at.normal - to_eye;
+    // A smooth normal may send the ray into the face: the face's own normal is used then.
     if (next.direction.dot(at.face) < 0)
       next.direction = 2 * to_eye.dot(at.face) * at.face - to_eye;
     next.enters = !at.outside;  // stays inside
@@ -120,6 +127,7 @@ NextRay glass_ray(const SurfacePoint& at, const Vec3f& to_eye, float choice) {
 }  // namespace
 
 Vec3f lifted(const SurfacePoint& at, const Vec3f& direction) {
+  // Rays to the eye's side start at the smooth surface, others at the triangle.
   const float side = direction.dot(at.face) >= 0 ? 1.0f : -1.0f;
   const Vec3f from = side > 0 ? at.start : at.position;
   return from + at.face * (side * (kLiftOff + 4e-7f * from.cwiseAbs().maxCoeff()));
@@ -135,12 +143,14 @@ Tangents tangents(const Vec3f& n) {
 Reflected reflected(const SurfacePoint& at, const Vec3f& to_light, const Vec3f& to_eye) {
   Reflected out;
   const float nl = at.normal.dot(to_light);
+  // Light from behind the face or the smooth normal reaches nothing.
   if (nl <= 0 || at.face.dot(to_light) <= 0) return out;
   if (at.material.finish != Finish::Glass) out.matt = nl / kFloatPi;
   const Vec3f h = (to_light + to_eye).normalized();
   const float nv = std::max(at.normal.dot(to_eye), 1e-3f), nh = std::max(at.normal.dot(h), 0.0f);
   const float lh = std::clamp(to_light.dot(h), 0.0f, 1.0f);
   const float a = spread_of(at.material), a2 = a * a;
+  // The highlight's peak is bounded: lamps are small, and single samples would sparkle.
   const float d = nh * nh * (a2 - 1) + 1;
   const float both = nl + nv;
   const float masking = 0.5f / (2 * nl * nv * (1 - a) + both * a);
@@ -163,6 +173,7 @@ std::optional<NextRay> next_ray(const SurfacePoint& at, const Vec3f& to_eye, Sam
   }
   const Vec3f f0 = mirrored_colour(m);
   const float rest = 1 - std::max(m.roughness, 0.0f);  // rough surfaces mirror less at the edge
+  // Mirror and matt are chosen by their expected brightness, each often enough to be seen.
   const float fresnel = f0.mean() + (1 - f0.mean()) * fifth_power(1 - nv) * rest;
   const float matt = diffuse_albedo(m).mean();
   if (matt + fresnel <= 0) return std::nullopt;

@@ -15,6 +15,7 @@ constexpr float kFarthest = 1e6f;
 int texel_index(int i, int size, TextureWrap wrap) {
   if (wrap == TextureWrap::Clamp) return std::clamp(i, 0, size - 1);
   if (wrap == TextureWrap::Repeat) return ((i % size) + size) % size;
+  // Mirrored images repeat every two sizes.
   const int twice = 2 * size, at = ((i % twice) + twice) % twice;
   return at < size ? at : twice - 1 - at;
 }
@@ -52,6 +53,7 @@ Vec4f nearest(const DecodedImage& level, const TextureUse& use, const Vec2f& at,
 Vec2f texture_position(const TextureUse& use, const Vec2f& at) {
   Vec2f out;
   for (int r = 0; r < 2; ++r) {
+    // The file's transform, within the range that float32 can look up.
     const auto& row = use.transform[static_cast<std::size_t>(r)];
     out[r] = std::clamp(row[0] * at.x() + row[1] * at.y() + row[2], -kFarthest, kFarthest);
   }
@@ -65,10 +67,12 @@ Vec4f looked_up(const TextureImage& image, const TextureUse& use, const Vec2f& p
   const Vec2f& from =
       use.wrap_u == TextureWrap::Clamp || use.wrap_v == TextureWrap::Clamp ? position : at;
   const auto last = static_cast<float>(image.levels.size() - 1);
+  // The level is where a texel is about as wide as the ray's footprint.
   const float level = texels_across > 1 ? std::min(std::log2(texels_across), last) : 0;
   if (level <= 0)
     return use.nearest ? nearest(image.levels.front(), use, from, image.srgb)
                        : bilinear(image.levels.front(), use, from, image.srgb);
+  // Two levels are blended, so that no border shows between them.
   const auto fine = static_cast<std::size_t>(level);
   const float share = level - float(fine);
   Vec4f out = bilinear(image.levels[fine], use, from, image.srgb);
@@ -91,6 +95,7 @@ Vec4f FaceLook::lookup(const TextureUse& use) const {
     position += m_at.weights[k] * at[k];
   }
   const TextureImage& image = *m_look.images[static_cast<std::size_t>(use.image)];
+  // The face's area in texels, over its area in the scene, gives texels per width of the ray.
   const Vec2f a = at[1] - at[0], b = at[2] - at[0];
   const DecodedImage& finest = image.levels.front();
   const float texels = std::abs(a.x() * b.y() - a.y() * b.x()) * float(finest.width) *

@@ -60,11 +60,13 @@ PathTracer::PathTracer(const PictureScene& scene, const PinholeCamera& camera,
   m_sky_slope = lights.sky_colour(1).cwiseProduct(look.sky_colour).cast<float>() - m_sky_horizon;
   m_floor_colour = look.floor_colour.cast<float>();
   m_floor_z = static_cast<float>(m_frame.floor_z);
+  // The floor fades out in radii of the scene.
   const double radius = std::max(m_frame.radius, 0.05);
   m_fade_begin = float(kFadeBegin * radius), m_fade_end = float(kFadeEnd * radius);
 }
 
 void PathTracer::set_lens(const PinholeCamera& camera, const PictureLook& look) {
+  // Without an f-number the camera is a pinhole.
   if (look.f_number <= 0) return;
   const double focal_length = kSensorWidth * camera.fx / camera.width;
   m_lens_radius = static_cast<float>(m_frame.scale * focal_length / (2 * look.f_number));
@@ -74,6 +76,7 @@ void PathTracer::set_lens(const PinholeCamera& camera, const PictureLook& look) 
 
 Vec3f PathTracer::sky(const Vec3f& direction, bool mirrored) const {
   if (m_environment) return surroundings(direction);
+  // Light from below is dim where there is no floor.
   if (direction.z() < 0 && !m_has_floor) return Vec3f::Constant(kDimGround);
   const Vec3f light = m_sky_horizon + m_sky_slope * std::max(direction.z(), 0.0f);
   // Mirrors see no dark studio: a room would have walls that the key light lights.
@@ -90,11 +93,13 @@ Vec3f PathTracer::surroundings(const Vec3f& d) const {
 void PathTracer::start_path(Path& path, int x, int y, int sample) const {
   const auto pixel = static_cast<std::uint32_t>(std::int64_t(y) * m_camera.width + x);
   path.sampler = Sampler(pixel, static_cast<std::uint32_t>(sample));
+  // The pixel is met at a random place, which smooths edges.
   const Sampler::Pair u = path.sampler.next();
   const Vec3f ray(float((x + u.x - 0.5 - m_camera.cx) / m_camera.fx),
                   float((y + u.y - 0.5 - m_camera.cy) / m_camera.fy), 1);
   path.from = m_eye;
   path.direction = (m_frame_from_camera * ray).normalized();
+  // A point of the lens looks at the same point in focus.
   if (m_lens_radius > 0) {
     const Sampler::Pair at = path.sampler.next();
     const float r = m_lens_radius * std::sqrt(at.x), phi = 2 * std::numbers::pi_v<float> * at.y;
@@ -107,6 +112,7 @@ void PathTracer::start_path(Path& path, int x, int y, int sample) const {
 
 bool PathTracer::meets_floor(const Path& path, const HitPacket& hits, int lane,
                              float& distance) const {
+  // Rays that rise, or start below, never meet the floor.
   if (!m_has_floor || path.direction.z() > -1e-6f || path.from.z() < m_floor_z) return false;
   const bool is_hidden =
       hits.face[lane] != kNoFace &&
@@ -151,6 +157,7 @@ void PathTracer::leave(Path& path) const {
 // Notes the first surface that is seen; or the floor behind glass, which fades into the background.
 void PathTracer::note(Path& path, const SurfacePoint& at, bool on_floor) const {
   const float coverage = on_floor ? floor_coverage(at.position) : 1;
+  // Behind glass the floor fades into the background by its own coverage.
   if (path.has_seen) {
     if (!path.sees_background()) return;
     path.uncover((1 - coverage) * path.coverage);
@@ -177,16 +184,19 @@ float PathTracer::environment_share() const {
 void PathTracer::ask_environment(Path& path, const SurfacePoint& at, Sampler::Pair u) const {
   const EnvironmentMap::Drawn drawn = m_environment->draw(u);
   const auto c = static_cast<float>(m_path.look.environment_turn.x());
+  // The direction is turned back into the scene.
   const auto s = static_cast<float>(m_path.look.environment_turn.y());
   const Vec3f& d = drawn.direction;
   path.key_direction = Vec3f(c * d.x() - s * d.y(), s * d.x() + c * d.y(), d.z());
   const Reflected light = reflected(at, path.key_direction, -path.direction);
+  // The floor hides all light from below.
   path.asks_key = light.matt > 0 && !(m_has_floor && d.z() <= 0);
   if (!path.asks_key) return;
   path.asks_first = path.is_first();
   const auto strength = static_cast<float>(m_path.look.environment_strength);
   path.key_bright = Vec3f::Zero();
   path.key_matt = opacity_of(at) * strength * light.matt * path.weight.cwiseProduct(drawn.weight);
+  // The first surface's colour is kept apart: the filter works without it.
   if (!path.asks_first) path.key_matt = path.key_matt.cwiseProduct(diffuse_albedo(at.material));
   path.key_from = lifted(at, path.key_direction), path.key_end = kRayEnd;
 }
@@ -212,6 +222,7 @@ void PathTracer::ask_for_light(Path& path, const SurfacePoint& at) const {
   if (m_environment_share <= 0) return ask_lamps(path, at, u);
   if (m_environment_share >= 1) return ask_environment(path, at, u);
   const bool around = u.x < m_environment_share;
+  // The rest of the random number is even again for the chosen kind of light.
   const float chance = around ? m_environment_share : 1 - m_environment_share;
   u.x = std::clamp((around ? u.x : u.x - m_environment_share) / chance, 0.0f, 0x1.fffffep-1f);
   if (around)
@@ -227,6 +238,7 @@ void PathTracer::go_on(Path& path, const SurfacePoint& at) const {
   const auto next = next_ray(at, -path.direction, choice, at_random);
   path.on = next && next->direction.allFinite();
   if (!path.on) return;
+  // The first surface tells whether a path's light is matt or bright.
   if (path.is_first())
     path.matt = next->kind == NextRay::Kind::Matt;
   else if (next->kind == NextRay::Kind::Matt)
@@ -236,12 +248,14 @@ void PathTracer::go_on(Path& path, const SurfacePoint& at) const {
   path.from = next->from, path.direction = next->direction;
   if (at.material.finish == Finish::Glass)
     path.inside = next->enters, path.absorbed = at.material.absorbed;
+  // Textures are looked up more coarsely the more a path has spread.
   if (path.kind == NextRay::Kind::Matt)
     path.spread = std::max(path.spread, kMattSpread);
   else if (path.kind == NextRay::Kind::Bright)
     path.spread += kBrightSpread * at.material.roughness;
   const bool passes = path.kind == NextRay::Kind::Through || path.inside;
   if (passes) path.on = ++path.num_through < kMaxThrough;
+  // Passing through is no bounce: glass may have many faces.
   if (passes) return;
   ++path.num_bounces;
   if (path.kind == NextRay::Kind::Matt && !m_options.ambient_occlusion) return leave(path);
@@ -284,6 +298,7 @@ void PathTracer::advance(Path& path, const RayPacket& rays, const HitPacket& hit
   }
   if (at.material.emitted.maxCoeff() > 0)
     path.add((opacity_of(at) * path.weight).cwiseProduct(at.material.emitted));
+  // A surface is lit directly first, then by all that the path meets later.
   ask_for_light(path, at);
   go_on(path, at);
 }
@@ -292,6 +307,7 @@ void PathTracer::follow(std::array<Path, kRayLanes>& paths) const {
   const auto is_on = [](const Path& path) { return path.on; };
   while (std::any_of(paths.begin(), paths.end(), is_on)) {
     RayPacket rays{}, shadows{};
+    // All paths of a block go on together: one packet of rays, one of shadows.
     for (int i = 0; i < kRayLanes; ++i)
       if (paths[i].on) rays.set(i, paths[i].from, paths[i].direction, 0, kRayEnd);
     const HitPacket hits = m_scene.rays().first_hits(rays);
@@ -301,6 +317,7 @@ void PathTracer::follow(std::array<Path, kRayLanes>& paths) const {
       path.asks_key = false;
       if (path.on) advance(path, rays, hits, i);
       if (!path.asks_key || !m_options.shadows) continue;
+      // Shadows are asked only for light that would count.
       shadows.set(i, path.key_from, path.key_direction, 0, path.key_end);
       any_shadow = true;
     }

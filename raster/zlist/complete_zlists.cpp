@@ -71,6 +71,7 @@ Mat3 rows_of(const Projection& p) {
 
 Aabb extent_of(std::span<const Body> bodies, const Mat3& image_from_world) {
   Aabb out;
+  // All vertices count, as the window fits tightly.
   for (const Body& body : bodies) {
     const Mat3 linear = image_from_world * body.world_from_object.linear;
     const Vec3 shift = image_from_world * body.world_from_object.translation;
@@ -82,6 +83,7 @@ Aabb extent_of(std::span<const Body> bodies, const Mat3& image_from_world) {
 void set_window(const Aabb& extent, const ProjectionOptions& options, Projection& out) {
   Vec2 lower = extent.lower.head<2>(), upper = extent.upper.head<2>();
   if (options.region) lower = options.region->lower, upper = options.region->upper;
+  // Pixels smaller than rounding would tell nothing apart.
   const double least = kSmallestPixel * std::max(extent.max_abs_coordinate(), 1e-300);
   const Vec2 size = upper - lower;
   out.pixel = size.maxCoeff() / options.resolution;
@@ -122,6 +124,7 @@ std::vector<Index> all_of(std::span<const Body> bodies) {
 // Draws every face of a layer, on many threads, each with its own sink.
 template <class Sink, class Make>
 void draw_all(const Layer& layer, const View& view, int num_threads, Make make) {
+  // A thread draws a run of faces with a sink of its own.
   for_each_part(layer.num_faces(), num_threads, [&](size_t, size_t first, size_t last) {
     TriangleRaster raster(view);
     Sink sink = make();
@@ -139,12 +142,14 @@ class CountSink final : public SpanSink {
       : m_counts(counts), m_width(width), m_total(total), m_most(most) {}
   ~CountSink() { m_total += m_new; }
   void span(const Span& s) override {
+    // Threads share the counters, and add to them without order: sums do not depend on it.
     std::uint64_t* count = &m_counts[size_t(s.row) * m_width + s.first];
     for (int i = 0; i < s.count; ++i)
       std::atomic_ref(count[i]).fetch_add(1, std::memory_order_relaxed);
     m_new += static_cast<size_t>(s.count);
   }
   bool full() {
+    // The total is updated now and then, as threads would wait for each other otherwise.
     if (m_new >= kEntriesBetweenChecks) m_total += std::exchange(m_new, 0);
     return m_total.load(std::memory_order_relaxed) > m_most;
   }
@@ -164,6 +169,7 @@ class StoreSink final : public SpanSink {
       : m_layer(layer), m_width(width), m_next(next), m_items(items) {}
   void span(const Span& s) override {
     const Layer::FaceId id = m_layer.id(face);
+    // Each entry takes the next free place of its pixel.
     std::uint64_t* next = &m_next[size_t(s.row) * m_width + s.first];
     for (int i = 0; i < s.count; ++i) {
       const size_t at = std::atomic_ref(next[i]).fetch_add(1, std::memory_order_relaxed);
@@ -188,6 +194,7 @@ bool nearer(const ZListItem& a, const ZListItem& b) {
 // Sign for whether a line of sight enters at a face's front; MassProperties defines solids.
 signed char winding_of(const Shape& shape) {
   if (shape.mass.rule != MassRule::Volume) return 0;
+  // The signed volume tells whether faces run outwards or inwards.
   const Vec3 origin = shape.box.centre();
   double volume = 0;
   for (Index f = 0; f < static_cast<Index>(shape.mesh.triangles.size()); ++f) {
@@ -226,6 +233,8 @@ CompleteZLists::CompleteZLists(std::span<const Body> bodies, const ProjectionOpt
   require(num_pixels * sizeof(m_ends[0]) <= options.most_bytes,
           say("%1 need more than the %2 MiB allowed", size_text(), options.most_bytes >> 20));
   draw(options.most_bytes, threads);
+  // Entries of a pixel come in any order; sorting makes the result the same for all numbers of
+  // threads.
   for_each_part(num_pixels, threads, [&](size_t, size_t first, size_t last) {
     for (size_t i = first; i < last; ++i)
       std::sort(m_items.begin() + (i ? m_ends[i - 1] : 0), m_items.begin() + m_ends[i], nearer);
@@ -267,6 +276,7 @@ std::span<const ZListItem> CompleteZLists::list(int column, int row) const {
 }
 
 Crossing CompleteZLists::crossing(const ZListItem& item) const {
+  // Only a solid has an inside that a line of sight could enter.
   if (m_winding[item.body] == 0) return Crossing::Unknown;
   const Triangle t = m_bodies[item.body].triangle(static_cast<Index>(item.face));
   const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]);

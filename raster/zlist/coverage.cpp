@@ -37,11 +37,13 @@ Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, i
   m_last_row = floor_of(clamped(high.y() + half_y - 0.5, -1, height - 1));
   // Rows and columns of the box come first; the edges narrow each row.
   if (is_empty()) return;
+  // The area's sign tells which way round the corners run; edges then look inwards.
   const Vec2 e = p[1] - p[0], f = p[2] - p[0];
   const double signed_area2 = e.x() * f.y() - e.y() * f.x();
   const double sign = signed_area2 < 0 ? -1 : 1;
   m_area2 = sign * signed_area2;
   m_squared_size = std::max({e.squaredNorm(), f.squaredNorm(), (f - e).squaredNorm()});
+  // An edge reaches outwards by as much as a pixel's box does across it.
   for (int k = 0; k < 3; ++k) {
     const Vec2 d = sign * (p[(k + 1) % 3] - p[k]);
     m_edges[k] = {-d.y(), d.x(), p[k]};
@@ -54,6 +56,7 @@ Coverage::Coverage(const std::array<Vec2, 3>& p, double half_x, double half_y, i
 // Rounding may have flipped a degenerate triangle, and an edge of it to any direction: use a band
 // about the longest edge, which contains the third corner.
 void Coverage::use_longest_edge() {
+  // The longest edge is the best known direction of a sliver.
   int longest = 0;
   const auto squared = [&](int k) {
     return m_edges[k].a * m_edges[k].a + m_edges[k].b * m_edges[k].b;
@@ -67,6 +70,7 @@ void Coverage::use_longest_edge() {
 }
 
 Coverage::Columns Coverage::columns(int row, const std::array<double, 3>& reach) const {
+  // Each edge narrows the row's columns by where it crosses the row's centre.
   double first = m_first_column, last = m_last_column;
   for (int k = 0; k < 3; ++k) {
     const Edge& e = m_edges[k];
@@ -90,6 +94,7 @@ Coverage::Columns Coverage::inside(int row, double shrink) const {
 }
 
 std::array<double, 3> Coverage::shrunk(double shrink) const {
+  // The inside is shrunk by the rounding of pixels, so that centres in it are certain.
   std::array<double, 3> out;
   for (int k = 0; k < 3; ++k) out[k] = -shrink * (std::abs(m_edges[k].a) + std::abs(m_edges[k].b));
   return out;
@@ -103,6 +108,7 @@ void Coverage::rows(double shrink, std::vector<CoverageRow>& out) const {
   const int count = m_last_row - m_first_row + 1;
   if (out.size() < static_cast<std::size_t>(count)) out.resize(static_cast<std::size_t>(count));
   const std::span<CoverageRow> used(out.data(), static_cast<std::size_t>(count));
+  // Every row begins with the box's columns; each edge narrows all rows in turn.
   for (CoverageRow& row : used)
     row.from.setConstant(m_first_column), row.to.setConstant(m_last_column);
   for (int k = 0; k < 3; ++k) {

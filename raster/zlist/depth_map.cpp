@@ -22,6 +22,7 @@ bool draw_part(const Layer& layer, const View& view, size_t first, size_t last, 
 }  // namespace
 
 DepthMap::DepthMap(int w, int h) : width(w), height(h) {
+  // Empty pixels have limits that every face betters.
   const size_t n = static_cast<size_t>(w) * h;
   lower.assign(n, kFloatInfinity);
   upper.assign(n, -kFloatInfinity);
@@ -63,6 +64,7 @@ void DepthMap::add(const DepthMap& other) {
 bool draw_depth_map(const Layer& layer, const View& view, int num_threads, DepthMap& out,
                     FaceBoxes* boxes) {
   const size_t count = layer.num_faces(), parts = num_parts(count, num_threads);
+  // Each part of the faces has a map of its own.
   std::vector<DepthMap> maps(parts, DepthMap(view.width, view.height));
   std::vector<char> complete(parts);
   for_each_part(count, num_threads, [&](size_t part, size_t first, size_t last) {

@@ -48,6 +48,7 @@ DepthPicture::DepthPicture(const MotionDepths& depths) : m_depths(depths) {
                            {-u, v, false, true, false},
                            {u, -v, false, false, true},
                            {-v, -u, true, true, true}};
+  // The view that shows z, then y, upwards is the one that people know.
   const auto upright = [](const Turned& t) { return t.up.z() + 1e-3 * t.up.y(); };
   const Turned* const best =
       std::max_element(std::begin(turned), std::end(turned),
@@ -58,6 +59,7 @@ DepthPicture::DepthPicture(const MotionDepths& depths) : m_depths(depths) {
 }
 
 size_t DepthPicture::pixel(int x, int y) const {
+  // Pictures count rows from above, z-lists from below.
   const ZListFrame& frame = m_depths.frame;
   const int from_below = m_height - 1 - y;
   int column = m_transposed ? from_below : x, row = m_transposed ? x : from_below;
@@ -94,6 +96,7 @@ std::optional<double> DepthPicture::value(DepthShow show, int x, int y) const {
 
 std::optional<std::array<double, 2>> DepthPicture::range(DepthShow show) const {
   std::optional<std::array<double, 2>> out;
+  // The scale spans what is shown; gaps begin at zero.
   for (int y = 0; y < m_height; ++y)
     for (int x = 0; x < m_width; ++x)
       if (const auto depth = value(show, x, y))
@@ -122,6 +125,7 @@ void DepthPicture::paint_square(int x, int y, int magnify, const Rgb& colour,
 // The sides of a doubtful pixel towards others that are not; where pixels are small, also around
 // it.
 void DepthPicture::outline(int x, int y, int magnify, std::vector<std::uint8_t>& out) const {
+  // The outline is a third of a pixel wide, and drawn outside of small ones.
   const int inside = std::max(1, magnify / 3), outside = magnify < kLargeSquare ? 1 : 0;
   const bool left = !is_doubtful(x - 1, y), right = !is_doubtful(x + 1, y);
   const bool above = !is_doubtful(x, y - 1), below = !is_doubtful(x, y + 1);
@@ -151,6 +155,7 @@ std::vector<std::uint8_t> DepthPicture::paint(DepthShow show, int magnify) const
       if (!depth) continue;
       paint_square(x, y, magnify, scale_colour((*depth - (*shown)[0]) / span), out);
     }
+  // Outlines are drawn over all squares.
   for (int y = 0; y < m_height; ++y)
     for (int x = 0; x < m_width; ++x)
       if (is_doubtful(x, y)) outline(x, y, magnify, out);

@@ -55,6 +55,7 @@ bool ZListSearch::draw_doubtful(const std::vector<std::uint32_t>& pixels, Lists&
 bool ZListSearch::collect_moving_in(const std::vector<char>& mask, const Wanted& wanted,
                                     const View& view, DepthMap& map, std::vector<Fragment>& out) {
   bool overflow = false;
+  // Threads share the limit of fragments.
   const auto make = [&] {
     MaskedSink sink(mask, view);
     sink.most = m_options.most_fragments / static_cast<std::size_t>(m_options.num_threads);

@@ -83,16 +83,20 @@ class SmallFaces {
   /// small.
   Kind classify_turning(const Index3& t, bool centres, SmallFace& out) const {
     ImageVertex a = m_vertices[t[0]], b = m_vertices[t[1]], c = m_vertices[t[2]];
+    // Angles of one face are brought within half a turn of each other before their range is taken.
     unwrap(a, b), unwrap(a, c);
     ImageVertex low = a.min(b).min(c), high = a.max(b).max(c);
     const float arc = high[2] - low[2];
     const bool narrow = low[0] + m_first_radius > m_smallest_radius && arc < kLongestArc;
+    // A straight side bends towards the axis between its ends, by about r angle^2 / 8.
     if (narrow) low[0] -= (high[0] + m_first_radius) * arc * arc / 8;  // bulge
     low -= m_margin, high += m_margin;
+    // A face near the axis, or of a long arc, has no small box: its rows alone can leave it out.
     if (!narrow) return high[1] < m_low[1] || low[1] > m_high[1] ? Kind::Outside : Kind::Large;
     if ((high - m_low).min(m_high - low).head<2>().minCoeff() < 0) return Kind::Outside;
     if (!small_box(low, high, out)) return Kind::Large;
     if (centres && out.centres) return Kind::Large;
+    // The margin of angles is that of the face's first column: nearer the axis it is larger.
     const float margin = turning_margin(out.x0) - m_margin[2];
     out.lower -= margin;
     out.upper += margin;
@@ -195,6 +199,7 @@ bool draw_face(const Layer& layer, const SmallFaces& finder, const Wanted& wante
     return raster.draw(layer.corners(found.face), sink);
   }
   if constexpr (kTurning) {
+    // A small face of a rotation comes once for each whole turn that may meet the region's depths.
     raster.for_each_copy(found.lower - kCopyMargin, found.upper + kCopyMargin, [&](double shift) {
       SmallFace copy = found;
       copy.lower += static_cast<float>(shift);
@@ -229,12 +234,14 @@ bool draw_faces(const Layer& layer, const View& view, const Wanted& wanted, size
     const size_t end = std::min<size_t>(last, m.first_face + faces.size());
     SmallFace found{};
     for (size_t f = std::max<size_t>(first, m.first_face); f < end;) {
+      // Whole runs are skipped by the box that the first pass noted for them.
       const size_t run = f / FaceBoxes::kRun;
       const size_t run_end = boxes ? std::min(end, (run + 1) * FaceBoxes::kRun) : end;
       if (boxes && boxes->noted && finder.is_outside(boxes->low[run], boxes->high[run])) {
         f = run_end;
         continue;
       }
+      // Boxes are noted where every face is seen: passes with a stride are given none.
       const bool notes = boxes && !boxes->noted;
       ImageVertex low = ImageVertex::Constant(kFloatInfinity), high = -low;
       for (; f < run_end; f += stride) {

@@ -12,6 +12,8 @@ template <class Sink, class Make, class Done>
 bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, std::size_t stride,
                 int num_threads, Make make, Done done, FaceBoxes* boxes = nullptr) {
   const std::size_t count = layer.num_faces(), parts = num_parts(count / stride, num_threads);
+  // Each part has a sink of its own: no locks, and a result that does not depend on the order of
+  // threads.
   std::vector<Sink> sinks(parts, make());
   std::vector<char> complete(parts);
   for_each_part(
@@ -31,6 +33,7 @@ bool draw_parts(const Layer& layer, const View& view, const Wanted& wanted, std:
 /// the upper end.
 inline Wanted wanted_of(const std::vector<float>& lower, const std::vector<float>& upper, int width,
                         float later) {
+  // Pixels whose interval is empty, where nothing can be found any more, stay out of the region.
   Wanted out{kFloatInfinity, -kFloatInfinity, width, std::numeric_limits<int>::max(), -1, -1};
   for (std::size_t i = 0; i < lower.size(); ++i) {
     if (!(lower[i] <= upper[i])) continue;
@@ -42,6 +45,7 @@ inline Wanted wanted_of(const std::vector<float>& lower, const std::vector<float
     out.lower = std::min(out.lower, lower[i]);
     out.upper = std::max(out.upper, upper[i]);
   }
+  // The end grows by rounding too, as depths are added in float32.
   if (out.x1 >= 0) out.upper += later + 1e-6F * (std::abs(out.upper) + later);
   return out;
 }

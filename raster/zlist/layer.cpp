@@ -38,6 +38,7 @@ ImageVertex turning(const Eigen::Array4d& p, double first_radius, double low) {
 
 Layer::Layer(const ZListFrame& frame, std::span<const Body> bodies, std::span<const Index> chosen)
     : m_frame(frame) {
+  // Faces of all bodies are numbered in one row.
   for (const Index b : chosen) {
     m_members.push_back({b, &bodies[b], frame.pixels_from_object(bodies[b]), m_num_faces, {}});
     m_num_faces += static_cast<std::uint32_t>(bodies[b].shape->mesh.triangles.size());
@@ -46,11 +47,13 @@ Layer::Layer(const ZListFrame& frame, std::span<const Body> bodies, std::span<co
 
 void Layer::project(int num_threads) {
   const bool is_turn = m_frame.kind == Motion::Kind::Rotation;
+  // Angles are cut open opposite to the middle of the moving bodies.
   const double low = m_frame.moving_depth / 2 - kPi;
   for (Member& m : m_members) {
     const std::vector<Vec3>& from = m.source->shape->mesh.vertices;
     m.vertices.resize(from.size());
     std::vector<ImageVertex> largest(num_parts(from.size(), num_threads), ImageVertex::Zero());
+    // Parts keep their own maxima, which are joined in order.
     for_each_part(from.size(), num_threads, [&](size_t part, size_t first, size_t last) {
       ImageVertex high = ImageVertex::Zero();
       const Map map(m.pixels_from_object);
@@ -70,6 +73,7 @@ void Layer::project(int num_threads) {
 }
 
 const Layer::Member& Layer::member_of(std::uint32_t face) const {
+  // The body whose first face is the last one not above this face holds it.
   const auto after = [](std::uint32_t f, const Member& m) { return f < m.first_face; };
   return *(std::upper_bound(m_members.begin(), m_members.end(), face, after) - 1);
 }

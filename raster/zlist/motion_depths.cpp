@@ -33,6 +33,8 @@ class FixedFrontSink final : public SpanSink {
 
  private:
   void add(int pixel, float lower, float upper) {
+    // A fixed face wholly behind the moving one cannot be met; one that reaches behind it counts
+    // from its rear.
     const float rear = m_moving.empty_at(pixel) ? 0 : m_moving.lower[pixel];
     if (lower <= upper && upper >= rear)
       m_front[pixel] = std::min(m_front[pixel], std::max(lower, rear));
@@ -80,6 +82,7 @@ double MotionDepths::shown(double depth) const {
 
 std::optional<size_t> MotionDepths::pixel_of(const Vec3& world) const {
   if (frame.empty()) return std::nullopt;
+  // The point is projected as a vertex would be.
   const Vec3 p = frame.image_from_world * (world - frame.origin) / frame.pixel;
   const double column = turns() ? p.head<2>().norm() - frame.first_radius : p.x();
   const double row = turns() ? p.z() : p.y();
@@ -91,6 +94,7 @@ MotionDepths motion_depths(const FirstContactQuery& query, double horizon, int r
   MotionDepths out;
   out.frame = make_zlist_frame(query, horizon, resolution);
   if (out.frame.empty()) return out;
+  // Moving faces come first, as they tell which fixed ones lie behind.
   Layer moving(out.frame, query.moving, out.frame.moving);
   Layer fixed(out.frame, query.fixed, out.frame.fixed);
   moving.project(1);
@@ -98,6 +102,7 @@ MotionDepths motion_depths(const FirstContactQuery& query, double horizon, int r
   DepthMap map;
   out.complete = draw_depth_map(moving, View::whole(out.frame, true), 1, map);
   out.fixed_front.assign(map.upper.size(), kFloatInfinity);
+  // Times beyond the horizon do not count.
   SharedMinimum upper;
   const float reach = rounded_up(std::min(out.frame.reach, 1e30));
   upper.reset(reach);

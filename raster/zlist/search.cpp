@@ -24,6 +24,7 @@ constexpr size_t kManyFaces = 4096, kStride = 16;
 
 // Sorts by pixel and face; pieces of one face of a rotation are merged into one fragment.
 void sort_fragments(std::vector<Fragment>& list) {
+  // Fragments of one face are brought together, and in order of depth.
   std::sort(list.begin(), list.end(), [](const Fragment& a, const Fragment& b) {
     return std::tie(a.pixel, a.face, a.lower) < std::tie(b.pixel, b.face, b.lower);
   });
@@ -97,6 +98,7 @@ bool ZListSearch::draw_base(Lists& lists) {
 }
 
 void ZListSearch::sample_upper_bound(const View& view, const DepthMap& map) {
+  // The sample lowers the bound alone, and keeps no fragments.
   const auto make = [&] {
     FixedSink sink(map, m_upper);
     sink.keep = false;
@@ -136,6 +138,8 @@ bool ZListSearch::collect_moving(const View& view, const std::vector<Fragment>& 
   MovingSink::Limits limits{std::vector<float>(num_pixels, kFloatInfinity),
                             std::vector<float>(num_pixels, -kFloatInfinity)};
   const float upper = m_upper.get();
+  // A moving face counts in a pixel if it may reach one of the fixed fragments there within the
+  // bound.
   for (const Fragment& f : fixed) {
     limits.lower[f.pixel] = std::min(limits.lower[f.pixel], f.lower - upper);
     limits.upper[f.pixel] = std::max(limits.upper[f.pixel], f.upper);
@@ -240,6 +244,7 @@ bool ZListSearch::zoom(const View& view, int level, const Pixel& pixel) {
     }
     return complete;
   };
+  // Both sides are drawn as before, and the bound may sink by it.
   ZoomSink to_map(map, lists.moving);
   FixedSink to_list(map, m_upper);
   to_list.most = m_options.most_fragments;
@@ -274,6 +279,7 @@ bool ZListSearch::add_pairs(const Pixel& p) {
 
 // Keeps one candidate per pair, with its lowest bound; none beyond the upper bound.
 void ZListSearch::drop_duplicates() {
+  // Candidates that the bound has passed meanwhile are dropped first.
   const float upper = m_upper.get();
   std::erase_if(m_candidates, [&](const Candidate& c) { return c.bound > upper; });
   std::sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
@@ -302,6 +308,7 @@ CandidatePairs ZListSearch::proposal() {
            std::tie(b.not_before, b.moving, b.fixed, b.face_moving, b.face_fixed);
   });
   out.lower = out.pairs.empty() ? kInfinity : out.pairs.front().not_before;
+  // A bound that is still the horizon says that perhaps nothing touches.
   if (upper < m_frame.reach) out.upper = m_frame.time_after(upper);
   m_work.body_pairs = static_cast<std::int64_t>(m_frame.pairs.size());
   m_work.face_pairs = static_cast<std::int64_t>(out.pairs.size());

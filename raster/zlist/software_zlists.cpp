@@ -39,6 +39,7 @@ CandidatePairs SoftwareZLists::find_candidates(const FirstContactQuery& query, d
       m_options.resolution ? m_options.resolution : zlist_resolution_of_processors(query);
   const ZListFrame frame = make_zlist_frame(query, horizon, resolution);
   if (!frame.empty()) return ZListSearch(query, frame, m_options).run();
+  // Bodies that never meet leave nothing to propose: the motion is free.
   CandidatePairs nothing;
   nothing.usable = true;
   nothing.lower = kInfinity;

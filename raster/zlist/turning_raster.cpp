@@ -34,10 +34,12 @@ class TurningPlane {
     const double squared = std::max(
         {(c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm()});
     const double across = n.head<2>().norm();
+    // A plane across the axis has no angle; a thin piece has no plane.
     m_usable = n.norm() > 1e-5 * squared && across > 1e-4 * n.norm();
     if (!m_usable) return;
     m_normal_angle = fast_atan2(n.y(), n.x());
     m_slope = -n.z() / across;
+    // The line of the plane at height h is at the distance k(h) from the axis, which is linear.
     m_height = c[0].z();
     m_k = n.head<2>().dot(c[0].head<2>()) / across;
     m_error = 1e-9 * (largest_radius + std::sqrt(squared)) * (1 + std::abs(m_slope));
@@ -60,6 +62,7 @@ struct Cosines {
 };
 
 Cosines cosines(double k0, double k1, double r0, double r1) {
+  // The extreme cosines are at the nearest or farthest radius, depending on the sign of k.
   const double inf = kInfinity;
   const double low = k0 > 0 ? k0 / r1 : (r0 > 0 ? k0 / r0 : (k0 < 0 ? -inf : 0));
   const double high = k1 < 0 ? k1 / r1 : (r0 > 0 ? k1 / r0 : (k1 > 0 ? inf : 0));
@@ -80,6 +83,7 @@ struct Hull {
 Hull angles_in_cell(const Cosines& c, double q0, double q1) {
   Hull hull;
   if (c.low > 1 || c.high < -1) return hull;
+  // A cosine has two angles about the normal, on both sides of it, and those a turn farther.
   const double b0 = fast_acos(std::min(c.high, 1.0)) - kAngleError;
   const double b1 = fast_acos(std::max(c.low, -1.0)) + kAngleError;
   hull.add(b0, b1, q0, q1);
@@ -95,6 +99,7 @@ double only_angle(double cosine, double q0, double q1) {
   double found = kNotMet;
   int num = 0;
   for (const double x : {b, -b, kTurn - b}) {
+    // The error may put an angle just outside the piece's own.
     if (x < q0 - 1e-5 || x > q1 + 1e-5) continue;
     found = x;
     ++num;
@@ -113,17 +118,21 @@ double TriangleRaster::Piece::bulge() const {
 TriangleRaster::Piece TriangleRaster::make_piece(const Triangle& c) const {
   Piece out;
   out.corners = c;
+  // Radii of the corners bound those of the piece, but for the bulge of its sides.
   for (int k = 0; k < 3; ++k) out.radius[k] = c[k].head<2>().norm();
   out.largest_radius = std::max({out.radius[0], out.radius[1], out.radius[2]});
   const double least = std::min({out.radius[0], out.radius[1], out.radius[2]});
   out.size = std::sqrt(std::max(
       {(c[1] - c[0]).squaredNorm(), (c[2] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm()}));
   out.smallest_radius = std::max(0.0, least - out.size);
+  // A piece that is wide or at the axis has no range of angles.
   const double a = angle_between(c[0], c[1]), b = angle_between(c[0], c[2]);
   out.narrow =
       least > kTinyRadius && std::abs(a) < kWide && std::abs(b) < kWide && std::abs(a - b) < kWide;
   out.first_angle = out.last_angle = 0;
   if (!out.narrow) return out;
+  // The first corner's angle is the origin; the others are measured from it, so that no cut is
+  // crossed.
   const double start =
       wrapped(fast_atan2(c[0].y(), c[0].x()), m_view.frame->moving_depth / 2 - kPi);
   out.first_angle = start + std::min({0.0, a, b}) - 2 * kAngleError;
@@ -191,6 +200,7 @@ bool TriangleRaster::draw_turning(const Triangle& corners, SpanSink& sink) {
 }
 
 void TriangleRaster::draw_block(const Piece& p, Range angles, SpanSink& sink) {
+  // The block of a piece holds all radii and heights that it may have.
   const double scale = m_view.scale, margin = kRoundingPixels + m_growth;
   const double left = m_view.frame->first_radius + m_view.column;
   const auto [low, high] = std::minmax({p.corners[0].z(), p.corners[1].z(), p.corners[2].z()});
@@ -204,6 +214,7 @@ void TriangleRaster::draw_block(const Piece& p, Range angles, SpanSink& sink) {
   const int y1 =
       std::min(m_view.height - 1, pixel((high - m_view.row) * scale + margin, m_view.height));
   if (x0 > x1) return;
+  // Its depths are the same in all pixels.
   for (int i = x0; i <= x1; ++i) {
     const double grown = 1e-6 + (m_view.moving ? m_angle_growth[i] : 0);
     m_lower[i] = static_cast<float>(angles.lower - grown);
@@ -216,6 +227,8 @@ void TriangleRaster::draw_block(const Piece& p, Range angles, SpanSink& sink) {
 void TriangleRaster::draw_narrow(const Piece& piece, double shift, SpanSink& sink) {
   const double scale = m_view.scale, bulge = piece.bulge() * scale;
   const double left = m_view.frame->first_radius + m_view.column;
+  // The bulge bends the image towards the axis: half of it moves the piece, half of it widens the
+  // pixels.
   const double half_y = 0.5 + kRoundingPixels + m_growth, half_x = half_y + bulge / 2;
   std::array<Vec2, 3> p;
   for (int k = 0; k < 3; ++k)
@@ -229,6 +242,7 @@ void TriangleRaster::draw_narrow(const Piece& piece, double shift, SpanSink& sin
   const double q0 = wrapped(piece.first_angle - base, -kPi);
   const double q1 = q0 + piece.last_angle - piece.first_angle;
   const double offset = piece.first_angle - q0 + shift;
+  // Each row has one height, and so one line of the plane.
   for (int row = cover.first_row(); row <= cover.last_row(); ++row) {
     const Coverage::Columns columns = cover.touched(row);
     if (columns.first > columns.last) continue;
@@ -236,12 +250,14 @@ void TriangleRaster::draw_narrow(const Piece& piece, double shift, SpanSink& sin
     const double h = m_view.row + (row + 0.5) / scale, middle = plane.k(h);
     const double spread = plane.slope() * half_y / scale + plane.error();
     for (int i = columns.first; i <= columns.last; ++i) {
+      // Over the pixel's radii the cosine spans an interval, and with it the angle.
       const double r = left + (i + 0.5) / scale, half = half_y / scale;
       Hull hull{q0, q1};
       double centre = kNotMet;
       if (plane.usable()) {
         hull =
             angles_in_cell(cosines(middle - spread, middle + spread, r - half, r + half), q0, q1);
+        // The centre's angle is certain only inside, and if no other angle fits.
         if (i >= in.first && i <= in.last && plane.error() < kCentreError * r)
           centre = only_angle(middle / r, q0, q1);
       }

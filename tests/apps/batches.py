@@ -94,7 +94,7 @@ class BatchCase(Case):
         return [json.loads(line) for line in self.read(out + ".jsonl").splitlines()]
 
     def wait_until(self, condition, *processes, seconds=60):
-        """That these processes do not outlive it."""
+        """Waits for the condition, and asserts that these processes run until then."""
         deadline = time.monotonic() + seconds
         while not condition():
             for process in processes:
@@ -103,7 +103,7 @@ class BatchCase(Case):
             time.sleep(0.002)
 
     def assert_no_process_left(self):
-        """Of any process that works in this folder."""
+        """Asserts that no process works in this folder."""
         deadline = time.monotonic() + 5
         while time.monotonic() < deadline:
             left = []

@@ -66,7 +66,7 @@ def hollow(outer, inner):
 
 
 def box(x=1.0, y=1.0, z=1.0):
-    """Of these sizes, about the origin."""
+    """A box of these sizes, about the origin."""
     p = [(a * x / 2, b * y / 2, c * z / 2) for c in (-1, 1) for b in (-1, 1) for a in (-1, 1)]
     faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     return Solid(p, faces, x * y * z, 2 * (x * y + y * z + z * x), [0.0, 0.0, 0.0])

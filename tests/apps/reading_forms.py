@@ -324,7 +324,7 @@ def ranges():
 
 
 def left_out():
-    """What is left out is counted; what is not there is not made up."""
+    """Parts that are left out are counted; parts that are not there are not made up."""
     empty = mf.dae(CUBE).replace('<instance_geometry url="#g"/>', "")
     yield refused("e.dae", empty, "no triangle")
     yield row("c.dae", mf.dae(CUBE, more='<node id="k"><node id="l"><translate>5 0 0</translate></node></node>'), "")

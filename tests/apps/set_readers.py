@@ -75,7 +75,7 @@ def load_ply(file):
 
 
 def calc_2d_bbox(pixels):
-    """Of (x, y): as bop_toolkit's, whose width is the last minus the first."""
+    """Box of (x, y): as bop_toolkit's, whose width is the last minus the first."""
     xs, ys = [p[0] for p in pixels], [p[1] for p in pixels]
     return [min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys)] if xs else [-1, -1, -1, -1]
 

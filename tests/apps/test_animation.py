@@ -51,7 +51,7 @@ class Film:
         return [values[i:i + width] for i in range(0, len(values), width)]
 
     def position(self, name, time):
-        """Of the object's origin, z up."""
+        """Position of the object's origin, z up."""
         times, values = self.paths[name, "translation"]
         k = max([i for i, t in enumerate(times) if t <= time], default=0)
         x, y, z = values[k]

@@ -401,9 +401,15 @@ class Arrange(Case):
             self.assertEqual([s["status"] for s in scenes], ["ok", "ok"])
             self.assertNotEqual(scenes[0]["objects"], scenes[1]["objects"])
 
-    def test_published_schema_is_the_files(self):
-        with open(os.path.join(SOURCE_DIR, "ops/files/arrange/arrange.schema.json")) as file:
-            self.assertEqual(self.trivet("schema", "arrange")[0], file.read())
+    def test_published_schema_has_the_patterns_of_the_file_behind_the_relations(self):
+        with open(os.path.join(SOURCE_DIR, "ops/files/arrange/arrange.schema.in.json")) as file:
+            base = json.load(file)
+        published = json.loads(self.trivet("schema", "arrange")[0])
+        patterns = base["properties"]["relations"]["items"].pop("oneOf")
+        kinds = published["properties"]["relations"]["items"].pop("oneOf")
+        self.assertEqual(kinds[-len(patterns):], patterns)
+        self.assertGreater(len(kinds), len(patterns) + 12)
+        self.assertEqual(published, base)
 
 
 if __name__ == "__main__":

@@ -168,7 +168,7 @@ class Bytes(BatchCase):
 
 class Faults(BatchCase):
     def cpu_seconds_of(self, k):
-        """Of a process that makes scene k alone."""
+        """CPU seconds of a process that makes scene k alone."""
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.trivet("batch", "recipe.json", "--count", 20, "--only", k)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)

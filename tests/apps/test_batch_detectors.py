@@ -75,7 +75,7 @@ class Detectors(BatchCase):
         self.assert_same("one", "shot")
 
     def test_lost_devices_change_nothing(self):
-        """Of two workers one loses its device, for good or until there is a new context; see lost_gpu.c."""
+        """One of two workers loses its device, for good or until there is a new context; see lost_gpu.c."""
         if not self.has_gpu:
             self.skipTest("no OpenGL here")
         self.batch("bvh", "--detector", "bvh", count=COUNT)

@@ -98,7 +98,7 @@ class Exports(BatchCase):
 
 class Progress(BatchCase):
     def on_terminal(self, *arguments):
-        """What a terminal is shown, and the exit status."""
+        """The text on a terminal, and the exit status."""
         ours, theirs = pty.openpty()
         process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=theirs)
         os.close(theirs)

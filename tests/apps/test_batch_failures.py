@@ -114,7 +114,7 @@ class Clocks(FaultyCase):
 
 
 class Workers(FaultyCase):
-    """Of a scene that ends or holds its process."""
+    """Workers, of which one has a scene that ends or holds its process."""
     BAD = 13
 
     def faulty_scene(self, signal_number):
@@ -170,7 +170,7 @@ class Workers(FaultyCase):
 
 
 class Importers(BatchCase):
-    """Of models whose import crashes, hangs or wants all memory: nothing is begun."""
+    """Models whose import crashes, hangs or wants all memory: nothing is begun."""
 
     def assert_refused(self, says, *more, env=None):
         before = self.files()

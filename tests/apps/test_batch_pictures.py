@@ -85,7 +85,7 @@ class Pictures(BatchCase):
             self.assertFalse(os.path.exists(self.path("gl")))
 
     def test_images_are_those_of_render(self):
-        """Of a materialised scene, by the cameras that the labels tell."""
+        """Pictures equal those of a materialised scene, by the cameras that the labels tell."""
         self.pictures("p")
         members = self.members("p")
         scene = json.loads(members["000000001.json"])

@@ -237,6 +237,58 @@ class Usd(Exports):
         self.assertGreaterEqual(triangles, 4 * 12)
 
 
+class Readers(Exports):
+    """Programs of others read the same poses and masses, whatever the names are."""
+
+    NAMES = ["gr\u00fcne Tasse", "\u8336\u7897", "\u043a\u0443\u0431\u043e\u043a \u2615", "2\u00bd <cups> & \"more\""]
+
+    def laid_out(self):
+        objects = [SLAB] + [{"name": name, "model": "cube.obj"} for name in self.NAMES]
+        layout = self.layout(objects, [put(name, -0.6 + 0.4 * k, 0.02 * k, 1, [3, 1, 0, 2]) for k, name in enumerate(self.NAMES)])
+        self.trivet("run", layout, "-o", "s.glb")
+        self.trivet("export", "s.glb", "-o", "poses.csv")
+        return {r["name"]: r for r in csv.DictReader(io.StringIO(self.read("poses.csv").decode()))}
+
+    def read_by(self, script, file):
+        """Objects by their names in the file, as the program of npm reads them."""
+        folder = os.path.dirname(NODE_MODULES)
+        path = os.path.join(folder, script)
+        if not shutil.which("node") or not os.path.exists(path):
+            self.skipTest("needs Node.js and the packages of tests/interop (TRIVET_NODE_MODULES)")
+        shutil.copy(os.path.join(HERE, "..", "interop", "simulators", "mujoco.mjs"), folder)
+        done = subprocess.run(["node", path, self.path(file)], capture_output=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr.decode())
+        return {o["name"]: o for o in json.loads(done.stdout)["objects"]}
+
+    def same_as_written(self, script, file, fixed_have_mass=True):
+        rows = self.laid_out()
+        out, _ = self.trivet("export", "s.glb", "-o", file, "--json", "--density", 730)
+        seen = self.read_by(script, file)
+        for entry in json.loads(out)["objects"]:
+            self.assertIn(entry["file_name"], seen)
+            found, row = seen[entry["file_name"]], rows[entry["name"]]
+            for axis in "xyz":
+                self.assertAlmostEqual(found["position"][axis], float(row[axis]), delta=1e-6)
+            dot = sum(found["quaternion"][k] * float(row["q" + k]) for k in "wxyz")
+            self.assertAlmostEqual(abs(dot), 1, delta=1e-9)
+            if fixed_have_mass or not entry["fixed"]:
+                self.assertAlmostEqual(found["mass"] / entry["mass"], 1, delta=1e-6)
+        return seen
+
+    def check_letters(self, seen):
+        self.assertLessEqual({"gr\u00fcne_Tasse", "\u8336\u7897", "\u043a\u0443\u0431\u043e\u043a_\u2615"}, set(seen))
+
+    def test_mujoco(self):
+        self.check_letters(self.same_as_written("read_mjcf.mjs", "s.xml"))
+
+    def test_urdf_loader(self):
+        self.check_letters(self.same_as_written("read_urdf.mjs", "s.urdf"))
+
+    def test_tinyusdz(self):
+        seen = self.same_as_written("read_usda.mjs", "s.usda", fixed_have_mass=False)
+        self.assertLessEqual(set(self.NAMES), {o["given"] for o in seen.values()})
+
+
 class Tables(Exports):
     def rows(self, name):
         return list(csv.DictReader(io.StringIO(self.read(name).decode(), newline="")))

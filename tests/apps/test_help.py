@@ -135,7 +135,7 @@ class Examples(HelpCase):
                     self.run_line(line)
 
     def test_no_option_of_all_verbs_is_refused(self):
-        """What --help offers every verb, each accepts; detectors take turns, test_batch_detectors.py tries all."""
+        """Each verb accepts all that --help offers every verb; detectors take turns, test_batch_detectors.py tries all."""
         scene, texts = self.read("scene.glb"), {verb: self.help(verb) for verb in sorted(self.verbs())}
         for n, (verb, text) in enumerate(texts.items()):
             if verb in ("serve", "replay"):  # wait for clients; need a journal

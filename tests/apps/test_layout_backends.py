@@ -31,7 +31,7 @@ class Layouts(Case):
         self.assertEqual(len(scenes), 1)
 
     def check_report(self, report, way):
-        """What was asked for has answered."""
+        """The detector that was asked for has answered."""
         on_gpu = way in ("framebuffer", "compute")
         self.assertEqual(report["backend"], way if not on_gpu else "gpu" if self.has_gpu else "bvh")
         self.assertEqual(report["gpu_method"], way if on_gpu and self.has_gpu else "")

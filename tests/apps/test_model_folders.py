@@ -8,7 +8,7 @@ SECRET = "SECRET-7319"
 
 
 class ModelsSeeTheirFolder(Case):
-    """What lies outside a model's folder is neither read nor told of."""
+    """Files outside a model's folder are neither read nor told of."""
 
     def setUp(self):
         super().setUp()

@@ -1,4 +1,4 @@
-"""Nothing that a model or scene names is overwritten, by whatever writes files."""
+"""No file that a model or scene names is overwritten, by whatever writes files."""
 import json
 import os
 import struct

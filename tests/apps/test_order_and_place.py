@@ -49,7 +49,7 @@ class OrderAndPlace(Case):
         return objects, operations
 
     def run_layout(self, objects, operations):
-        """Whether each operation was done, and the poses."""
+        """Status of each operation, and the poses."""
         self.trivet("run", self.layout(objects, operations), "-o", "s.glb", "--report", "r.json", status=(0, 1))
         report = self.read_json("r.json")
         done = [o["status"] for o in report["operations"]]

@@ -11,7 +11,7 @@ import reading_more_forms
 
 class Kinds(Case):
     def outcome(self, numbered):
-        """Of a form in a folder of its own; None: it is read as it should be."""
+        """The failure of a form in a folder of its own; None: it is read as it should be."""
         number, form = numbered
         try:
             self.check(form, str(number) + "/")

@@ -170,6 +170,29 @@ class Repairing(ScenesCase):
         self.refused("settle", "in/scene.xml", "--root", ".", "-o", "deep/out/scene.xml",
                      says="outside the folder of the scene")
 
+    def test_layouts_and_scenes_of_ours_are_mended(self):
+        data = json.loads(self.read(self.two_cubes()))
+        data["operations"] = []
+        for one, x in zip(data["objects"][1:], (0, 0.096)):  # 4 mm in each other
+            one["position"] = [x, 0, 0.150002]
+        self.write("meant.json", json.dumps(data))
+        self.trivet("run", "meant.json", "-o", "refused.glb", status=1)
+        out, _ = self.trivet("mend", "meant.json", "-o", "mended.glb")
+        self.assertRegex(out, r"mend: [12] objects? moved\n")
+        self.assertIn("supports kept; poses were taken to be off by", out)
+        self.trivet("check", "mended.glb")
+        self.trivet("mend", "mended.glb", "-o", "again.glb", "--quiet")
+        out, _ = self.trivet("settle", "mended.glb", "-o", "third.glb")
+        self.assertIn("settle: 0 objects moved\n", out)
+        self.refused("mend", "meant.json", "--only", "nobody", "-o", "x.glb", says="no object")
+        self.refused("mend", "mended.glb", "--only", "nobody", "-o", "x.glb", says="nobody")
+        data["operations"] = [{"op": "mend", "tolerance": 0.01}]
+        self.write("steps.json", json.dumps(data))
+        self.trivet("run", "steps.json", "-o", "steps.glb", "--report", "steps_report.json")
+        repaired = json.loads(self.read("steps_report.json"))["operations"][0]["repaired"]
+        self.assertEqual(repaired["unable"], [])
+        self.assertEqual(repaired["supports_kept"], repaired["supports_meant"])
+
     def test_inputs_stay(self):
         self.refused("settle", "table.xml", "-o", "table.xml", says="table.xml")
         self.refused("mend", "cube.obj", "-o", "out.xml", says="accepted: MJCF")
@@ -189,6 +212,29 @@ class Joints(ScenesCase):
         self.assertTrue(self.checked("closed.xml")[0]["ok"])
         move = json.loads(self.trivet("joint", "closed.xml", "slide", "--by", "0.1", "-o", "ajar.xml", "--json")[0])
         self.assertEqual((move["end"], move["value"], move["carried"]), ("reached", 0.1, ["in the drawer"]))
+
+    def test_of_urdf_and_sdf(self):
+        for name, slide, cube in (("drawer.urdf", "slide", "cube"), ("drawer.sdf", "unit::slide", "cube")):
+            self.write(name, (CASES / name).read_bytes())
+            self.write(name + ".joints.json", (CASES / (name + ".joints.json")).read_bytes())
+            out, _ = self.trivet("joint", name)
+            self.assertIn('"%s": slide of' % slide, out)
+            self.assertIn("at 0.2 m of 0 to 0.3", out)
+            self.trivet("settle", name, "-o", "settled-" + name)
+            self.assertEqual(self.read("settled-%s.joints.json" % name).decode().split(), ['{', '"%s":' % (slide[:-5] + "lid"), '0.0,',
+                                                                                  '"%s":' % slide, '0.2', '}'])
+            out, _ = self.trivet("joint", "settled-" + name, slide, "--to", "lower", "-o", "closed-" + name)
+            self.assertIn('"%s" came along' % cube, out)
+            (verdict,) = self.checked("closed-" + name)
+            self.assertTrue(verdict["ok"])
+            self.assertIn("the values of joints are those of closed-%s.joints.json" % name, verdict["notes"])
+            self.refused("joint", "closed-" + name, slide, "--to", "0.1", "-o", "closed-" + name, says="overwritten")
+
+    def test_values_that_mimic(self):
+        self.write("cabinet.urdf", (CASES / "cabinet.urdf").read_bytes())
+        out, _ = self.trivet("joint", "cabinet.urdf")
+        self.assertIn('held: it follows "door"', out)
+        self.refused("joint", "cabinet.urdf", "door", "--to", "10", says='cannot be moved: "second" follows it')
 
     def test_wrong_words(self):
         self.refused("joint", "drawer.xml", "door", "--to", "0", says='accepted: "slide", "lid"')
@@ -227,7 +273,7 @@ class Hostile(ScenesCase):
     def test_changed_bytes_never_crash(self):
         random.seed(5)
         text = (CASES / "drawer.xml").read_bytes() + (CASES / "world.sdf").read_bytes()
-        for name in ("drawer.xml", "frames.xml", "cabinet.urdf", "world.sdf"):
+        for name in ("drawer.xml", "frames.xml", "cabinet.urdf", "world.sdf", "drawer.urdf", "drawer.sdf"):
             bytes_ = bytearray((CASES / name).read_bytes())
             for trial in range(25):
                 changed = bytearray(bytes_)
@@ -241,7 +287,7 @@ class Hostile(ScenesCase):
                         changed[at:at + random.randrange(40)] = text[begin:begin + length]
                 self.write("set/%s.%d%s" % (name, trial, os.path.splitext(name)[1]), bytes(changed))
         out, err = self.trivet("check", "set", status=(0, 1, 2))
-        self.assertIn("100 scenes", out, err)
+        self.assertIn("150 scenes", out, err)
 
 
 if __name__ == "__main__":

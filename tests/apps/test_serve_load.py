@@ -137,7 +137,7 @@ class Load(Served):
             self.assertIn([status], malice.statuses)
 
     def test_the_end_under_load_loses_nothing(self):
-        """What was sent a moment before the signal is answered; later it is answered or refused."""
+        """A request sent a moment before the signal is answered; a later one is answered or refused."""
         moment = 0.3  # seconds until the server has surely read a request
         problems, refusals, answers, end = [], [], [], {}
         line = {"do": [put("b", 0, 0.001 * i, 1) for i in range(20)]}
@@ -247,7 +247,7 @@ class Load(Served):
                          [(200, "ok")] * 3)
 
     def test_the_second_signal_cancels(self):
-        """What is computed, and what waits behind it."""
+        """The second signal cancels the request that is computed, and those that wait behind it."""
         line, answers = self.many_puts(1000), []
         with self.server("--threads", 1) as server:
             threads = [threading.Thread(

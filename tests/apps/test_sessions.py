@@ -5,6 +5,8 @@ from pathlib import Path
 from live_session import Live, SessionCase
 from program import SLAB, SOURCE_DIR, main, put
 
+CASES = Path(SOURCE_DIR) / "tests/core/io/foreign/cases"
+
 
 class Sessions(SessionCase):
     def test_a_dialogue(self):
@@ -112,7 +114,7 @@ class Sessions(SessionCase):
         self.assertEqual(again.end(), 0)
 
     def test_a_scene_of_another_program(self):
-        self.write("drawer.xml", (Path(SOURCE_DIR) / "tests/core/io/foreign/cases/drawer.xml").read_bytes())
+        self.write("drawer.xml", (CASES / "drawer.xml").read_bytes())
         live = Live(self.folder, "drawer.xml")
         self.assertEqual(len(live.ask(mend=True)["moved"]), 2)
         joint = live.ask(query="joints")["joints"][0]
@@ -133,6 +135,27 @@ class Sessions(SessionCase):
         self.assertEqual(live.end(), 0)
         self.trivet("check", "x.xml")
         self.refused("session", "drawer.xml", "--journal", "j", says="is of another program")
+
+    def test_objects_are_arranged_in_a_drawer(self):
+        for name, slide, drawer, thing in (("drawer.xml", "slide", "drawer", "sunk"), ("drawer.urdf", "slide", "drawer", "cube"),
+                                           ("drawer.sdf", "unit::slide", "unit::drawer", "cube")):
+            for file in (name, name + ".joints.json"):
+                if (CASES / file).exists():
+                    self.write(file, (CASES / file).read_bytes())
+            live = Live(self.folder, name)
+            live.ask(settle=True)
+            self.assertEqual(live.ask(move_joint=slide, to="upper")["end"], "reached")
+            things = {"op": "arrange", "things": [{"objects": thing}], "relations": [{"is": "in", "a": thing, "b": drawer}]}
+            answer = live.ask(**things)
+            self.assertEqual((answer["status"], answer["settled"]), ("ok", [thing]))
+            self.assertEqual([one["name"] for one in live.ask(query=thing)["held_by"]], [drawer])
+            move = live.ask(move_joint=slide, to=0.15)
+            self.assertEqual(move["end"], "reached")
+            self.assertIn(thing, move["carried"])
+            self.assertTrue(live.ask(query="check")["ok"])
+            live.ask(save="saved " + name)
+            self.assertEqual(live.end(), 0)
+            self.trivet("check", "saved " + name)
 
     def test_ids_come_back(self):
         live = Live(self.folder, self.start_layout())

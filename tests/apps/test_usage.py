@@ -88,7 +88,7 @@ class WrongUsage(Case):
 
 
 class NearestNames(Case):
-    """What is refused for its name offers the one that was meant."""
+    """A refusal of an unknown name offers the one that was meant."""
 
     def test_on_the_command_line(self):
         self.trivet("run", self.layout([SLAB, {"name": "mug", "model": "cube.obj"}],

@@ -1,4 +1,4 @@
-"""What the tests inside Blender share: the add-on enabled, scenes, and a judge of its own."""
+"""Things that the tests inside Blender share: the add-on enabled, scenes, and a judge of its own."""
 import os
 import sys
 
@@ -73,7 +73,7 @@ def shown_bodies(owner_of=lambda one: one):
 
 
 def scene_of(trivet, bodies, fixed, floor):
-    """What Blender shows as a scene of Trivet, each body about its own middle: to be judged by `check`."""
+    """The scene that Blender shows as one of Trivet, each body about its own middle: to be judged by `check`."""
     names, shapes, poses = [], [], []
     for name, (points, faces) in sorted(bodies.items()):
         middle = np.round(points.mean(axis=0))  # subtracts without an error that matters

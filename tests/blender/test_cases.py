@@ -31,7 +31,7 @@ def put(*objects):
 
 
 class Told(unittest.TestCase):
-    """What was not judged, or is not what will be rendered, is said."""
+    """The user is told of bodies that were not judged, or that will be rendered otherwise."""
 
     def setUp(self):
         support.clear()

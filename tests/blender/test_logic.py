@@ -183,7 +183,7 @@ class Backends(unittest.TestCase):
 
 
 class BothBackends:
-    """What must hold whichever is used."""
+    """Tests that must hold with either backend."""
 
     kind = ""
 

@@ -403,7 +403,7 @@ class ByProgram(unittest.TestCase):
 
 
 class Held(unittest.TestCase):
-    """What Blender or the artist holds stays, and is named."""
+    """Objects that Blender or the artist holds stay, and are named."""
 
     def test_by_locks_constraints_drivers_keys_and_links(self):
         support.clear()

@@ -1,4 +1,4 @@
-"""What of a scene the add-on sees, inside Blender: instances, hidden and linked objects, families, and broken meshes."""
+"""The add-on reads scenes inside Blender: instances, hidden and linked objects, families, and broken meshes."""
 import os
 import sys
 import tempfile

@@ -25,7 +25,7 @@ def cube(name, at, size=(1, 1, 1)):
 
 
 class Rounds(unittest.TestCase):
-    """Of an operator that a window would run."""
+    """Rounds of an operator that a window would run."""
 
     def operator(self, kind):
         """As an operator of a window, without one."""

@@ -71,7 +71,7 @@ def by_trivet(program, path):
 
 
 def by_three(folder, paths):
-    """Of all files at once: what it says of each."""
+    """Asks three.js about all files at once. Returns its answer by file."""
     run = subprocess.run(["node", "three_reader.mjs"], input="\n".join(paths) + "\n", cwd=folder, capture_output=True, text=True,
                          timeout=1200)
     lines = [line for line in run.stdout.splitlines() if line.startswith("{\"file\"")]  # loaders print, too
@@ -156,7 +156,7 @@ def verdict(name, path, three, own):
 
 
 def further_verdict(answer, own):
-    """What another reader says of a file, beside Trivet."""
+    """Compares another reader's answer about a file with Trivet's."""
     path, (found, _) = answer["file"], own
     try:
         other = surface_of(answer)

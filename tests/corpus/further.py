@@ -47,7 +47,7 @@ READERS = {"CGAL, OpenMesh": (by_mesh_readers, MESHES), "tinyobjloader": (by_tin
 
 
 def all_answers(paths, extension_of, folder):
-    """Of all readers that are installed; the others are named."""
+    """Answers of all readers that are installed; the others are named."""
     out = []
     for name, (reader, extensions) in READERS.items():
         found = reader([path for path in paths if extension_of(path) in extensions], folder)

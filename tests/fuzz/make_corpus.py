@@ -39,7 +39,7 @@ def ply(binary):
 
 
 def rich_obj():
-    """What else OBJ files have: continued lines, negative ids, weights, colours, polygons, curves."""
+    """An OBJ file with all else that the format has: continued lines, negative ids, weights, colours, polygons, curves."""
     return ("# c\nmtllib x.mtl y z.mtl\nv 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nv 0 1 0\nv .5 .25 0\n"
             "vt 0 0 0\nvn 0 0 1\no a\ng b c\ns off\nusemtl m\nf 1/1 2/1 3/1 5 4/1 # five\n"
             "f -5//1 \\\n-4//1 -3//1\nl 1 2 3\np 1\ncstype bezier\ncurv 0 1 1 2\nend\ncall q.obj\nf 5 1 2\n")

@@ -108,7 +108,7 @@ def described(trivet, file):
 
 
 def differences(plain, packed, quantum):
-    """What differs by more than the quantum allows."""
+    """Yields all that differs by more than the quantum allows."""
     size = max(plain["size"])
     error = 2 * quantum * size
     if packed["triangles"] != plain["triangles"]:

@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
 """Counts in documents and comments what can be counted: long lines and sentences, comments without a subject, histories.
     tests/prose/prose.py ROOT [--list]
-Prints a table, with --list each finding and the words of each page; the status is 1 where a count is above its limit."""
+Prints a table, with --list each finding, the words of each page and the comments of each folder of algorithms; the status is 1
+where a count is beyond its limit."""
+import ast
 import re
 import subprocess
 import sys
 from pathlib import Path
+
+import bodies
 
 ROOT = Path(sys.argv[1]).resolve()
 MOST_WORDS_OF_SENTENCE, MOST_COLUMNS = 30, 100
@@ -14,10 +18,11 @@ HISTORY = re.compile(r"\b20\d\d-\d\d-\d\d\b|\b(?=[0-9a-f]*\d)(?=[0-9a-f]*[a-f])[
 # Most words of a page.
 PAGES = [(re.compile(r"README\.md$"), 700), (re.compile(r".+/README\.md$"), 200), (re.compile(r"CONTRIBUTING\.md$"), 500)]
 MOST_WORDS_OF_READMES = 8000
+LEAST_COMMENTS_OF_BODIES = 8  # lines per 100 in bodies of functions of the algorithms
 # Histories are what these are for.
 DATED = ("CHANGELOG.md", "docs/measurements/", "docs/design/decisions.md", "perf/results/")
-LIMITS = {"comments that open without a subject": 0, "long lines in prose": 0, "long sentences": 0,
-          "pages above their limit of words": 0, "dates, hashes and loads": 0}
+LIMITS = {"comments that open without a subject": 0, "docstrings that open without a subject": 0, "long lines in prose": 0,
+          "long sentences": 0, "pages above their limit of words": 0, "dates, hashes and loads": 0}
 
 
 def tracked(*patterns):
@@ -38,6 +43,15 @@ def openings(name):
         if found and not inside and OPENING.match(found.group(1)):
             yield number, found.group(1)
         inside = bool(found)
+
+
+def docstrings(name):
+    """Docstrings that begin without a subject."""
+    for node in ast.walk(ast.parse(read(name))):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+            text = ast.get_docstring(node) or ""
+            if OPENING.match(text):
+                yield node.body[0].lineno, text.split("\n")[0]
 
 
 def prose(text):
@@ -67,6 +81,9 @@ def findings():
     for name in tracked("*.h", "*.cpp", "*.py", "*.sh"):
         for number, text in openings(name):
             yield "comments that open without a subject", f"{name}:{number}: {text}"
+    for name in tracked("*.py"):
+        for number, text in docstrings(name):
+            yield "docstrings that open without a subject", f"{name}:{number}: {text}"
     for name in tracked("*.md"):
         text = read(name)
         for pattern, most in PAGES:
@@ -84,6 +101,16 @@ def findings():
                     yield "dates, hashes and loads", f"{name}:{number}: {line.strip()}"
 
 
+def comments_of_algorithms():
+    """Lines of comments per 100 in bodies of functions, of each folder and of all."""
+    found = {}
+    for folder in bodies.ALGORITHMS:
+        counted = [bodies.counts(read(name)) for name in tracked(folder + "*.h", folder + "*.cpp")]
+        found[folder] = [sum(column) for column in zip(*counted)]
+    found["all"] = [sum(column) for column in zip(*found.values())]
+    return {folder: 100 * comments / lines for folder, (comments, lines) in found.items()}
+
+
 counts = dict.fromkeys(LIMITS, 0)
 for kind, text in findings():
     counts[kind] += 1
@@ -95,7 +122,13 @@ words = {name: len(read(name).split()) for name in tracked("*.md")}
 if "--list" in sys.argv:
     for name, count in words.items():
         print(f"{count:6}  words of {name}")
+rates = comments_of_algorithms()
+if "--list" in sys.argv:
+    for folder, rate in rates.items():
+        print(f"{rate:6.1f}  lines of comments per 100 in bodies of {folder}")
 words_of_readmes = sum(n for name, n in words.items() if name.endswith("README.md"))
 print(f"{words_of_readmes:6}  words of READMEs (at most {MOST_WORDS_OF_READMES})")
 print(f"{sum(n for name, n in words.items() if name.startswith('docs/')):6}  words of docs")
-sys.exit(words_of_readmes > MOST_WORDS_OF_READMES or any(counts[kind] > limit for kind, limit in LIMITS.items()))
+print(f"{rates['all']:6.1f}  lines of comments per 100 in bodies of the algorithms (at least {LEAST_COMMENTS_OF_BODIES})")
+sys.exit(words_of_readmes > MOST_WORDS_OF_READMES or rates["all"] < LEAST_COMMENTS_OF_BODIES
+         or any(counts[kind] > limit for kind, limit in LIMITS.items()))

@@ -60,7 +60,7 @@ FIVE_WAYS = "bvh,software,framebuffer,compute,auto"
 
 
 def is_as_asked(detector, report):
-    """Whether a report is of the detector that was asked for."""
+    """True if a report is of the detector that was asked for."""
     if detector in ("framebuffer", "compute"):
         return report["backend"] == "gpu" and report["gpu_method"] == detector
     return detector == "auto" or report["backend"] == detector

@@ -27,7 +27,7 @@ def run(trivet, layout, base, *options):
 
 
 def accepts(options, base, friction):
-    """Whether check and the referee accept the scene of `base`."""
+    """Verdicts of check and of the referee on the scene of `base`: true if accepted."""
     check = subprocess.run([options.trivet, "check", base + ".glb", "--quiet", "--friction", str(friction)],
                            check=False, capture_output=True)
     referee = subprocess.run([options.referee, base + ".report.json", "--layout", base + ".json", "--scene",

@@ -58,7 +58,7 @@ _found: dict = {}
 
 
 def find(kind: str = "AUTO", folder: str = "", program: str = "") -> Backend:
-    """What can be used; raises NoBackend. Found once for the same arguments."""
+    """The backend that can be used; raises NoBackend. Found once for the same arguments."""
     key = (kind, folder, program)
     if key not in _found:
         _found[key] = _find(*key)

@@ -125,12 +125,12 @@ def reach_of(body: Body) -> np.ndarray:
 
 
 def meets(boxes: np.ndarray, low: np.ndarray, high: np.ndarray) -> bool:
-    """Whether a box overlaps one of these. boxes : (k, 2, 3)"""
+    """True if a box overlaps one of these. boxes : (k, 2, 3)"""
     return bool(((boxes[:, 0] <= high) & (low <= boxes[:, 1])).all(axis=1).any())
 
 
 def holds(boxes: np.ndarray, low: np.ndarray, high: np.ndarray) -> bool:
-    """Whether a box is inside one of these."""
+    """True if a box is inside one of these."""
     return bool(((boxes[:, 0] <= low) & (high <= boxes[:, 1])).all(axis=1).any())
 
 
@@ -181,7 +181,7 @@ def rotation_about(axis: int, angle: float) -> np.ndarray:
 
 
 def is_sheared(matrix: np.ndarray) -> bool:
-    """Whether a matrix cannot be written as location, rotation and scale; to float32."""
+    """True if a matrix cannot be written as location, rotation and scale; to float32."""
     columns = matrix[:3, :3]
     lengths = np.linalg.norm(columns, axis=0)
     if not (lengths > 0).all():

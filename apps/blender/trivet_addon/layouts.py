@@ -21,7 +21,7 @@ class LayoutError(Exception):
 
 @dataclass(frozen=True)
 class Settings:
-    """What holds for a whole layout."""
+    """Settings that hold for a whole layout."""
 
     floor: bool = True
     clearance: float = 0.0  # metres; 0: 2^-20 of the scene's size
@@ -36,7 +36,7 @@ class Settings:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of an operation; false when nothing was done."""
+    """The end of an operation; false when nothing was done."""
 
     ok: bool
     code: str = ""
@@ -69,7 +69,7 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Status:
-    """How an object of a layout is."""
+    """State of an object of a layout."""
 
     state: str  # "unplaced", "fixed", "stable", "wedged", "held", "unsupported", "invalid"
     supports: Tuple[str, ...] = ()
@@ -128,7 +128,7 @@ def safe_names(names: Sequence[str]) -> dict:
 
 
 def near(bodies: Sequence[Body], about: set) -> list:
-    """Those of `about`, and others whose boxes overlap one of theirs."""
+    """The bodies of `about`, and others whose boxes overlap one of theirs."""
     boxes = {body.name: body.bounds() for body in bodies}
     wanted = [boxes[name] for name in about if name in boxes]
 

@@ -71,7 +71,7 @@ def _without_obstacles(stage, report) -> tuple:
 
 
 def remember(title: str, stage, report, judges_all: bool = False) -> None:
-    """What an operator told. judges_all : pairs of obstacles, too; else these are named once."""
+    """Keeps the result that an operator told. judges_all : pairs of obstacles, too; else these are named once."""
     global last
     verdict, notes = (report.verdict, []) if judges_all else _without_obstacles(stage, report)
     refused = dict(stage.refused)

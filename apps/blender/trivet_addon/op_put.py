@@ -23,7 +23,7 @@ _GAP = 8.0  # clearances above the point to which the mouse points
 
 
 def selected_in_object_mode(operator, context) -> bool:
-    """Whether it can run; tells why not by the operator's button."""
+    """True if the operator can run; tells why not by its button."""
     if in_object_mode(operator, context) and context.selected_objects:
         return True
     operator.poll_message_set("Select objects first" if context.mode == "OBJECT" else OBJECT_MODE)

@@ -27,7 +27,7 @@ class Pointing(Working):
     hint = ""
 
     def bodies(self, stage) -> list:
-        """Of the preview."""
+        """Bodies of the preview."""
         return stage.bodies
 
     def out(self, stage) -> list:
@@ -35,7 +35,7 @@ class Pointing(Working):
         return []
 
     def key(self, context, event) -> bool:
-        """Whether a key or the wheel changed the operator's properties."""
+        """True if a key or the wheel changed the operator's properties."""
         return False
 
     def invoke(self, context, event):
@@ -119,7 +119,7 @@ class Pointing(Working):
                 area.tag_redraw()
 
     def told(self, outcome) -> str:
-        """What the status line says of what would be done."""
+        """Text of the status line about the end of the preview."""
         return "comes to rest" + (f"; {', '.join(outcome.gave_way)} gives way" if outcome.gave_way else "")
 
     def held(self) -> dict:
@@ -177,7 +177,7 @@ class View:
 
 
 def surface_below(context, view: View, mouse, excluded, floor: bool):
-    """What is seen under the mouse, but for excluded objects; else the floor; None where there is neither."""
+    """The point seen under the mouse, but for excluded objects; else the floor; None where there is neither."""
     origin, direction = view.ray(mouse)
     depsgraph = context.evaluated_depsgraph_get()
     start = origin

@@ -52,7 +52,7 @@ class Reading:
         self.movers.add(owner)
 
     def remove(self, name: str) -> None:
-        """What was added."""
+        """Takes a body out again that was added."""
         self.bodies.remove(self._by_name.pop(name))
         owner = self.owners.pop(name)
         del self._names[owner]
@@ -107,7 +107,7 @@ def _owner_of(owner: bpy.types.Object, movers: set) -> bpy.types.Object:
 
 
 def _is_there(instance, shown: bpy.types.Object, movers: set, view) -> bool:
-    """Whether an instance of the depsgraph counts as a thing in the scene."""
+    """True if an instance of the depsgraph counts as a thing in the scene."""
     if not instance.show_self or instance.object.type not in SURFACES:
         return False
     if not instance.is_instance and not (shown.visible_get(viewport=view) if view else shown.visible_get()):
@@ -145,7 +145,7 @@ class _Meshes:
 
 
 def renders_otherwise(owner: bpy.types.Object) -> bool:
-    """Whether its surface is another one in renders than in the view."""
+    """True if its surface is another one in renders than in the view."""
     for one in owner.modifiers:
         levels = getattr(one, "levels", 0) if one.type in {"SUBSURF", "MULTIRES"} else 0
         if one.show_viewport != one.show_render or (one.show_render and levels != getattr(one, "render_levels", levels)):
@@ -158,7 +158,7 @@ def renders_otherwise(owner: bpy.types.Object) -> bool:
 
 
 def _is_beyond(instance, owner: bpy.types.Object, movers: set, reach: Optional[np.ndarray]) -> bool:
-    """Whether an instance that stays is too far away to matter."""
+    """True if an instance that stays is too far away to matter."""
     if reach is None or not instance.is_instance or owner in movers or settings_of(owner).role == "FREE":
         return False
     corners = np.array(instance.object.bound_box, np.float64) @ matrix_of(instance.matrix_world)[:3, :3].T
@@ -168,7 +168,7 @@ def _is_beyond(instance, owner: bpy.types.Object, movers: set, reach: Optional[n
 
 def read(context, movers: Iterable, *, together: Iterable = (), only: Optional[Iterable] = None, obstacles: str = "VISIBLE",
          most_faces: int = 0, reach: Optional[np.ndarray] = None) -> Reading:
-    """What is there.
+    """Reads the scene that Blender shows.
 
     movers : objects that move as one with what is below them
     together : of these the ones that move as one body, by the first of them

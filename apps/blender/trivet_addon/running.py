@@ -120,7 +120,7 @@ class Working:
         return {"RUNNING_MODAL"}
 
     def _wait(self, context, seconds: float):
-        """What the operator returns, once it is done; None if it is not within these seconds."""
+        """The operator's answer, once it is done; None if it is not within these seconds."""
         end = time.monotonic() + seconds
         while True:
             self._thread.join(max(0.0, end - time.monotonic()))
@@ -142,7 +142,7 @@ class Working:
         context.workspace.status_text_set(None)
 
     def _collect(self, context):
-        """What the operator returns; None if the work has begun again, see `finish`."""
+        """The operator's answer; None if the work has begun again, see `finish`."""
         error = self._thread.error
         if isinstance(error, Stopped) or self._work.progress.stopped:
             self.report({"INFO"}, "Stopped; all is as it was")

@@ -17,7 +17,7 @@ _MOST_TRIES = 12  # places for a copy that is dropped
 
 @dataclass(frozen=True)
 class Recipe:
-    """How to scatter.
+    """A way to scatter objects.
 
     pile : dropped from above, onto each other too; else each in a free place of its own, `keep` metres from others
     turn : "NONE", "UP" (about the vertical), "ANY"

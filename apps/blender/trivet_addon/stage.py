@@ -23,7 +23,7 @@ _CHANGED = 1e-3  # of a body's size: no rounding
 
 @dataclass(frozen=True)
 class Choices:
-    """What the preferences and the scene say."""
+    """Choices of the preferences and of the scene."""
 
     backend: object  # backends.Backend
     settings: Settings
@@ -67,7 +67,7 @@ class Stage:
         return read(self.context, movers, reach=self.reach, **asked)
 
     def hold_what_left(self, report: Report) -> bool:
-        """Whether something came to rest where instances were left out; it stays from now on."""
+        """Holds each body that came to rest where instances were left out. Returns true if there was one."""
         if self.reach is None:
             return False
         gone = []
@@ -82,7 +82,7 @@ class Stage:
 
     @property
     def notes(self) -> list:
-        """What the user should know of what was read."""
+        """Notes for the user about the objects that were read."""
         out = []
         if self.reading.left_out:
             out.append(f"Left out, with coordinates that are not finite: {few(self.reading.left_out)}")
@@ -222,7 +222,7 @@ def _insert_keys(owner) -> None:
 
 
 def _is_passive(owner) -> bool:
-    """Whether it stands still in Blender's own simulation."""
+    """True if an object stands still in Blender's own simulation."""
     return owner.rigid_body is not None and owner.rigid_body.type == "PASSIVE"
 
 

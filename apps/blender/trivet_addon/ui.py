@@ -106,7 +106,7 @@ class TRIVET_PT_object(_Panel, bpy.types.Panel):
 
 
 class TRIVET_PT_last(_Panel, bpy.types.Panel):
-    """What the last operation told."""
+    """Panel of the last operation's result."""
 
     bl_label = "Last result"
     bl_parent_id = "TRIVET_PT_main"

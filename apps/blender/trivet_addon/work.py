@@ -19,7 +19,7 @@ class Stopped(Exception):
 
 @dataclass
 class Report:
-    """What became of it: how far each body moved, and why others did not."""
+    """The end of the work: how far each body moved, and why others did not."""
 
     done: list = field(default_factory=list)  # names, in order
     refused: dict = field(default_factory=dict)  # name -> Outcome
@@ -32,7 +32,7 @@ class Report:
 
 
 class Progress:
-    """How far the work is; shared by the thread that works and the one that shows it."""
+    """Progress of the work; shared by the thread that works and the one that shows it."""
 
     def __init__(self) -> None:
         self.done, self.total, self.what = 0, 0, ""
@@ -98,7 +98,7 @@ class Put:
                 layout.close()
 
     def _round(self, layout: Layout, movers: Sequence[Body], staying: dict) -> bool:
-        """Whether to begin again."""
+        """Performs the operation for each mover. Returns true if all must begin again."""
         for number, body in enumerate(lowest_first(movers)):
             self.progress.at(number, len(movers), body.name)
             outcome = self._operation(layout, body)

@@ -21,7 +21,8 @@ namespace {
     QT_TRANSLATE_NOOP("operations", "ungroup"),  QT_TRANSLATE_NOOP("operations", "rename"),
     QT_TRANSLATE_NOOP("operations", "stand"),    QT_TRANSLATE_NOOP("operations", "unplace"),
     QT_TRANSLATE_NOOP("operations", "material"), QT_TRANSLATE_NOOP("operations", "arrange"),
-    QT_TRANSLATE_NOOP("operations", "drape")};
+    QT_TRANSLATE_NOOP("operations", "drape"),    QT_TRANSLATE_NOOP("operations", "mend"),
+    QT_TRANSLATE_NOOP("operations", "settle")};
 
 // Messages of the system about files.
 [[maybe_unused]] constexpr const char* kSystem[] = {
@@ -109,7 +110,8 @@ std::string label_of(const SessionStep& step) {
     return with_name(QCoreApplication::translate("operations", "%1 %n objects", nullptr, count),
                      in_words(name.c_str()));
   std::string out = in_words(name.c_str());
-  out.append(" \"").append(object_name(all.front())).append("\"");
+  if (!object_name(all.front()).empty())
+    out.append(" \"").append(object_name(all.front())).append("\"");
   if (same) return out;
   return QCoreApplication::translate("operations", "%1 and %2")
       .arg(QString::fromStdString(out), QString::fromStdString(in_words(op_name(all.back()))))

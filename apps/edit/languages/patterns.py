@@ -51,7 +51,7 @@ def end_of_group(text, begin):
 
 
 def literals(text):
-    """Those that are whole values of an expression, its choices and its lists; not those of calls in it."""
+    """The literals that are whole values of an expression, its choices and its lists; not those of calls in it."""
     out, i = [], 0
     while i < len(text):
         if text[i] == '"':

@@ -259,6 +259,14 @@
         <source>drape</source>
         <translation>drapieren</translation>
     </message>
+    <message>
+        <source>mend</source>
+        <translation>in Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>zur Ruhe bringen</translation>
+    </message>
 </context>
 <context>
     <name>refusal</name>
@@ -289,6 +297,10 @@
     <message>
         <source>a Radiance image with an exposure of %1</source>
         <translation>ein Radiance-Bild mit einer Belichtung von %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has parts that are turned inside out: its inertia is that of no body, and the nearest one is written</source>
+        <translation>„%1“ hat Teile, deren Innenseite außen liegt: Seine Trägheit hat kein Körper; die nächste wird geschrieben</translation>
     </message>
     <message>
         <source>&quot;%1&quot; encloses nothing: it weighs as a sheet of %2 metres, %3 kg</source>
@@ -1411,8 +1423,8 @@
         <translation>&quot;floor&quot; oder der Name eines von /objects%1</translation>
     </message>
     <message>
-        <source>&quot;format&quot; is %1; accepted: 2</source>
-        <translation>„format“ ist %1; erlaubt: 2</translation>
+        <source>&quot;format&quot; is %1; accepted: 3</source>
+        <translation>„format“ ist %1; erlaubt: 3</translation>
     </message>
     <message>
         <source>&quot;front&quot;, &quot;back&quot;, &quot;left&quot; or &quot;right&quot;</source>
@@ -3251,8 +3263,8 @@
         <translation>„to“ oder „by“</translation>
     </message>
     <message>
-        <source>a joint of a scene in MJCF: this scene has none</source>
-        <translation>ein Gelenk einer Szene in MJCF: diese Szene hat keines</translation>
+        <source>a joint of a scene in MJCF, URDF or SDF: this scene has none</source>
+        <translation>ein Gelenk einer Szene in MJCF, URDF oder SDF: diese Szene hat keines</translation>
     </message>
     <message>
         <source>a number, &quot;lower&quot;, &quot;upper&quot;</source>

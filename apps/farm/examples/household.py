@@ -99,7 +99,7 @@ def png(pixels):
 
 
 def label(ground, band, spots):
-    """Of a carton: a ground, a band across, and a pattern that has no symmetry."""
+    """The label of a carton: a ground, a band across, and a pattern that has no symmetry."""
     def pixel(x, y):
         if 10 <= y < 22:
             return band

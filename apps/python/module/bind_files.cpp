@@ -68,16 +68,18 @@ struct Snapshot {
   Layout layout;
   std::string model_folder;
   SettleOptions settle;
+  double clearance = 0;  // that files of it state
 };
 
 Snapshot snapshot(SharedScene& scene) {
   const SceneGuard guard(scene);
+  const double asked = scene.settle.clearance;
   return {scene.scene(), kept_layout(scene.session(), scene.settle), scene.opened().model_folder,
-          scene.settle};
+          scene.settle, asked > 0 ? asked : settled_clearance(scene.opened())};
 }
 
 SceneFileOptions file_options(const Snapshot& snapshot, const std::string& folder) {
-  return {TRIVET_VERSION, folder, snapshot.settle.clearance};
+  return {TRIVET_VERSION, folder, snapshot.clearance};
 }
 
 py::bytes bytes_of(const Snapshot& snapshot) {
@@ -93,7 +95,7 @@ Snapshot snapshot_of(const std::string& bytes, const std::string& importer) {
     SettleOptions settle = settle_options(RunOptions{}, file.layout.settle);
     settle.clearance = file.clearance;
     update_contacts(file.scene, file.clearance, settle);
-    return Snapshot{std::move(file.scene), std::move(file.layout), "", settle};
+    return Snapshot{std::move(file.scene), std::move(file.layout), "", settle, settle.clearance};
   });
 }
 

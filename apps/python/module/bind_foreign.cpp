@@ -10,6 +10,8 @@
 #include "ops/files/foreign/findings.h"
 #include "ops/files/foreign/joint_moves.h"
 #include "ops/files/foreign/repair_json.h"
+#include "ops/files/report/repaired.h"
+#include "ops/mend/mend.h"
 
 namespace trivet::python {
 namespace {
@@ -43,7 +45,7 @@ class Foreign {
       const SettledScene out =
           settle_scene(m_opened.judged.scene, how(options, only, lift, seconds, 0));
       keep(out);
-      return settled_json(m_opened.judged.scene, m_opened.judged.lift, out).dump();
+      return settled_json(out, m_opened.judged.lift).dump();
     });
   }
   std::string mend(const std::vector<std::string>& only, double tolerance, double seconds) {
@@ -51,7 +53,7 @@ class Foreign {
       const MendOptions with = how(options, only, MendOptions().most_lift, seconds, tolerance);
       const MendedScene out = mend_scene(m_opened.judged.scene, with);
       keep(out);
-      return mended_json(m_opened.judged.scene, m_opened.judged.lift, out).dump();
+      return mended_json(out, m_opened.judged.lift).dump();
     });
   }
   std::string joints() {

@@ -7,6 +7,7 @@
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
 #include "ops/files/report/json_parts.h"
+#include "ops/files/report/repaired.h"
 
 namespace trivet::python {
 namespace {
@@ -95,6 +96,7 @@ py::dict dict_of(const OperationResult& result) {
     out["start_shifted"] = tried->shifted;
     out["start_turned_deg"] = tried->turned_deg;
   }
+  if (result.repaired) out["repaired"] = repaired_json(*result.repaired).dump();
   if (result.refusal) add_refusal(*result.refusal, out);
   return out;
 }

@@ -148,7 +148,7 @@ def path(what: str, value: Any) -> str:
 
 
 def listed(what: str, value: Any, accepted: str) -> list[Any]:
-    """What may be iterated over, but for texts."""
+    """A list of anything that can be iterated over, but for texts."""
     if isinstance(value, (str, bytes)):
         raise refuse(what, short(value), accepted)
     try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass, field
 from importlib import import_module
 from typing import Any, NamedTuple, NoReturn, Optional
@@ -57,6 +58,8 @@ class Result:
         Of a `put`: which start it was; 1 is the one that was asked for.
     start_shifted, start_turned_deg : float
         Metres and degrees about the vertical of that start from the one that was asked for.
+    repaired : dict
+        Of `Scene.mend` and `Scene.settle_all`: what they return; None for other operations.
     """
 
     status: str
@@ -81,6 +84,7 @@ class Result:
     try_number: int = 1
     start_shifted: float = 0.0
     start_turned_deg: float = 0.0
+    repaired: Optional[dict[str, Any]] = None
 
     def __bool__(self) -> bool:
         return self.status == "ok"
@@ -93,6 +97,8 @@ class Result:
 
 def result_of(values: dict[str, Any]) -> Result:
     values["gave_way"] = tuple(GaveWay(*one) for one in values["gave_way"])
+    if "repaired" in values:
+        values["repaired"] = json.loads(values["repaired"])
     return Result(**values)
 
 

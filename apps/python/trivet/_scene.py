@@ -10,6 +10,7 @@ from . import _arrays, _trivet
 from ._drag import Drag
 from ._errors import NoSuchObject
 from ._files import Files
+from ._history import History
 from ._named import name_of
 from ._object import Object
 from ._pictures import Pictures
@@ -23,7 +24,7 @@ from ._snapshot import Snapshot
 from ._transaction import Transaction
 
 
-class Scene(Files, Pictures, Pours, Questions):
+class Scene(Files, History, Pictures, Pours, Questions):
     """Objects that never interpenetrate and lie at rest; gravity along -z.
 
     A mapping of names to objects, in the order of their addition. Any number of threads may use one scene: one at a time
@@ -236,6 +237,52 @@ class Scene(Files, Pictures, Pours, Questions):
         given = _arrays.mapping("problem", problem, "a dict, as trivet schema arrange has it")
         return self.perform([{"op": "arrange", **given}], budget=budget)
 
+    def mend(self, only: Iterable[Union[Object, str]] = (), tolerance: float = 0.0, *,
+             budget: float = 0.0) -> dict[str, Any]:
+        """Finds the nearest scene in which nothing interpenetrates, everything rests, and what stood on what still does.
+
+        One step of history. What is at rest stays, to the bit; what finds no place stays where it was, and is named.
+
+        Parameters
+        ----------
+        only : objects or names
+            Objects that may move; none: all that are free.
+        tolerance : float
+            Metres by which poses may be off; 0: found from the poses.
+        budget : float
+            Seconds for all; 0: those of `time_budget`. What is left then stays where it was.
+
+        Returns
+        -------
+        dict
+            "moved", each with "object", "from", "to" (metres), "metres", "degrees"; "unable", each with "object" and
+            "why"; "tolerance", "supports_meant", "supports_kept", "relations" (names lost and gained).
+        """
+        return self._repaired({"op": "mend", "only": only, "tolerance": tolerance}, budget)
+
+    def settle_all(self, only: Iterable[Union[Object, str]] = (), lift: float = 0.2, *,
+                   budget: float = 0.0) -> dict[str, Any]:
+        """Lets what floats or is sunk come to rest, the lowest first; one step of history.
+
+        Parameters
+        ----------
+        only, budget
+            As for `mend`.
+        lift : float
+            Largest height, metres, to lift an object before it is let go.
+
+        Returns
+        -------
+        dict
+            "moved" and "unable", as of `mend`.
+        """
+        return self._repaired({"op": "settle", "only": only, "lift": lift}, budget)
+
+    def _repaired(self, operation: dict[str, Any], budget: float) -> dict[str, Any]:
+        only = [operation["only"]] if isinstance(operation["only"], (str, Object)) else list(operation["only"])
+        result = self.perform([{**operation, "only": only}], budget=budget)
+        return result.repaired or {}
+
     def drape(self, name: str, *, size: Optional[ArrayLike] = None, path: Optional[ArrayLike] = None,
               of: Optional[Union[Object, str]] = None, position: Optional[ArrayLike] = None,
               wxyz: Optional[ArrayLike] = None, pins: Optional[ArrayLike] = None, budget: float = 0.0,
@@ -310,52 +357,6 @@ class Scene(Files, Pictures, Pours, Questions):
             For a ``with`` block.
         """
         return Drag(self, name_of("what", what, self), op, options)
-
-    # History.
-
-    def undo(self) -> bool:
-        """Take back the last step, to the bit; False when there is none."""
-        return self._scene.undo()
-
-    def redo(self) -> bool:
-        """Do again what was undone; False when there is nothing."""
-        return self._scene.redo()
-
-    @property
-    def can_undo(self) -> bool:
-        """True if there is a step to take back."""
-        return self._scene.can_undo
-
-    @property
-    def can_redo(self) -> bool:
-        """True if there is a step to do again."""
-        return self._scene.can_redo
-
-    @property
-    def steps(self) -> list[str]:
-        """Names of the operations that are done."""
-        return self._scene.steps()
-
-    def snapshot(self) -> Snapshot:
-        """The scene as it is now."""
-        return Snapshot(self._scene.snapshot())
-
-    def restore(self, snapshot: Snapshot) -> None:
-        """As it was then, to the bit; its history begins anew.
-
-        Parameters
-        ----------
-        snapshot : Snapshot
-            Of this scene or of another one.
-        """
-        if not isinstance(snapshot, Snapshot):
-            raise _arrays.refuse("snapshot", repr(snapshot), "a trivet.Snapshot")
-        self._scene.restore(snapshot._snapshot)
-
-    @property
-    def fingerprint(self) -> int:
-        """64 bits: the same for scenes of the same bits, their shapes apart."""
-        return self._scene.fingerprint()
 
     def __reduce__(self) -> Any:
         settle = self._scene.settle

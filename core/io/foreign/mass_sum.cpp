@@ -20,8 +20,10 @@ SolidMoments integrate(const Mesh& mesh, const Vec3& apex, MeshMass rule) {
     const Triangle t = mesh.triangle(f);
     const Vec3 a = t[0] - apex, b = t[1] - apex, c = t[2] - apex;
     const Vec3 sum = a + b + c;
+    // A shell weighs by its faces, a solid by the tetrahedra from the apex to them.
     const bool shell = rule == MeshMass::Shell;
     double m = shell ? (b - a).cross(c - a).norm() / 2 : a.dot(b.cross(c)) / 6;
+    // The legacy rule, which is the default of MuJoCo, counts all tetrahedra as positive.
     if (rule == MeshMass::Legacy) m = std::abs(m);
     measure += m;
     first += m / (shell ? 3 : 4) * sum;
@@ -30,6 +32,7 @@ SolidMoments integrate(const Mesh& mesh, const Vec3& apex, MeshMass rule) {
   SolidMoments out;
   out.volume = measure;
   if (!(std::abs(measure) > 0)) return out;
+  // Products are moved from the apex to the centre.
   const Vec3 centre = first / measure;
   out.centre = apex + centre;
   out.spread = second / measure - outer(centre);
@@ -55,6 +58,8 @@ SolidMoments cylinder_moments(double radius, double half) {
 
 SolidMoments capsule_moments(double radius, double half) {
   const double r2 = radius * radius;
+  // A capsule is a cylinder and two half balls, which are farther from the middle by their own
+  // centres.
   const double middle = 2 * std::numbers::pi * r2 * half;
   const double caps = 4.0 / 3 * std::numbers::pi * r2 * radius;
   const double across = middle * r2 / 4 + caps * r2 / 5;
@@ -65,6 +70,7 @@ SolidMoments capsule_moments(double radius, double half) {
 }
 
 SolidMoments mesh_moments(const Mesh& mesh, MeshMass rule) {
+  // The surface's centre is a better apex than the box's where tetrahedra count as positive.
   const SolidMoments surface = integrate(mesh, mesh.box().centre(), MeshMass::Shell);
   if (rule == MeshMass::Shell) return surface;
   const SolidMoments once = integrate(mesh, surface.centre, rule);
@@ -77,12 +83,14 @@ SolidMoments moments_of(const GivenMass& mass) {
   out.centre = mass.centre.value_or(Vec3::Zero());
   if (mass.inertia) {
     const Mat3 per_mass = *mass.inertia / mass.kilograms;
+    // The spread is that of a unit mass: half the trace in each axis, less the inertia.
     out.spread = 0.5 * per_mass.trace() * Mat3::Identity() - per_mass;
   }
   return out;
 }
 
 void MassSum::add(double kilograms, const SolidMoments& part, const Pose& pose) {
+  // Sums are about the origin: parts may come in any order.
   const Mat3 r = pose.rotation.matrix();
   const Vec3 centre = r * part.centre + pose.translation;
   m_kilograms += kilograms;
@@ -95,6 +103,7 @@ std::optional<GivenMass> MassSum::total() const {
   const Vec3 centre = m_first / m_kilograms;
   const Mat3 spread = m_second / m_kilograms - outer(centre);
   GivenMass out{m_kilograms, centre, {}};
+  // The inertia is about the common centre.
   const Mat3 inertia = m_kilograms * (spread.trace() * Mat3::Identity() - spread);
   out.inertia = 0.5 * (inertia + inertia.transpose());
   if (refuse_mass(out)) out.inertia.reset();  // flat or pointlike

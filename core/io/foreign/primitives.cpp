@@ -15,6 +15,7 @@ constexpr int kRoundSides = 408, kBallSides = 128;
 std::vector<Vec2> circle(int sides) {
   std::vector<Vec2> out;
   for (int k = 0; k < sides; ++k) {
+    // Angles go by rotations without libm: the same points on every machine.
     const Rotation r = turn_about(Vec3::UnitZ(), 360.0 * k / sides);
     out.emplace_back(r.w * r.w - r.z * r.z, 2 * r.w * r.z);
   }
@@ -43,6 +44,7 @@ class Revolution {
 
  private:
   void connect(Index low, bool low_is_pole, Index high, bool high_is_pole) {
+    // A ring meets the next one by two triangles a side, a pole by one.
     const auto n = static_cast<Index>(m_circle.size());
     for (Index k = 0; k < n; ++k) {
       const Index next = (k + 1) % n;
@@ -67,6 +69,7 @@ std::vector<Vec2> southern_profile(int sides) {
     const Vec2& p = points[static_cast<size_t>(k)];
     out.emplace_back(k == 0 ? 0 : p.y(), -p.x());
   }
+  // The equator is exact, whatever the last angle rounds to.
   out.back() = Vec2(1, 0);
   return out;
 }
@@ -84,6 +87,7 @@ Mesh box_mesh(const Vec3& half) {
 }
 
 Mesh ellipsoid_mesh(const Vec3& radii) {
+  // The northern half mirrors the southern: heights are the same bits.
   Revolution body(kBallSides);
   const std::vector<Vec2> south = southern_profile(kBallSides);
   for (const Vec2& p : south) body.add(p.x(), p.y());
@@ -112,6 +116,7 @@ Mesh hull_mesh(std::span<const Vec3> points) {
   const ConvexHull hull = convex_hull(points);
   Mesh out;
   if (hull.vertices.empty()) return out;
+  // Only corners of the hull are kept, in their order.
   std::vector<Index> new_id(points.size(), -1);
   Vec3 middle = Vec3::Zero();
   for (const Index v : hull.vertices) {
@@ -121,6 +126,7 @@ Mesh hull_mesh(std::span<const Vec3> points) {
   }
   for (const Index3& t : hull.triangles) {
     Index3 face{new_id[t[0]], new_id[t[1]], new_id[t[2]]};
+    // Triangles are turned to look away from the middle.
     const Triangle p{points[t[0]], points[t[1]], points[t[2]]};
     if ((p[1] - p[0]).cross(p[2] - p[0]).dot(p[0] - middle) < 0) std::swap(face[1], face[2]);
     out.triangles.push_back(face);

@@ -78,7 +78,8 @@ struct ForeignJoint {
   Vec3 axis = Vec3::UnitZ(), anchor = Vec3::Zero();  // world
   double value = 0;                                  // metres or degrees
   double lower = -kInfinity, upper = kInfinity;      // limits of it
-  size_t number = 0;                                 // in ForeignScene::numbers
+  size_t number = 0;                                 // in ForeignScene::numbers; else of the joint
+  Sentence held;                                     // why it cannot be moved; empty: it can
 };
 
 struct ForeignScene {
@@ -93,6 +94,7 @@ struct ForeignScene {
   size_t num_joints = 0;         // held as they are
   size_t num_faces = 0;          // see count_faces()
   std::vector<ForeignJoint> joints;
+  std::string values_file;  // that gave values of joints; empty: none
   // MJCF: all numbers of a keyframe as they stand, and where a first keyframe would be put into the
   // main file.
   std::vector<double> numbers;

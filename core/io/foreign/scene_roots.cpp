@@ -17,6 +17,7 @@ ModelFolder folder_itself(const fs::path& folder) { return ModelFolder((folder /
 SceneRoots::SceneRoots(const std::string& scene, const std::vector<std::string>& allowed)
     : m_folders{ModelFolder(scene)} {
   std::error_code error;
+  // The package that holds the scene may be read too: the first folder above with its file.
   for (fs::path at = fs::absolute(scene).parent_path(); at.has_relative_path();
        at = at.parent_path())
     if (fs::exists(at / "package.xml", error) || fs::exists(at / "model.config", error)) {

@@ -3,15 +3,15 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
-#include <set>
 
 #include "core/base/bad_input.h"
 #include "core/io/foreign/mass_sum.h"
 #include "core/io/foreign/mjcf/settings.h"
 #include "core/io/foreign/numbers.h"
 #include "core/io/foreign/primitives.h"
+#include "core/io/foreign/sdf_joints.h"
+#include "core/io/foreign/sdf_text.h"
 #include "core/io/foreign/uri.h"
-#include "core/io/text/words.h"
 
 namespace trivet {
 namespace {
@@ -20,24 +20,6 @@ constexpr int kMostNestedModels = 64;
 constexpr size_t kMostSdfFiles = 2000, kMostFrames = 20'000'000, kMostLinks = 5000;
 constexpr int kMostFramesInARow = 1000;
 constexpr std::uint32_t kAllBits = 0xffff;
-
-std::string trimmed_text(const XmlNode& node) {
-  std::string text = node.text;
-  std::replace_if(text.begin(), text.end(), is_line_end, ' ');
-  return std::string(trimmed(text));
-}
-
-std::string child_text(const XmlNode& node, const char* child, const std::string& otherwise) {
-  const XmlNode* const found = node.child(child);
-  return found ? trimmed_text(*found) : otherwise;
-}
-
-bool is_true(const std::string& text) { return text == "1" || text == "true"; }
-
-std::string sdf_name(const XmlNode& node) {
-  const std::string* const name = node.find("name");
-  return name ? *name : node.tag;
-}
 
 /// Names that poses may be relative to, inside a model or a world.
 struct Frame {
@@ -66,6 +48,10 @@ class SdfReader {
       if (node.tag == "world") read_world(node);
       if (node.tag == "model") read_model_in(node, Pose{}, "", {&node, Pose{}, {}}, 0);
     }
+    m_scene.values_file = joint_values_path(m_scene.files[0].path);
+    const JointValues values = read_joint_values(m_scene.values_file);
+    if (values.empty()) m_scene.values_file.clear();
+    add_tree_joints(std::move(m_joints), values, m_scene);
     std::erase_if(m_scene.bodies, [](const ForeignBody& b) { return b.colliders.empty(); });
     return std::move(m_scene);
   }
@@ -81,18 +67,15 @@ class SdfReader {
 
   XmlPlace place(const XmlNode& node) const { return {m_scene.files, node}; }
 
-  std::vector<double> numbers(const XmlNode& node, size_t least, size_t most) const {
-    return numbers_in(node.text, node.tag, place(node), least, most);
-  }
   double number(const XmlNode& node, const char* child, double otherwise) const {
-    const XmlNode* const found = node.child(child);
-    return found ? numbers(*found, 1, 1)[0] : otherwise;
+    return sdf_number(m_scene.files, node, child, otherwise);
   }
   Vec3 vec3(const XmlNode& node, const char* child, const Vec3& otherwise) const {
-    const XmlNode* const found = node.child(child);
-    if (!found) return otherwise;
-    const std::vector<double> n = numbers(*found, 3, 3);
-    return {n[0], n[1], n[2]};
+    return sdf_vec3(m_scene.files, node, child, otherwise);
+  }
+
+  std::vector<double> pose_numbers(const XmlNode& node, size_t count) const {
+    return numbers_in(node.text, node.tag, place(node), count, count);
   }
 
   Pose own_pose(const XmlNode& node) const {
@@ -101,7 +84,7 @@ class SdfReader {
     const std::string* const format = pose->find("rotation_format");
     const std::string* const in_degrees = pose->find("degrees");
     const bool quaternion = format && *format == "quat_xyzw";
-    const std::vector<double> n = quaternion ? numbers(*pose, 7, 7) : numbers(*pose, 6, 6);
+    const std::vector<double> n = quaternion ? pose_numbers(*pose, 7) : pose_numbers(*pose, 6);
     const Vec3 at(n[0], n[1], n[2]);
     if (quaternion) return {Rotation{n[6], n[3], n[4], n[5]}.normalized(), at};
     const double unit = in_degrees && is_true(*in_degrees) ? 1 : 180 / std::numbers::pi;
@@ -138,6 +121,8 @@ class SdfReader {
         const XmlNode* const model = included(node);
         if (model && !node.child("pose")) entry.extra = own_pose(*model);
         scope[child_text(node, "name", model ? sdf_name(*model) : "")] = entry;
+      } else if (node.tag == "joint") {
+        scope.emplace(sdf_name(node), entry);  // old files have links of the same name
       } else {
         scope[sdf_name(node)] = entry;
       }
@@ -180,7 +165,7 @@ class SdfReader {
   void read_world(const XmlNode& world) {
     Scope scope = scope_of(world, "world");
     if (const XmlNode* const gravity = world.child("gravity")) {
-      const std::vector<double> g = numbers(*gravity, 3, 3);
+      const Vec3 g = vec3(world, "gravity", Vec3::Zero());
       if (g[0] != 0 || g[1] != 0 || !(g[2] < 0))
         note_once(m_scene.unread,
                   say("gravity is \"%1\"; judged as if it acted along -z", trimmed_text(*gravity)));
@@ -222,19 +207,30 @@ class SdfReader {
     is_static = is_static || is_true(child_text(model, "static", "0"));
     Scope scope = scope_of(model, "__model__");
     const std::map<std::string, std::string> group = rigid_groups(model);
-    const bool joints = hangs_in_joints(model), several = num_groups_of(group) > 1;
+    const bool joints = hangs_in_joints(model);
     std::map<std::string, size_t> body_of;  // by group
     for (const XmlNode& link : model.children) {
       if (link.tag != "link") continue;
       const std::string key = group.at(sdf_name(link));
       if (!body_of.count(key)) {
         body_of[key] = m_scene.bodies.size();
-        m_scene.bodies.push_back(new_body(name, link, world, where, is_static, joints, several));
+        m_scene.bodies.push_back(new_body(name, link, world, where, is_static, joints));
       }
       add_link(link, composed(world, resolve(link, sdf_name(link), scope)), world, scope,
                m_scene.bodies[body_of[key]]);
     }
-    note_joints(model, body_of.size());
+    if (joints && !is_static) {
+      const SdfLinks links{name,
+                           world,
+                           has_model_axes(model),
+                           group,
+                           body_of,
+                           [&](const XmlNode& asking, const std::string& frame) {
+                             return composed(world, resolve(asking, frame, scope));
+                           },
+                           [&](const XmlNode& joint) { return joint_pose(joint, world, scope); }};
+      add_sdf_joints(model, links, m_scene, m_joints);
+    }
     read_models(model, world, name + "::", is_static, scope, depth + 1);
   }
 
@@ -267,27 +263,30 @@ class SdfReader {
     return false;
   }
 
-  void note_joints(const XmlNode& model, size_t num_groups) {
-    if (num_groups > 1)
-      for (const XmlNode& joint : model.children) m_scene.num_joints += joint.tag == "joint";
+  Pose joint_pose(const XmlNode& joint, const Pose& world, Scope& scope) {
+    const std::string base = relative_to(joint);
+    const Pose from = resolve(joint, base.empty() ? child_text(joint, "child", "") : base, scope);
+    return composed(world, composed(from, own_pose(joint)));
   }
 
-  static size_t num_groups_of(const std::map<std::string, std::string>& group) {
-    std::set<std::string> names;
-    for (const auto& [link, key] : group) names.insert(key);
-    return names.size();
+  // Up to version 1.4 axes of joints are in the model's frame.
+  bool has_model_axes(const XmlNode& node) const {
+    for (const auto& root : m_roots)
+      if (root->file == node.file)
+        if (const std::string* const version = root->find("version"))
+          return *version == "1.0" || *version == "1.2" || *version == "1.3" || *version == "1.4";
+    return false;
   }
 
-  // @param joints  the model has some. @param several  rigid groups of links.
+  // @param joints  the model has some.
   ForeignBody new_body(const std::string& name, const XmlNode& link, const Pose& world,
-                       const Place& where, bool is_static, bool joints, bool several) {
+                       const Place& where, bool is_static, bool joints) {
     ForeignBody out;
     out.name = m_unique(joints ? name + "::" + sdf_name(link) : name);
     out.fixed = is_static || joints;
     out.is_link = joints && !is_static;
     out.pose = world;
     out.weld = static_cast<int>(m_scene.bodies.size()) + 1;
-    if (joints && several) out.parent_weld = weld_of_first(name);
     if (out.fixed || !where.node || !where.why_not.empty()) {
       out.place.why_not = where.why_not.empty() ? Sentence("it does not move") : where.why_not;
       return out;
@@ -301,12 +300,6 @@ class SdfReader {
     return out;
   }
 
-  int weld_of_first(const std::string& name) const {
-    for (const ForeignBody& body : m_scene.bodies)
-      if (body.name.starts_with(name + "::")) return body.weld;
-    return -1;
-  }
-
   void add_link(const XmlNode& link, const Pose& at, const Pose& world, Scope& scope,
                 ForeignBody& body) {
     const Pose in_body = composed(inverse(world), at);
@@ -316,7 +309,7 @@ class SdfReader {
       const Pose from = base.empty() ? in_body : resolve(node, base, scope);
       add_collision(node, composed(from, own_pose(node)), body);
     }
-    if (!body.fixed) add_mass(link, in_body, body);
+    if (!body.fixed || body.is_link) add_mass(link, in_body, body);
   }
 
   void add_mass(const XmlNode& link, const Pose& in_body, ForeignBody& body) {
@@ -444,6 +437,7 @@ class SdfReader {
   std::vector<std::unique_ptr<XmlNode>> m_roots;
   std::map<const XmlNode*, const XmlNode*> m_included;
   UniqueNames m_unique;
+  std::vector<TreeJoint> m_joints;
   size_t m_num_frames = 0;  // in all scopes that were made
   int m_resolving = 0;      // frames on the way
 };

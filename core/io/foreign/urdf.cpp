@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/bad_input.h"
+#include "core/io/foreign/joint_tree.h"
 #include "core/io/foreign/mass_sum.h"
 #include "core/io/foreign/numbers.h"
 #include "core/io/foreign/primitives.h"
@@ -37,6 +38,10 @@ class UrdfReader {
       if (!m_joint_of.count(name)) walk(name, Pose{}, -1, {});
     if (m_num_placed != m_links.size())
       bad_file(m_path, "has joints in a circle; accepted: trees of links");
+    m_scene.values_file = joint_values_path(m_path);
+    const JointValues values = read_joint_values(m_scene.values_file);
+    if (values.empty()) m_scene.values_file.clear();
+    add_tree_joints(std::move(m_tree), values, m_scene);
     std::erase_if(m_scene.bodies, [](const ForeignBody& b) { return b.colliders.empty(); });
     return std::move(m_scene);
   }
@@ -73,9 +78,13 @@ class UrdfReader {
                             attribute(node, "type")};
       if (!m_joint_of.emplace(joint.child, joint).second)
         place(*child).refuse("link", joint.child, "a link that no other joint has as its child");
-      if (const std::string* const name = node.find("name")) m_joint_named[*name] = joint.child;
       m_children[joint.parent].push_back(joint.child);
     }
+    for (const XmlNode& node : root.children)
+      if (node.tag == "transmission")
+        for (const XmlNode& one : node.children)
+          if (const std::string* const name = one.tag == "joint" ? one.find("name") : nullptr)
+            m_driven.insert(*name);
     for (const auto& [child, joint] : m_joint_of)
       for (const std::string& name : {child, joint.parent})
         if (!m_links.count(name)) place(*joint.node).refuse("link", name, "the name of a link");
@@ -93,25 +102,51 @@ class UrdfReader {
       m_scene.bodies.push_back(new_body(name, pose, where));
     }
     add_content(*m_links.at(name), pose, m_scene.bodies[static_cast<size_t>(target)]);
-    for (const std::string& child : m_children[name]) {
-      const JointNode& joint = m_joint_of.at(child);
-      const XmlNode* const origin = joint.node->child("origin");
-      const Pose at = composed(composed(pose, origin_of(*joint.node)), value_of(joint));
-      const bool rigid = joint.type == "fixed";
-      PosePlace its;
-      if (joint.type == "floating") its = place_of(origin, pose);
-      walk(child, {at.rotation.normalized(), at.translation}, rigid ? target : -1, its, depth + 1);
-      if (!rigid && joint.type != "floating") ++m_scene.num_joints;
-    }
+    for (const std::string& child : m_children[name]) walk_child(child, pose, target, depth);
+  }
+
+  void walk_child(const std::string& child, const Pose& pose, int target, int depth) {
+    const JointNode& joint = m_joint_of.at(child);
+    const Pose at = composed(pose, origin_of(*joint.node));
+    const Pose its = {at.rotation.normalized(), at.translation};
+    if (joint.type == "fixed") return walk(child, its, target, {}, depth + 1);
+    const bool hangs = m_hangs.count(static_cast<size_t>(target)) != 0;
+    if (joint.type == "floating" && !hangs)
+      return walk(child, its, -1, place_of(joint.node->child("origin"), pose), depth + 1);
+    m_hangs.insert(m_scene.bodies.size());
+    ++m_scene.num_joints;
+    m_tree.push_back(tree_joint(joint, its, static_cast<size_t>(target)));
+    walk(child, its, -1, {}, depth + 1);
+  }
+
+  TreeJoint tree_joint(const JointNode& joint, const Pose& at, size_t parent) {
+    TreeJoint out;
+    const std::string* const name = joint.node->find("name");
+    out.name = name ? *name : "joint of " + joint.child;
+    out.child = m_scene.bodies.size();
+    out.parent = parent;
+    if (joint.type == "prismatic") out.kind = ForeignJoint::Kind::Slide;
+    if (joint.type == "revolute" || joint.type == "continuous")
+      out.kind = ForeignJoint::Kind::Hinge;
+    if (!out.kind)
+      note_once(m_scene.notes, say("the joint \"%1\" is of type %2: its link stays where it is",
+                                   out.name, joint.type));
+    out.axis = at.rotation.matrix() * axis_of(joint);
+    out.anchor = at.translation;
+    set_limits(joint, out);
+    out.mimic = mimic_of(joint);
+    out.driven = m_driven.count(out.name) != 0;
+    if (const XmlNode* const dynamics = joint.node->child("dynamics"))
+      out.friction = number_in(*dynamics, "friction", 0);
+    return out;
   }
 
   ForeignBody new_body(const std::string& name, const Pose& pose, const PosePlace& where) {
     ForeignBody out;
     out.name = name == "floor" ? "floor (link)" : name;
-    const auto joint = m_joint_of.find(name);
-    const bool root = joint == m_joint_of.end();
-    const bool floats =
-        root ? !m_options.fixed_base && name != "world" : joint->second.type == "floating";
+    const bool root = !m_joint_of.count(name);
+    const bool hangs = m_hangs.count(m_scene.bodies.size()) != 0;
+    const bool floats = root ? !m_options.fixed_base && name != "world" : !hangs;
     out.fixed = !floats || hangs_joints(name);
     out.is_link = out.fixed && !root;
     out.pose = pose;
@@ -119,17 +154,7 @@ class UrdfReader {
     if (out.place.kind == PosePlace::Kind::Nowhere)
       out.place.why_not = Sentence("URDF has no pose for it");
     out.weld = static_cast<int>(m_scene.bodies.size()) + 1;
-    if (!root && !floats) out.parent_weld = weld_of(joint->second.parent);
     return out;
-  }
-
-  int weld_of(std::string link) const {
-    for (auto joint = m_joint_of.find(link);
-         joint != m_joint_of.end() && joint->second.type == "fixed"; joint = m_joint_of.find(link))
-      link = joint->second.parent;
-    for (const ForeignBody& body : m_scene.bodies)
-      if (body.name == link) return body.weld;
-    return -1;
   }
 
   bool hangs_joints(const std::string& name, int depth = 0) const {
@@ -170,40 +195,32 @@ class UrdfReader {
     return out;
   }
 
-  double limit(const JointNode& joint, const char* name, double otherwise) const {
-    const XmlNode* const limits = joint.node->child("limit");
-    const std::string* const text = limits ? limits->find(name) : nullptr;
-    return text ? numbers_in(*text, name, place(*limits), 1, 1)[0] : otherwise;
+  double number_in(const XmlNode& node, const char* key, double otherwise) const {
+    const std::string* const text = node.find(key);
+    return text ? numbers_in(*text, key, place(node), 1, 1)[0] : otherwise;
   }
 
-  // Joints stay at 0, or at the limit next to it; those that mimic follow.
-  double number_of(const JointNode& joint, int depth) const {
-    if (const XmlNode* const mimic = joint.node->child("mimic"); mimic && depth < 32)
-      if (const auto other = m_joint_named.find(attribute(*mimic, "joint"));
-          other != m_joint_named.end()) {
-        const auto number = [&](const char* key, double otherwise) {
-          const std::string* const text = mimic->find(key);
-          return text ? numbers_in(*text, key, place(*mimic), 1, 1)[0] : otherwise;
-        };
-        return number("multiplier", 1) * number_of(m_joint_of.at(other->second), depth + 1) +
-               number("offset", 0);
-      }
-    if (joint.type == "continuous" || !joint.node->child("limit")) return 0;
-    return std::max(limit(joint, "lower", 0), std::min(0.0, limit(joint, "upper", 0)));
+  // Without a file of values joints are at 0, or at the limit next to it.
+  void set_limits(const JointNode& joint, TreeJoint& out) const {
+    const XmlNode* const limit = joint.node->child("limit");
+    if (!limit || joint.type == "continuous") return;
+    out.lower = number_in(*limit, "lower", 0), out.upper = number_in(*limit, "upper", 0);
+    out.value = std::max(out.lower, std::min(0.0, out.upper));
   }
 
-  Pose value_of(const JointNode& joint) const {
-    const bool slides = joint.type == "prismatic";
-    const bool turns = joint.type == "revolute" || joint.type == "continuous";
-    if (!slides && !turns) return {};
-    Vec3 axis = Vec3::UnitX();
-    if (const XmlNode* const node = joint.node->child("axis")) {
-      const std::vector<double> n = numbers_in(attribute(*node, "xyz"), "xyz", place(*node), 3, 3);
-      if (Vec3(n[0], n[1], n[2]).norm() > 1e-14) axis = Vec3(n[0], n[1], n[2]).normalized();
-    }
-    const double value = number_of(joint, 0);
-    if (value == 0) return {};
-    return slides ? Pose{{}, value * axis} : Pose{turn_about(axis, degrees(value)), Vec3::Zero()};
+  std::optional<MimicRule> mimic_of(const JointNode& joint) const {
+    const XmlNode* const mimic = joint.node->child("mimic");
+    if (!mimic) return std::nullopt;
+    return MimicRule{attribute(*mimic, "joint"), number_in(*mimic, "multiplier", 1),
+                     number_in(*mimic, "offset", 0)};
+  }
+
+  Vec3 axis_of(const JointNode& joint) const {
+    const XmlNode* const node = joint.node->child("axis");
+    if (!node) return Vec3::UnitX();
+    const std::vector<double> n = numbers_in(attribute(*node, "xyz"), "xyz", place(*node), 3, 3);
+    const Vec3 axis(n[0], n[1], n[2]);
+    return axis.norm() > 1e-14 ? axis.normalized() : Vec3::UnitX();
   }
 
   void add_content(const XmlNode& link, const Pose& pose, ForeignBody& body) {
@@ -211,7 +228,7 @@ class UrdfReader {
     for (const XmlNode& node : link.children)
       if (node.tag == "collision") add_collision(node, in_body, body);
     const XmlNode* const inertial = link.child("inertial");
-    if (inertial && !body.fixed) add_mass(*inertial, in_body, body);
+    if (inertial && (!body.fixed || body.is_link)) add_mass(*inertial, in_body, body);
   }
 
   void add_mass(const XmlNode& node, const Pose& in_body, ForeignBody& body) {
@@ -288,9 +305,11 @@ class UrdfReader {
   SceneRoots m_roots;
   ForeignScene m_scene;
   std::map<std::string, const XmlNode*> m_links;
-  std::map<std::string, JointNode> m_joint_of;       // by child
-  std::map<std::string, std::string> m_joint_named;  // the child, by the joint's name
+  std::map<std::string, JointNode> m_joint_of;  // by child
   std::map<std::string, std::vector<std::string>> m_children;
+  std::set<std::string> m_driven;  // joints with a transmission
+  std::set<size_t> m_hangs;        // bodies that hang in joints
+  std::vector<TreeJoint> m_tree;
   size_t m_num_placed = 0;
 };
 

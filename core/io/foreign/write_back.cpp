@@ -87,6 +87,7 @@ std::string value_of(const std::string& tag, const std::string& name) {
 }
 
 bool same_turn(const Rotation& a, const Rotation& b) {
+  // Quaternions of both signs are one turn.
   const auto differs = [&](double sign) {
     return std::max({std::abs(a.w - sign * b.w), std::abs(a.x - sign * b.x),
                      std::abs(a.y - sign * b.y), std::abs(a.z - sign * b.z)});
@@ -97,12 +98,14 @@ bool same_turn(const Rotation& a, const Rotation& b) {
 // The first three numbers of a text, 0 where it is empty, moved by what the body moved: a way that
 // does not go along an axis changes no bit of its number.
 Vec3 moved_position(const std::string& old, const ForeignBody& body, const Pose& pose) {
+  // The way is turned into the frame that the numbers are in.
   const Vec3 way = pose.translation - body.pose.translation;
   const Vec3 shift = body.place.world_from_place.rotation.matrix().transpose() * way;
   Vec3 out = Vec3::Zero();
   const std::vector<Word> words = words_of(old);
   for (size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<Index>(i);
+    // Numbers that the file lacks begin at zero.
     if (words.size() >= 3)
       out[k] = number_from(old.substr(words[i].begin, words[i].end - words[i].begin)).value_or(0);
     if (std::abs(shift[k]) > 1e-15 * way.norm()) out[k] += shift[k];
@@ -128,6 +131,7 @@ std::vector<double> roll_pitch_yaw(const Rotation& rotation) {
   const Mat3 m = rotation.matrix();
   const double level = std::sqrt(m(0, 0) * m(0, 0) + m(1, 0) * m(1, 0));
   const double pitch = angle_of(level, -m(2, 0));
+  // Right up or down, roll and yaw are one turn: all of it is roll.
   if (level < 1e-9) return {angle_of(m(1, 1), -m(1, 2)), pitch, 0};
   return {angle_of(m(2, 2), m(2, 1)), pitch, angle_of(m(0, 0), m(1, 0))};
 }
@@ -156,6 +160,7 @@ class Editor {
   }
 
   void edit(const ForeignBody& body, const Pose& pose) {
+    // A new keyframe holds all poses: tags stay as they are.
     if (m_has_new_key && body.place.kind == PosePlace::Kind::Tag)
       return set_numbers(body, pose, m_new_key);
     switch (body.place.kind) {
@@ -177,6 +182,7 @@ class Editor {
     std::vector<std::string> out;
     for (size_t f = 0; f < m_edits.size(); ++f) {
       std::string bytes = m_scene.files[f].bytes;
+      // Edits go from the last to the first, so that places before them stay.
       std::sort(m_edits[f].begin(), m_edits[f].end(),
                 [](const Edit& a, const Edit& b) { return a.begin > b.begin; });
       for (const Edit& e : m_edits[f]) bytes.replace(e.begin, e.end - e.begin, e.text);
@@ -192,6 +198,7 @@ class Editor {
   }
 
   static void set_numbers(const ForeignBody& body, const Pose& pose, JointNumbers& numbers) {
+    // A turn that has not changed keeps the file's digits.
     const bool turned = !same_turn(pose.rotation, body.pose.rotation);
     const std::vector<double> p = numbers_of(pose.translation), r = numbers_of(pose.rotation);
     for (size_t i = 0; i < 3; ++i) numbers[body.place.number + i] = p[i];
@@ -204,6 +211,7 @@ class Editor {
 
   void add_new_key() {
     if (!m_has_new_key) return;
+    // The new key begins as the scene stands.
     std::vector<double> numbers = m_scene.numbers;
     for (const auto& [i, value] : m_new_key) numbers.at(i) = value;
     m_edits[0].push_back({*m_scene.new_key, *m_scene.new_key,
@@ -217,6 +225,7 @@ class Editor {
       const std::string old = value_of(tag, "qpos");
       std::string value = old;
       const std::vector<Word> words = words_of(old);
+      // Words are replaced from the last to the first.
       for (auto it = changes.rbegin(); it != changes.rend(); ++it) {
         const Word& w = words.at(it->first);
         value.replace(w.begin, w.end - w.begin,
@@ -228,6 +237,7 @@ class Editor {
 
   void edit_tag(const ForeignBody& body, const Pose& pose) {
     const PosePlace& place = body.place;
+    // The tag's numbers are in the frame of its parent.
     const Pose local = composed(inverse(place.world_from_place), pose);
     const std::string tag = tag_at(place.file, place.begin);
     const bool urdf = m_scene.format == "URDF";
@@ -235,6 +245,7 @@ class Editor {
     const std::string key = urdf ? "xyz" : "pos", old = value_of(tag, key);
     const Vec3 position = moved_position(old, body, pose);
     const std::string text = with_numbers(old, numbers_of(position));
+    // A tag without a position gets one only if it moved.
     if (text != old && !(old.empty() && position.isZero(0))) changes = {{key, text}};
     if (!same_turn(pose.rotation, body.pose.rotation)) {
       const Rotation turn = local.rotation.normalized();
@@ -242,6 +253,7 @@ class Editor {
         changes.emplace_back("rpy", with_numbers(value_of(tag, "rpy"), roll_pitch_yaw(turn)));
       } else {
         changes.emplace_back("quat", with_numbers(value_of(tag, "quat"), numbers_of(turn)));
+        // One way to tell the turn is left: the others would contradict it.
         for (const char* other : {"euler", "axisangle", "xyaxes", "zaxis"})
           changes.emplace_back(other, "");
       }
@@ -253,6 +265,7 @@ class Editor {
   void edit_element(const ForeignBody& body, const Pose& pose) {
     const PosePlace& place = body.place;
     const Pose local = composed(inverse(place.world_from_place), pose);
+    // Without a <pose> the whole element is written.
     if (!place.element) {
       std::vector<double> numbers = numbers_of(local.translation);
       for (const double angle : roll_pitch_yaw(local.rotation)) numbers.push_back(angle);
@@ -263,6 +276,7 @@ class Editor {
     const XmlNode& node = *place.element;
     const std::string& bytes = m_scene.files[place.file].bytes;
     const std::string old = bytes.substr(node.content, node.end - node.content);
+    // Angles stay as they are written unless the body turned.
     std::vector<double> numbers = numbers_of(moved_position(old, body, pose));
     const std::vector<double> turn = same_turn(pose.rotation, body.pose.rotation)
                                          ? angles_that_stand(old)
@@ -312,6 +326,7 @@ class Editor {
 std::string with_numbers(const std::string& old, const std::vector<double>& numbers) {
   const std::vector<Word> words = words_of(old);
   std::string out = old;
+  // Another count of numbers is written anew, else only those words that changed.
   if (words.size() != numbers.size()) {
     out.clear();
     for (size_t i = 0; i < numbers.size(); ++i) out += (i ? " " : "") + shortest(numbers[i]);
@@ -329,6 +344,7 @@ std::string with_attributes(std::string tag,
                             const std::vector<std::pair<std::string, std::string>>& changes) {
   for (const auto& [name, value] : changes) {
     const auto at = find_attribute(tag, name);
+    // An empty value takes the attribute away.
     if (at && value.empty()) {
       tag.erase(at->begin, at->end - at->begin);
     } else if (at) {

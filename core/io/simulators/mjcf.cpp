@@ -13,7 +13,10 @@ using Element = tinyxml2::XMLElement;
 
 constexpr double kCornerRadius = 1e-5;  // metres
 constexpr size_t kContactsOfPair = 5, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 2000;
-constexpr const char *kSolref = "0.004 1", *kSolimp = "0.95 0.99 0.0001";
+/// Contacts by version: time constant and damping; stiffness near and beyond a depth.
+constexpr const char *kSolref2 = "0.004 1", *kSolimp2 = "0.95 0.99 0.0001";
+constexpr const char *kSolref3 = "0.004 3", *kSolimp3 = "0.995 0.9995 0.0001";
+constexpr double kSag = 5e-7;  // metres, half of what weights press contacts together
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
 
@@ -58,15 +61,16 @@ class MjcfWriter {
     Element* const world = add_child(root, "worldbody");
     add_child(world, "light", {{"pos", "0 0 3"}, {"dir", "0 0 -1"}, {"directional", "true"}});
     if (m_scene.floor)
-      add_child(world, "geom",
-                {{"name", "floor"},
-                 {"class", "collision"},
-                 {"type", "plane"},
-                 {"group", "2"},
-                 {"size", "0 0 1"},
-                 {"conaffinity", "3"},
-                 {"priority", priority_text(m_scene.floor_friction)},
-                 {"friction", friction_text(m_scene.floor_friction)}});
+      set_margin(add_child(world, "geom",
+                           {{"name", "floor"},
+                            {"class", "collision"},
+                            {"type", "plane"},
+                            {"group", "2"},
+                            {"size", "0 0 1"},
+                            {"conaffinity", "3"},
+                            {"priority", priority_text(m_scene.floor_friction)},
+                            {"friction", friction_text(m_scene.floor_friction)}}),
+                 m_scene.floor_gap);
     for (size_t i = 0; i < m_scene.bodies.size(); ++i)
       add_corners(add_body(world, m_scene.bodies[i]), i);
     return xml_text(m_document);
@@ -82,9 +86,23 @@ class MjcfWriter {
                                        {"gravity", "0 0 " + number_text(-m_scene.gravity)},
                                        {"cone", "elliptic"},
                                        {"impratio", m_version < 3 ? "10" : "100"}});
-    if (m_version < 3) option->SetAttribute("noslip_iterations", "5");
+    if (m_version < 3) {
+      option->SetAttribute("noslip_iterations", "5");
+    } else {  // the defaults are as coarse as Trivet's gaps
+      option->SetAttribute("ccd_iterations", "100");
+      option->SetAttribute("ccd_tolerance", "1e-09");
+    }
     Element* const flag = add_child(option, "flag", {{"multiccd", "enable"}});
     if (m_asleep) flag->SetAttribute("sleep", "enable");
+  }
+
+  const char* solref() const { return m_version < 3 ? kSolref2 : kSolref3; }
+  const char* solimp() const { return m_version < 3 ? kSolimp2 : kSolimp3; }
+
+  // Bodies rest across gaps, by which they would fall before MuJoCo finds a contact. The margins of
+  // two bodies add up to their gap, so that contacts bear from the first step.
+  void set_margin(Element* geom, double gap) const {
+    if (m_version >= 3) geom->SetAttribute("margin", number_text(gap / 2 + kSag).c_str());
   }
 
   void add_defaults(Element* root) {
@@ -94,8 +112,8 @@ class MjcfWriter {
               {{"type", "mesh"},
                {"group", "3"},
                {"condim", "4"},
-               {"solref", kSolref},
-               {"solimp", kSolimp}});
+               {"solref", solref()},
+               {"solimp", solimp()}});
     if (m_version < 3)
       add_child(add_child(all, "default", {{"class", "corner"}}), "geom",
                 {{"type", "sphere"},
@@ -104,8 +122,8 @@ class MjcfWriter {
                  {"contype", "2"},
                  {"conaffinity", "0"},
                  {"condim", "4"},
-                 {"solref", kSolref},
-                 {"solimp", kSolimp}});
+                 {"solref", solref()},
+                 {"solimp", solimp()}});
     add_child(add_child(all, "default", {{"class", "visual"}}), "geom",
               {{"type", "mesh"}, {"group", "2"}, {"contype", "0"}, {"conaffinity", "0"}});
   }
@@ -188,11 +206,12 @@ class MjcfWriter {
                  {"mesh", mesh_name(visual.file, files.scale)},
                  {"material", stem(visual.file)}});
     for (const std::string& part : files.parts)
-      add_child(element, "geom",
-                {{"class", "collision"},
-                 {"mesh", mesh_name(part, files.scale)},
-                 {"priority", priority_text(body.friction)},
-                 {"friction", friction_text(body.friction)}});
+      set_margin(add_child(element, "geom",
+                           {{"class", "collision"},
+                            {"mesh", mesh_name(part, files.scale)},
+                            {"priority", priority_text(body.friction)},
+                            {"friction", friction_text(body.friction)}}),
+                 body.gap);
     return element;
   }
 

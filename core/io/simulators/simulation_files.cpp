@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "core/base/hash.h"
+#include "core/base/printable.h"
 #include "core/io/appearance.h"
 #include "core/io/simulators/looked_files.h"
 
@@ -151,27 +152,41 @@ namespace {
 
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
 
-std::string valid_name(const std::string& name, bool dashes) {
+/// A digit or the like: names do not begin with it.
+bool is_ascii_sign(char c) { return static_cast<unsigned char>(c) < 0x80 && !is_letter(c); }
+
+/// XML has no controls, and no U+FFFE and U+FFFF.
+bool is_printed(const std::string& character) {
+  return printable(character) == character && character != "\xef\xbf\xbe" &&
+         character != "\xef\xbf\xbf";
+}
+
+std::string valid_name(const std::string& name, NameRule rule) {
+  const bool in_xml = rule == NameRule::Xml;
   std::string out;
-  for (const char c : name) {
-    const bool keep = is_letter(c) || ('0' <= c && c <= '9') || (dashes && (c == '-' || c == '.'));
-    out += keep ? c : '_';
+  for (size_t at = 0; at < name.size();) {
+    const char c = name[at];
+    const size_t length = std::max<size_t>(utf8_length(name, at), 1);
+    const std::string character = name.substr(at, length);
+    const bool is_plain = is_letter(c) || ('0' <= c && c <= '9');
+    const bool is_of_xml = c == '-' || c == '.' || (length > 1 && is_printed(character));
+    out += is_plain || (in_xml && is_of_xml) ? character : "_";
+    at += length;
   }
-  if (out.empty() || !is_letter(out[0])) out.insert(0, 1, '_');
+  if (out.empty() || is_ascii_sign(out[0])) out.insert(0, 1, '_');
   return out;
 }
 
 }  // namespace
 
-std::vector<std::string> valid_names(const std::vector<std::string>& names, bool dashes,
+std::vector<std::string> valid_names(const std::vector<std::string>& names, NameRule rule,
                                      std::set<std::string> taken) {
   std::vector<std::string> out(names.size());
   for (size_t i = 0; i < names.size(); ++i)
-    if (valid_name(names[i], dashes) == names[i] && taken.insert(names[i]).second)
-      out[i] = names[i];
+    if (valid_name(names[i], rule) == names[i] && taken.insert(names[i]).second) out[i] = names[i];
   for (size_t i = 0; i < names.size(); ++i) {
     if (!out[i].empty()) continue;
-    const std::string base = valid_name(names[i], dashes);
+    const std::string base = valid_name(names[i], rule);
     out[i] = base;
     for (int k = 2; !taken.insert(out[i]).second; ++k) out[i] = base + "_" + std::to_string(k);
   }

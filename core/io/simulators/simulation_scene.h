@@ -38,12 +38,14 @@ struct SimulationBody {
   Mat3 inertia = Mat3::Zero();  // kg m^2, about `centre`, axes of the link frame
   double friction = 0;          // Coulomb's coefficient; of two bodies the smaller one is meant
   double restitution = 0;
+  double gap = 0;  // metres: the widest of the contacts by which it rests
 };
 
 struct SimulationScene {
   std::string name;
   bool floor = true;  // at z = 0
   double floor_friction = 0, floor_restitution = 0;
+  double floor_gap = 0;      // metres: the widest of the contacts with it
   double gravity = 9.80665;  // along -z
   std::vector<SimulationModel> models;
   std::vector<SimulationBody> bodies;
@@ -80,9 +82,15 @@ bool is_simulation_extension(const std::string& extension);
 /// ".xml, .mjcf, ..."
 const std::vector<std::string>& simulation_extensions();
 
-/// Makes names of ASCII letters, digits, '_' and, if `dashes`, '-' and '.', starting with a letter
-/// or '_'; all different, none in `taken`. Valid names stay unchanged.
-std::vector<std::string> valid_names(const std::vector<std::string>& names, bool dashes,
+/// What names of a format are made of.
+enum class NameRule {
+  Identifier,  // ASCII letters, digits and '_', as prims of USD
+  Xml,         // the same, '-', '.', and all printed characters beyond ASCII, as UTF-8
+};
+
+/// Makes names by the rule: other characters become '_', and names begin with a letter or '_'; all
+/// are different, none is in `taken`. Valid names stay unchanged.
+std::vector<std::string> valid_names(const std::vector<std::string>& names, NameRule rule,
                                      std::set<std::string> taken);
 
 }  // namespace trivet

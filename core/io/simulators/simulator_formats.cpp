@@ -7,14 +7,14 @@ SimulatorWriter write_mjcf, write_urdf, write_sdf, write_usda;
 
 const std::vector<SimulatorFormat>& simulator_formats() {
   static const std::vector<SimulatorFormat> formats = {
-      {"mjcf", "MuJoCo", {".xml", ".mjcf"}, {"world", "floor"}, true, write_mjcf},
-      {"urdf", "URDF", {".urdf"}, {"world", "floor"}, true, write_urdf},
-      {"sdf", "SDF", {".sdf", ".world"}, {"world", "floor"}, true, write_sdf},
+      {"mjcf", "MuJoCo", {".xml", ".mjcf"}, {"world", "floor"}, NameRule::Xml, write_mjcf},
+      {"urdf", "URDF", {".urdf"}, {"world", "floor"}, NameRule::Xml, write_urdf},
+      {"sdf", "SDF", {".sdf", ".world"}, {"world", "floor"}, NameRule::Xml, write_sdf},
       {"usd",
        "USD",
        {".usda"},
        {"World", "Looks", "floor", "PhysicsScene", "FloorMaterial"},
-       false,
+       NameRule::Identifier,
        write_usda}};
   return formats;
 }

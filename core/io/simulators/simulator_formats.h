@@ -30,7 +30,7 @@ struct SimulatorFormat {
   std::string name;                      // for people
   std::vector<std::string> extensions;   // the usual one first
   std::set<std::string> reserved_names;  // no object has them in a file
-  bool dashes;                           // '-' and '.' may be in names
+  NameRule names;
   SimulatorWriter* write;
 };
 

@@ -35,7 +35,7 @@ void set_model_names(SimulationScene& scene) {
     models.push_back(model.model.get());
     names.push_back(model.name);
   }
-  names = valid_names(names, false, {});
+  names = valid_names(names, NameRule::Identifier, {});
   for (SimulationModel& model : scene.models)
     model.name = names[static_cast<size_t>(
         std::find(models.begin(), models.end(), model.model.get()) - models.begin())];
@@ -44,10 +44,10 @@ void set_model_names(SimulationScene& scene) {
 void set_names(SimulationScene& scene, const SimulatorFormat& format) {
   std::vector<std::string> names;
   for (const SimulationBody& body : scene.bodies) names.push_back(body.name);
-  names = valid_names(names, format.dashes, format.reserved_names);
+  names = valid_names(names, format.names, format.reserved_names);
   for (size_t i = 0; i < names.size(); ++i) scene.bodies[i].file_name = names[i];
   set_model_names(scene);
-  scene.name = valid_names({scene.name}, format.dashes, {}).front();
+  scene.name = valid_names({scene.name}, format.names, {}).front();
 }
 
 /// True if the complete file already exists: its name contains the hash of its content.

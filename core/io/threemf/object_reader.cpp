@@ -8,7 +8,6 @@
 #include "core/io/colour.h"
 #include "core/io/surface/file_surface.h"
 #include "core/io/text/words.h"
-#include "core/io/threemf/xml_reader.h"
 
 namespace trivet::threemf {
 namespace {
@@ -32,8 +31,9 @@ class PartReader {
       : m_file(file), m_part(part), m_is_root(is_root), m_limits(limits), m_out(out) {}
 
   void read(const std::string& xml) {
-    read_xml(m_file, m_part, xml,
-             {[&](const XmlElement& e) { begin(e); }, [&](std::string_view name) { end(name); }});
+    read_xml_part(m_file, m_part, xml,
+                  {[&](const XmlElement& e) { begin(e); },
+                   [&](std::string_view name, size_t) { end(name); }});
     note_count(m_out.notes,
                "triangles whose corners have different colours, of which the first is "
                "taken",
@@ -241,6 +241,12 @@ class PartReader {
 void read_model_part(const std::string& file, const std::string& part, const std::string& xml,
                      bool is_root, const ImportLimits& limits, Document& document) {
   PartReader(file, part, is_root, limits, document).read(xml);
+}
+
+void read_xml_part(const std::string& file, const std::string& part, std::string_view xml,
+                   const XmlHandlers& handlers) {
+  if (const auto fault = read_xml(xml, handlers))
+    bad_file(file, "%1, line %2: %3", part, fault->line, fault->why);
 }
 
 }  // namespace trivet::threemf

@@ -7,6 +7,7 @@
 
 #include "core/io/read_model.h"
 #include "core/io/surface/file_material.h"
+#include "core/io/text/xml_reader.h"
 
 namespace trivet::threemf {
 
@@ -46,5 +47,10 @@ struct Document {
 /// @throws Error (BadInput) naming the file, the part and the element.
 void read_model_part(const std::string& file, const std::string& part, const std::string& xml,
                      bool is_root, const ImportLimits& limits, Document& document);
+
+/// read_xml() of a part.
+/// @throws Error (BadInput) naming the file, the part and the line: not well formed.
+void read_xml_part(const std::string& file, const std::string& part, std::string_view xml,
+                   const XmlHandlers& handlers);
 
 }  // namespace trivet::threemf

@@ -8,7 +8,6 @@
 #include "core/io/mesh/node_product.h"
 #include "core/io/text/words.h"
 #include "core/io/threemf/object_reader.h"
-#include "core/io/threemf/xml_reader.h"
 #include "core/io/threemf/zip_archive.h"
 
 namespace trivet {
@@ -18,6 +17,7 @@ using threemf::Component;
 using threemf::Document;
 using threemf::MeshObject;
 using threemf::ObjectKey;
+using threemf::read_xml_part;
 
 constexpr int kMaxDepth = 100;
 constexpr std::int64_t kMaxInstances = 1'000'000;
@@ -35,13 +35,13 @@ Affine product(const Affine& a, const Affine& b) {
 std::string root_part(const std::string& path, const std::map<std::string, std::string>& parts) {
   std::string target;
   if (const auto rels = parts.find("_rels/.rels"); rels != parts.end())
-    read_xml(path, rels->first, rels->second,
-             {[&](const XmlElement& e) {
-                const char *const type = e.find("Type"), *const named = e.find("Target");
-                if (!type || !named || !std::string_view(type).ends_with("/3dmodel")) return;
-                if (target.empty()) target = named;
-              },
-              [](std::string_view) {}});
+    read_xml_part(path, rels->first, rels->second,
+                  {[&](const XmlElement& e) {
+                     const char *const type = e.find("Type"), *const named = e.find("Target");
+                     if (!type || !named || !std::string_view(type).ends_with("/3dmodel")) return;
+                     if (target.empty()) target = named;
+                   },
+                   [](std::string_view, size_t) {}});
   while (target.starts_with('/')) target.erase(0, 1);
   if (parts.contains(target) && !target.empty()) return target;
   for (const auto& [name, content] : parts)

@@ -5,7 +5,9 @@
 namespace trivet::relations {
 
 std::vector<Field<Against>> Against::fields() {
-  return {{"side", &Against::side}, {"gap", GapForm::Both}, {"overlap", &Against::overlap}};
+  return {{"side", &Against::side, "Side of a; default back."},
+          {"gap", GapForm::Both},
+          {"overlap", &Against::overlap}};
 }
 
 Vec2 Against::direction(const Outline& a, const Outline&) const {

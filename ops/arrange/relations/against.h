@@ -7,6 +7,7 @@ namespace trivet::relations {
 /// A side of a is at a gap from b.
 struct Against : AnyKind, Gap {
   static constexpr const char* kName = "against";
+  static constexpr const char* kHelp = "A side of a is at this gap from b; default 0 to 1 cm.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 against %2");
   static constexpr bool kIsBeside = true, kTurnsOnlyA = true;
   static constexpr double kUsualUpper = 0.01;

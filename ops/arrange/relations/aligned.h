@@ -6,6 +6,9 @@ namespace trivet::relations {
 
 /// a's front is b's, but for some turns.
 struct Aligning : AnyKind {
+  static constexpr const char* kHelp =
+      "a's front is b's, but for quarter turns, half turns, a quarter turn to either side, or "
+      "none; tolerance in degrees, default 2.";
   static constexpr double kUsualTolerance = 2;
   static constexpr bool kIsInDegrees = true, kTurns = true;
 };

@@ -2,6 +2,6 @@
 
 namespace trivet::relations {
 
-std::vector<Field<At>> At::fields() { return {{"point", &At::point, true}}; }
+std::vector<Field<At>> At::fields() { return {{"point", &At::point, "", true}}; }
 
 }  // namespace trivet::relations

@@ -7,6 +7,7 @@ namespace trivet::relations {
 /// a's centre is at `point`.
 struct At : AnyKind {
   static constexpr const char* kName = "at";
+  static constexpr const char* kHelp = "a's centre is here; tolerance 1 cm by default.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 at %2");
   static constexpr double kUsualTolerance = 0.01;
   static constexpr Other kOther = Other::None;

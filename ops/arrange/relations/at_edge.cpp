@@ -16,11 +16,12 @@ double edge_gap(const Outline& a, const Outline& b, Side side) {
 }  // namespace
 
 std::vector<Field<AtEdge>> AtEdge::fields() {
-  return {{"side", &AtEdge::side}, {"gap", GapForm::Both}};
+  return {{"side", &AtEdge::side, "Side of b; default: any."}, {"gap", GapForm::Both}};
 }
 
 // At its side, or the nearest; inside all others.
 double AtEdge::cost(const Terms& r, const Outline& a, const Outline* b) const {
+  // The outline has to be inside all sides; its distance from the side it is meant for counts.
   double least = kInfinity, between = kInfinity;
   for (const Side each : kAllSides) {
     const double here = edge_gap(a, *b, each);

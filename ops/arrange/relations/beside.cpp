@@ -11,6 +11,7 @@ bool closes(const Terms& r, const Gap& gap) {
 double beside_cost(const Terms& r, const Gap& gap, const Vec2& d, double wanted, const Outline& a,
                    const Outline& b) {
   const Vec2 across = quarter_turned(d);
+  // The gap runs along the direction, the overlap across it.
   const double between = -extent(a.hull, -d) - extent(b.hull, d);
   const double overlap = std::min(extent(a.hull, across), extent(b.hull, across)) +
                          std::min(extent(a.hull, -across), extent(b.hull, -across));

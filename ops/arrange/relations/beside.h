@@ -18,6 +18,9 @@ bool closes(const Terms& r, const Gap& gap);
 /// @tparam K  has way(b), the direction from b.
 template <class K>
 struct Beside : AnyKind, Gap {
+  static constexpr const char* kHelp =
+      "As seen by one who stands in front of b and looks at it; they overlap across by this part "
+      "of the narrower one, default 0.5.";
   static constexpr bool kIsBeside = true;
   static std::vector<Field<K>> fields() {
     return {{"gap", GapForm::Both}, {"overlap", &K::overlap}};

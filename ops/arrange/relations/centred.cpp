@@ -6,10 +6,12 @@
 namespace trivet::relations {
 
 std::vector<Field<Centred>> Centred::fields() {
-  return {{"along", &Centred::along}, {"offset", &Centred::offset}};
+  return {{"along", &Centred::along, "Direction: b's right, b's back, or both (default)."},
+          {"offset", &Centred::offset}};
 }
 
 double Centred::cost(const Terms& r, const Outline& a, const Outline* b) const {
+  // Offsets are along b's own axes: right, and away from its front.
   const Vec2 off = a.centre - b->centre;
   const double x = std::abs(off.dot(b->right()) - offset.x());
   const double y = std::abs(off.dot(-b->front) - offset.y());

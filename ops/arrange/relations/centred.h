@@ -7,6 +7,8 @@ namespace trivet::relations {
 /// a's centre is b's plus `offset`, along b's right, b's back, or both.
 struct Centred : AnyKind {
   static constexpr const char* kName = "centred";
+  static constexpr const char* kHelp =
+      "a's centre is b's plus the offset; tolerance 1 cm by default.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 centred %2");
   static constexpr double kUsualTolerance = 0.01;
   static std::vector<Field<Centred>> fields();

@@ -5,6 +5,7 @@ namespace trivet::relations {
 Vec2 Turned::towards(const Outline& a, const Outline* b, double sign) const {
   const Vec2 to = (point ? *point : b->centre) - a.centre;
   const double length = to.norm();
+  // Something right above or below has no direction: the front stays as it is.
   if (!(length > 0)) return a.front;
   return sign > 0 ? Vec2(to / length) : Vec2(-to / length);
 }

@@ -6,12 +6,15 @@ namespace trivet::relations {
 
 /// Turned about z to b's centre, or to a point, or from it.
 struct Turned : AnyKind {
+  static constexpr const char* kHelp =
+      "a's front, or back, is turned to b, or to a point; tolerance in degrees, default 5.";
   static constexpr double kUsualTolerance = 5;
   static constexpr Other kOther = Other::Optional;
   static constexpr bool kIsInDegrees = true, kFaces = true;
 
   /// Unit, from a; a's front where it is at the point.
   Vec2 towards(const Outline& a, const Outline* b, double sign) const;
+  static std::vector<Way> ways() { return {{{"b"}, {"point"}}, {{"point"}, {"b"}}}; }
   const char* wrong(const Terms& r, const IsGiven&) const;
   void extend(Aabb& box) const;
 

@@ -1,4 +1,4 @@
-// Keys of relations in problems, by which they are read.
+// Keys of relations in problems, by which they are read; their schema is made of them, too.
 #pragma once
 
 #include <variant>
@@ -34,6 +34,7 @@ struct Field {
                std::optional<Vec2> K::*, std::optional<Vec3> K::*, std::vector<Vec2> K::*,
                std::string K::*, Axes K::*, Direction<K>, GapForm>
       member;
+  const char* help = "";  // a sentence
   bool is_required = false;
   double least = 0, most = 1;  // of a number
 };

@@ -7,6 +7,7 @@ namespace trivet::relations {
 /// b and what lies in it carry a, its centre over b.
 struct In : AnyKind {
   static constexpr const char* kName = "in";
+  static constexpr const char* kHelp = "b and what lies in it carry a.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 in %2");
   static constexpr bool kCarries = true;
 

@@ -32,6 +32,7 @@ std::vector<HalfPlane> planes_about(const Vec2& at, double slack) {
 
 std::vector<HalfPlane> planes_near(const Outline& moving, const Outline& other, double upper) {
   std::vector<HalfPlane> out;
+  // Eight directions bound the distance from outside: no place within it is lost.
   const double s = std::sqrt(0.5);
   for (const Vec2& d : {Vec2(1, 0), Vec2(s, s), Vec2(0, 1), Vec2(-s, s), Vec2(-1, 0), Vec2(-s, -s),
                         Vec2(0, -1), Vec2(s, -s)})
@@ -54,6 +55,7 @@ Vec2 direction_of_side(const Outline& b, Side side) {
 }
 
 Rotation turn_between(const Vec2& from, const Vec2& to) {
+  // Opposite directions are half a turn apart, either way round.
   const double cosine = from.dot(to);
   if (1 + cosine < 1e-12) return {0, 0, 0, 1};
   return Rotation{1 + cosine, 0, 0, cross(from, to)}.normalized();

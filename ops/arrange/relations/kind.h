@@ -55,6 +55,11 @@ struct Sizes {
 /// True if a key was given.
 using IsGiven = std::function<bool(const char* key)>;
 
+/// Keys that an entry has together, and those that it has not then.
+struct Way {
+  std::vector<const char*> needed, never;
+};
+
 /// Need of a relation for another object.
 enum class Other { Needed, Optional, None };
 
@@ -63,6 +68,8 @@ struct AnyKind {
   static constexpr double kUsualTolerance = 1e-3;   // in problems
   static constexpr double kUsualUpper = kInfinity;  // of a gap in problems
   static constexpr const char* kAlias = nullptr;    // another name, whose keys are all optional
+  static constexpr const char* kAliasHelp = "";
+  static constexpr const char* kText = nullptr;  // the sentence; null: a, the kind's name and b
   static constexpr Other kOther = Other::Needed;
   static constexpr bool kTakesFloor = false;  // as b
   static constexpr bool kCarries = false;     // b carries a
@@ -96,6 +103,8 @@ struct AnyKind {
   /// An object that stands already, to whose middle plane it refers; null: none.
   const std::string* about() const { return nullptr; }
   void set_about(const Outline&) {}
+  /// Ways of which an entry has one; none: its keys do not depend on each other.
+  static std::vector<Way> ways() { return {}; }
   /// Fault of an entry, by keys that go with each other; null: nothing is wrong.
   const char* wrong(const Terms&, const IsGiven&) const { return nullptr; }
 };

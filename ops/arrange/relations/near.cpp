@@ -2,7 +2,7 @@
 
 namespace trivet::relations {
 
-std::vector<Field<Near>> Near::fields() { return {{"distance", GapForm::Either, true}}; }
+std::vector<Field<Near>> Near::fields() { return {{"distance", GapForm::Either, "", true}}; }
 
 double Near::distance(const Outline& a, const Outline& b) const {
   return trivet::distance(a.hull, b.hull, lower > 0 ? 0 : upper);

@@ -7,7 +7,10 @@ namespace trivet::relations {
 /// The distance of a from b is in the gap.
 struct Near : AnyKind, Gap {
   static constexpr const char* kName = "near";
+  static constexpr const char* kHelp =
+      "Outlines are no farther apart than this, or their distance is between both.";
   static constexpr const char* kAlias = "next_to";
+  static constexpr const char* kAliasHelp = "The same; default 10 cm.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 near %2");
   static constexpr double kUsualUpper = 0.1;
   static std::vector<Field<Near>> fields();

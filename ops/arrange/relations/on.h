@@ -7,6 +7,7 @@ namespace trivet::relations {
 /// b, or the floor, alone carries a.
 struct On : AnyKind {
   static constexpr const char* kName = "on";
+  static constexpr const char* kHelp = "b, or \"floor\", alone carries a; on this level of it.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 on %2");
   static constexpr bool kCarries = true, kTakesFloor = true;
   static std::vector<Field<On>> fields();

@@ -13,8 +13,8 @@ Outline point_outline(const Vec2& p) {
 }  // namespace
 
 std::vector<Field<Reach>> Reach::fields() {
-  return {{"height", &Reach::eye_height, false, -kMaxLength, kMaxLength},
-          {"point", &Reach::eye},
+  return {{"height", &Reach::eye_height, kEyeHeightHelp, false, -kMaxLength, kMaxLength},
+          {"point", &Reach::eye, kEyeHelp},
           {"distance", GapForm::Most}};
 }
 

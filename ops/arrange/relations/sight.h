@@ -35,12 +35,18 @@ struct Eye {
   double eye_height = 1.2;  // ... so high over its lowest point
 };
 
+inline constexpr const char* kEyeHeightHelp =
+    "Height of the eye over b's lowest point; default 1.2 m.";
+inline constexpr const char* kEyeHelp = "Position of the eye in the world, metres.";
+inline constexpr const char* kPartHelp = "Share that is seen, at least; default 0.5.";
+
 /// Kinds that look from an eye.
 struct Looking : AnyKind, Eye {
   static constexpr Other kOther = Other::Optional;
   static constexpr double kUsualTolerance = 0.01;
   static constexpr bool kIsOfSight = true, kHasLines = true;
 
+  static std::vector<Way> ways() { return {{{"b"}, {"point"}}, {{"point"}, {"b", "height"}}}; }
   const char* wrong(const Terms& r, const IsGiven& is_given) const;
   void extend(Aabb& box) const {
     if (eye) box.extend(*eye);

@@ -16,6 +16,7 @@ std::vector<Field<Symmetric>> Symmetric::fields() {
 }
 
 double Symmetric::cost(const Terms& r, const Outline& a, const Outline* b) const {
+  // Place and front have to mirror each other, each by its own tolerance.
   const double off = (a.centre - mirrored_point(b->centre)).norm();
   const double turned = angle_between_deg(a.front, mirrored_direction(b->front));
   return std::max(off / r.tolerance, turned / kMirroredDeg);
@@ -41,6 +42,7 @@ void Symmetric::set_about(const Outline& outline) {
 
 const char* Symmetric::wrong(const Terms&, const IsGiven& is_given) const {
   const bool has_point = is_given("point"), has_axis = is_given("axis");
+  // The plane comes from an object or from a point with an axis, never from both.
   const bool has_plane = has_point && has_axis, has_part = has_point || has_axis;
   return (middle.empty() ? !has_plane : has_part)
              ? TRIVET_SENTENCE("accepted: either \"about\" an object, or \"point\" and \"axis\"")

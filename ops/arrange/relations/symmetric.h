@@ -7,6 +7,10 @@ namespace trivet::relations {
 /// a stands where the mirror image of b does, at a vertical plane.
 struct Symmetric : AnyKind {
   static constexpr const char* kName = "symmetric";
+  static constexpr const char* kHelp =
+      "a stands, and turns, as the mirror image of b does: at the plane between left and right of "
+      "an object that stands already, or at the vertical plane through a point along an axis; "
+      "tolerance 1 cm by default, and 2 degrees.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 symmetric %2");
   static constexpr double kUsualTolerance = 0.01;
   static std::vector<Field<Symmetric>> fields();
@@ -18,6 +22,9 @@ struct Symmetric : AnyKind {
   const std::string* about() const { return middle.empty() ? nullptr : &middle; }
   /// About the plane between its left and its right.
   void set_about(const Outline& outline);
+  static std::vector<Way> ways() {
+    return {{{"about"}, {"point", "axis"}}, {{"point", "axis"}, {"about"}}};
+  }
   const char* wrong(const Terms& r, const IsGiven& is_given) const;
 
   std::string middle;         // object that stands already; its middle plane, left to right

@@ -2,7 +2,7 @@
 
 namespace trivet::relations {
 
-std::vector<Field<Under>> Under::fields() { return {{"part", &Under::part}}; }
+std::vector<Field<Under>> Under::fields() { return {{"part", &Under::part, kPartHelp}}; }
 
 // b's outline over a's, at least by a point.
 std::vector<HalfPlane> Under::half_planes(const Terms&, const Placed& both, double slack) const {

@@ -7,6 +7,7 @@ namespace trivet::relations {
 /// b is above so much of a's outline.
 struct Under : AnyKind {
   static constexpr const char* kName = "under";
+  static constexpr const char* kHelp = "b is above this part of a, seen from above.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 under %2");
   static constexpr double kUsualTolerance = 0.01;
   static constexpr bool kIsOfSight = true, kHasLines = false;

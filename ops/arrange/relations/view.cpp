@@ -3,9 +3,9 @@
 namespace trivet::relations {
 
 std::vector<Field<View>> View::fields() {
-  return {{"height", &View::eye_height, false, -kMaxLength, kMaxLength},
-          {"point", &View::eye},
-          {"part", &View::part}};
+  return {{"height", &View::eye_height, kEyeHeightHelp, false, -kMaxLength, kMaxLength},
+          {"point", &View::eye, kEyeHelp},
+          {"part", &View::part, kPartHelp}};
 }
 
 bool View::holds(const Terms& r, const Sight& sight) const {

@@ -13,10 +13,16 @@ Vec2 outwards(const std::vector<Vec2>& region, size_t corner) {
 
 }  // namespace
 
-std::vector<Field<Within>> Within::fields() { return {{"region", &Within::region, true}}; }
+std::vector<Field<Within>> Within::fields() {
+  return {{"region", &Within::region,
+           "Two opposite corners of a rectangle, or the corners of a convex polygon, "
+           "counter-clockwise.",
+           true}};
+}
 
 double Within::cost(const Terms& r, const Outline& a, const Outline*) const {
   double out = 0;
+  // The region is convex: each side bounds the outline's extent across it.
   for (size_t i = 0; i < region.size(); ++i) {
     const Vec2 way = outwards(region, i);
     out = std::max(out, extent(a.hull, way) - way.dot(region[i]));

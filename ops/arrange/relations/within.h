@@ -7,6 +7,7 @@ namespace trivet::relations {
 /// a's outline is in `region`.
 struct Within : AnyKind {
   static constexpr const char* kName = "within";
+  static constexpr const char* kHelp = "a's outline is in the region.";
   static constexpr const char* kText = TRIVET_SENTENCE("%1 within %2");
   static constexpr const char* kAlone = TRIVET_SENTENCE("%1 within its region");
   static constexpr Other kOther = Other::None;

@@ -9,7 +9,8 @@
 
 namespace trivet {
 
-/// Reads strictly what arrange.schema.json says, with "op" beside it; names are left to the scene.
+/// Reads strictly what the schema of arrangements says, with "op" beside it; names are left to the
+/// scene.
 /// @throws Error (BadInput) with the place, the value and what is accepted.
 ArrangeOperation read_arrange(const JsonPlace& place);
 

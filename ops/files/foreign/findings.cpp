@@ -5,12 +5,17 @@
 
 #include "ops/base/stopwatch.h"
 #include "ops/files/report/verdict.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
 
 using Kind = SceneFinding::Kind;
 using NamePair = std::pair<std::string, std::string>;
+
+/// Files of others do not say by which clearance they were settled, and their scene may have been
+/// larger then: so many times the default is contact where everything then rests.
+constexpr double kOldClearances = 8;
 
 NamePair sorted_names(const std::string& a, const std::string& b) {
   return a < b ? NamePair(a, b) : NamePair(b, a);
@@ -23,7 +28,6 @@ class FindingCollector {
 
   void collect() {
     for (const auto& f : m_run.check.touching) m_touching.insert(sorted_names(f.a, f.b));
-    m_out.num_touching = m_touching.size();
     const SceneCheck& check = m_run.check;
     for (const auto* findings : {&check.crossings, &check.contained, &check.float32_crossings})
       for (const auto& f : *findings) add_pair(f);
@@ -100,13 +104,20 @@ size_t SceneVerdict::count(SceneFinding::Kind kind) const {
                                            [&](const auto& f) { return f.kind == kind; }));
 }
 
+size_t SceneVerdict::num_flush() const {
+  return static_cast<size_t>(std::count_if(pairs.touching.begin(), pairs.touching.end(),
+                                           [](const TouchingPair& p) { return p.gap <= 0; }));
+}
+
 SceneVerdict verdict_of(const LayoutRun& run, double lift) {
   SceneVerdict out;
+  out.pairs = pair_classes(run.scene, run.check);
   out.clearance = run.settle.clearance;
   for (const ObjectId id : run.scene.ids()) {
     ++out.num_objects;
     out.num_free += !run.scene.at(id).fixed;
   }
+  if (!(out.clearance > 0)) out.clearance = default_clearance(run.scene);
   FindingCollector(run, lift, out).collect();
   return out;
 }
@@ -119,6 +130,7 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& given, LayoutRun* run)
   LayoutRun& result = run ? *run : mine;
   result.scene = opened.judged.scene;
   result.settle = options.settle;
+  result.largest_clearance = kOldClearances * default_clearance(result.scene);
   finish_run(options, result);
   SceneVerdict out = verdict_of(result, opened.judged.lift);
   out.path = opened.path, out.format = opened.format, out.key = opened.key;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ops/check/pair_classes.h"
 #include "ops/files/foreign/open_scene.h"
 #include "ops/files/layout/run.h"
 
@@ -26,8 +27,8 @@ const char* to_string(SceneFinding::Kind kind);  // "passes through", "floats", 
 struct SceneVerdict {
   std::string path, format, key;
   size_t num_objects = 0, num_free = 0, num_joints = 0;
-  size_t num_touching = 0;  // pairs within half a clearance of each other's surface: no finding
-  double clearance = 0;     // metres
+  PairClasses pairs;                   // those that only touch are no findings
+  double clearance = 0;                // metres
   std::vector<SceneFinding> findings;  // the deepest first, then the others by name
   std::vector<Sentence> notes, unread;
   double milliseconds = 0;
@@ -36,6 +37,7 @@ struct SceneVerdict {
   bool ok() const { return findings.empty() && error.empty(); }
   bool whole() const { return unread.empty() && error.empty(); }
   size_t count(SceneFinding::Kind kind) const;
+  size_t num_flush() const;  // pairs that touch, and are in each other by rounding
 };
 
 /// Reads and judges a scene. Pairs of fixed objects are not judged.
@@ -45,6 +47,10 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& options, LayoutRun* ru
 /// The same of a scene that was checked already. @param lift  as JudgedScene has it.
 SceneVerdict verdict_of(const LayoutRun& run, double lift);
 
+/// "pairs: 1 passes through, 8 touch or are closer than 3.8 um, 27 are apart".
+std::string pairs_text(const PairClasses& pairs, double clearance);
+/// "\"cup\" and \"table\", 1.9 um apart", or flush, or so deep in each other.
+std::string touching_text(const TouchingPair& pair);
 /// One finding: "\"cup\" and \"table\" interpenetrate, 2 mm deep at ...".
 std::string finding_text(const SceneFinding& finding);
 /// Some lines for one scene, the last the verdict.

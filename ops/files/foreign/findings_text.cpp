@@ -6,6 +6,7 @@
 
 #include "core/base/count_of.h"
 #include "core/base/quoted.h"
+#include "core/base/tunables.h"
 #include "core/io/json.h"
 #include "ops/files/foreign/findings.h"
 
@@ -92,8 +93,8 @@ std::string verdict_line(const SceneVerdict& v) {
   const std::string part = v.whole() ? "" : " (judged in part)";
   if (v.ok())
     return "ok" + part + ": nothing interpenetrates, everything is at rest" +
-           (v.num_touching ? "; " + count_of(v.num_touching, "pair") + " flush within rounding"
-                           : "") +
+           (v.num_flush() ? "; " + count_of(v.num_flush(), "pair") + " flush within rounding"
+                          : "") +
            "\n";
   return "failed" + part + ": " + counts_text(counts_of(v)) + "\n";
 }
@@ -128,14 +129,32 @@ std::string row_text(const SceneVerdict& v, size_t width) {
   char text[160];
   const std::vector<size_t> n = counts_of(v);
   std::snprintf(
-      text, sizeof text, "  %7zu %5zu %7s %9s %7s %8s %9s  ", v.num_objects, v.num_free,
-      n[0] ? std::to_string(n[0]).c_str() : "-", n[0] ? length_text(deepest(v)).c_str() : "-",
-      n[1] ? std::to_string(n[1]).c_str() : "-", n[2] ? std::to_string(n[2]).c_str() : "-",
-      n[3] ? std::to_string(n[3]).c_str() : "-");
+      text, sizeof text, "  %7zu %5zu %7zu %7s %9s %7s %8s %9s  ", v.num_objects, v.num_free,
+      v.pairs.touching.size(), n[0] ? std::to_string(n[0]).c_str() : "-",
+      n[0] ? length_text(deepest(v)).c_str() : "-", n[1] ? std::to_string(n[1]).c_str() : "-",
+      n[2] ? std::to_string(n[2]).c_str() : "-", n[3] ? std::to_string(n[3]).c_str() : "-");
   return out + text + (v.ok() ? "ok" : "failed") + (v.whole() ? "" : ", in part") + "\n";
 }
 
 }  // namespace
+
+std::string pairs_text(const PairClasses& pairs, double clearance) {
+  const size_t near = pairs.touching.size();
+  const auto part = [](size_t n, const char* one, const char* many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+  };
+  return "pairs: " + part(pairs.num_through, "passes", "pass") + " through, " +
+         part(near, "touches or is", "touch or are") + " closer than " +
+         length_text(kContactTolerance * clearance) + ", " + part(pairs.num_apart, "is", "are") +
+         " apart";
+}
+
+std::string touching_text(const TouchingPair& pair) {
+  return quoted(pair.a) + " and " + quoted(pair.b) + ", " +
+         (pair.gap == 0  ? std::string("flush")
+          : pair.gap > 0 ? length_text(pair.gap) + " apart"
+                         : length_text(-pair.gap) + " in each other");
+}
 
 std::string finding_text(const SceneFinding& f) {
   const bool pair = f.kind == Kind::PassesThrough;
@@ -160,6 +179,7 @@ std::string verdict_text(const SceneVerdict& v) {
   }
   if (v.findings.size() > kMostLines)
     out << "  and " << v.findings.size() - kMostLines << " more; all with --json\n";
+  if (v.pairs.num_judged() > 0) out << "  " << pairs_text(v.pairs, v.clearance) << "\n";
   for (const Sentence& what : v.unread) out << "  not judged: " << in_english(what) << "\n";
   for (const Sentence& note : v.notes) out << "  note: " << in_english(note) << "\n";
   out << verdict_line(v);
@@ -169,8 +189,8 @@ std::string verdict_text(const SceneVerdict& v) {
 std::string verdict_table(const std::vector<SceneVerdict>& verdicts) {
   size_t width = 5, num_ok = 0, num_unread = 0, num_part = 0;
   for (const SceneVerdict& v : verdicts) width = std::max(width, short_name(v.path).size());
-  std::string out =
-      padded("scene", width) + "  objects  free   pairs   deepest   float  no rest  unstable\n";
+  std::string out = padded("scene", width) +
+                    "  objects  free   touch   pairs   deepest   float  no rest  unstable\n";
   std::vector<size_t> sums(std::size(kKinds), 0);
   for (const SceneVerdict& v : verdicts) {
     out += row_text(v, width);
@@ -199,7 +219,13 @@ std::string verdict_json(const SceneVerdict& v) {
   json["objects"] = v.num_objects;
   json["free"] = v.num_free;
   json["joints"] = v.num_joints;
-  json["touching"] = v.num_touching;
+  json["clearance"] = v.clearance;
+  json["pairs"] = {{"passing_through", v.pairs.num_through},
+                   {"touching", v.pairs.touching.size()},
+                   {"apart", v.pairs.num_apart}};
+  json["touching"] = Json::array();
+  for (const TouchingPair& p : v.pairs.touching)
+    json["touching"].push_back({{"object", p.a}, {"other", p.b}, {"gap", p.gap}});
   json["findings"] = Json::array();
   for (const SceneFinding& f : v.findings) json["findings"].push_back(finding_json(f));
   json["not_judged"] = in_english(v.unread);

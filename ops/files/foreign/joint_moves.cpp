@@ -27,8 +27,10 @@ Rotation inverse_of(const Rotation& r) { return {r.w, -r.x, -r.y, -r.z}; }
 
 // Joints of links that moved go with them. @param from  pose of such a link before, `to` after.
 void carry(const JointToMove& moved, const Pose& from, const Pose& to, OpenedScene& opened) {
+  // The turn of the first link is that of all that hang in it.
   const Mat3 turn = (to.rotation * inverse_of(from.rotation)).normalized().matrix();
   for (SceneJoint& joint : opened.joints) {
+    // A joint goes along if all of its links did.
     const bool goes =
         joint.name != moved.name &&
         std::all_of(joint.links.begin(), joint.links.end(), [&](ObjectId id) {
@@ -61,10 +63,15 @@ double limit_of(const JointToMove& joint, bool upper) {
 
 JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,
                         NewPoses& poses) {
+  if (!joint.held.empty())
+    bad_file(opened.path, "the joint %1 cannot be moved: %2", trivet::quoted(joint.name),
+             joint.held);
+  // The links move in a copy, whose rules let neighbours pass as in the other program.
   Scene driven = with_moving_links(opened.judged);
   update_contacts(driven, run.options.clearance, run.options);
   const Pose from = driven.at(joint.links[0]).pose;
   JointMove out = move_joint(driven, joint, to, run);
+  // Links and what they carried get their new poses; nothing else has moved.
   for (const std::vector<ObjectId>* ids :
        {&std::as_const(joint.links), &std::as_const(out.carried)})
     for (const ObjectId id : *ids) {

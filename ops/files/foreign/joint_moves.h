@@ -15,6 +15,7 @@ double limit_of(const JointToMove& joint, bool upper);
 
 /// Moves a joint as move_joint() does. Links that joints hold meet each other and all else, but for
 /// what they hang in. The scene, its joints and `poses` follow.
+/// @throws Error (BadInput): the joint is held.
 JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,
                         NewPoses& poses);
 

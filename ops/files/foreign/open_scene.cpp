@@ -5,6 +5,7 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
+#include "core/io/foreign/joint_values.h"
 #include "core/io/foreign/mjcf/read_mjcf.h"
 #include "core/io/foreign/sdf.h"
 #include "core/io/foreign/urdf.h"
@@ -66,7 +67,7 @@ std::vector<SceneJoint> joints_of(const ForeignScene& foreign, const JudgedScene
     mine.axis = joint.axis;
     mine.anchor = joint.anchor + judged.lift * Vec3::UnitZ();
     mine.value = joint.value, mine.lower = joint.lower, mine.upper = joint.upper;
-    mine.number = joint.number;
+    mine.number = joint.number, mine.held = joint.held;
     for (const std::string& name : joint.moves)
       if (const auto id = judged.scene.find(name)) mine.links.push_back(*id);
     if (!mine.links.empty()) out.push_back(std::move(mine));
@@ -74,7 +75,7 @@ std::vector<SceneJoint> joints_of(const ForeignScene& foreign, const JudgedScene
   return out;
 }
 
-// Keyframes have angles in radians.
+// Files have angles in radians.
 JointNumbers numbers_of(const std::vector<SceneJoint>& joints) {
   JointNumbers out;
   for (const SceneJoint& joint : joints)
@@ -82,12 +83,40 @@ JointNumbers numbers_of(const std::vector<SceneJoint>& joints) {
   return out;
 }
 
+// The values of all joints that have one of their own; those in `changed` are new.
+JointValues values_of(const ForeignScene& scene, const JointNumbers& changed) {
+  JointValues out;
+  for (const ForeignJoint& joint : scene.joints) {
+    if (!joint.held.empty()) continue;
+    const bool turns = joint.kind == ForeignJoint::Kind::Hinge;
+    const auto it = changed.find(joint.number);
+    out[joint.name] = it != changed.end() ? it->second
+                      : turns             ? joint.value * (std::numbers::pi / 180)
+                                          : joint.value;
+  }
+  return out;
+}
+
+// Values that no longer hold would be read with the new file: they are replaced.
+bool needs_values(const ForeignScene& scene, const JointNumbers& changed, const std::string& path) {
+  std::error_code error;
+  return !changed.empty() || !scene.values_file.empty() || fs::exists(path, error);
+}
+
 void write_files(const ForeignScene& scene, const std::map<size_t, Pose>& poses,
                  const JointNumbers& joints, const std::string& out) {
-  const std::vector<std::string> bytes = files_with_poses(scene, poses, joints);
+  const bool apart = scene.format != "MJCF";
+  const std::vector<std::string> bytes =
+      files_with_poses(scene, poses, apart ? JointNumbers() : joints);
   std::vector<std::string> inputs;
   for (const XmlFile& file : scene.files) inputs.push_back(file.path);
+  if (!scene.values_file.empty()) inputs.push_back(scene.values_file);
   StagedFiles staged;
+  if (const std::string values = joint_values_path(out);
+      apart && needs_values(scene, joints, values)) {
+    check_not_the_same(values, inputs);
+    staged.add(values, joint_values_text(values_of(scene, joints)));
+  }
   for (size_t i = bytes.size(); i-- > 0;) {  // the main file names the others: it comes last
     if (i > 0 && bytes[i] == scene.files[i].bytes && is_named_from(scene, out)) continue;
     const std::string target = target_of(scene, i, out);
@@ -116,6 +145,8 @@ OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
   OpenedScene out;
   out.path = path, out.format = foreign->format, out.key = foreign->key;
   out.notes = foreign->notes, out.unread = foreign->unread;
+  if (!foreign->values_file.empty())
+    out.notes.push_back(say("the values of joints are those of %1", foreign->values_file));
   out.num_joints = foreign->num_joints;
   out.judged = judged_scene(*foreign);
   out.joints = joints_of(*foreign, out.judged);

@@ -33,7 +33,8 @@ using NewPoses = std::map<ObjectId, Pose, SlotOrder>;
 
 /// A joint of a scene: see ForeignJoint.
 struct SceneJoint : JointToMove {
-  size_t number = 0;  // in a keyframe
+  size_t number = 0;  // see ForeignJoint
+  Sentence held;      // why it cannot be moved; empty: it can
 };
 
 /// A scene and the way back into its files.
@@ -51,7 +52,8 @@ struct OpenedScene {
   /// @throws Error: BadInput where a pose has no place in the file or an input would be
   ///   overwritten; Environment.
   std::function<void(const NewPoses& poses, const std::string& out)> write;
-  /// The same with values of joints. Null: the format has no place for them.
+  /// The same with values of joints: in a keyframe of MJCF; of URDF and SDF, which have no place
+  /// for them, in a file beside the output (joint_values.h). Null: the format has no joints.
   std::function<void(const NewPoses& poses, const std::vector<SceneJoint>& moved,
                      const std::string& out)>
       write_with_joints;

@@ -28,30 +28,6 @@ const char* end_text(JointMove::End end) {
 
 }  // namespace
 
-Json settled_json(const Scene& scene, double lift, const SettledScene& settled) {
-  Json json = {{"moved", Json::array()}, {"unable", Json::array()}};
-  for (const SettledObject& o : settled.moved)
-    json["moved"].push_back({{"object", scene.at(o.id).name},
-                             {"from", point_json(lift, o.from.translation)},
-                             {"to", point_json(lift, o.to.translation)},
-                             {"metres", o.moved},
-                             {"degrees", o.turned_deg}});
-  for (const UnsettledObject& o : settled.unable)
-    json["unable"].push_back({{"object", scene.at(o.id).name}, {"why", in_english(o.why)}});
-  return json;
-}
-
-Json mended_json(const Scene& scene, double lift, const MendedScene& mended) {
-  Json json = settled_json(scene, lift, mended);
-  json["tolerance"] = mended.tolerance;
-  json["supports_meant"] = mended.num_meant;
-  json["supports_kept"] = mended.num_kept;
-  json["relations"] = Json::array();
-  for (const ChangedRelation& r : mended.relations)
-    json["relations"].push_back({{"object", r.object}, {"lost", r.lost}, {"gained", r.gained}});
-  return json;
-}
-
 Json intent_json(const Scene& scene, const Intent& intent) {
   Json json = {{"tolerance", intent.tolerance}, {"objects", Json::array()}};
   for (const ObjectIntent& o : intent.objects) {
@@ -67,18 +43,20 @@ Json intent_json(const Scene& scene, const Intent& intent) {
   return json;
 }
 
-Json joint_json(const Scene& scene, const JointToMove& joint) {
+Json joint_json(const Scene& scene, const SceneJoint& joint) {
   Json links = Json::array();
   for (const ObjectId id : joint.links) links.push_back(scene.at(id).name);
-  return {{"joint", joint.name},
-          {"kind", joint.turns ? "hinge" : "slide"},
-          {"value", joint.value},
-          {"lower", limit_json(joint.lower)},
-          {"upper", limit_json(joint.upper)},
-          {"links", links}};
+  Json json = {{"joint", joint.name},
+               {"kind", joint.turns ? "hinge" : "slide"},
+               {"value", joint.value},
+               {"lower", limit_json(joint.lower)},
+               {"upper", limit_json(joint.upper)},
+               {"links", links}};
+  if (!joint.held.empty()) json["held"] = in_english(joint.held);
+  return json;
 }
 
-Json joint_move_json(const Scene& scene, double lift, const JointToMove& joint,
+Json joint_move_json(const Scene& scene, double lift, const SceneJoint& joint,
                      const JointMove& move) {
   Json json = joint_json(scene, joint);
   json["end"] = end_text(move.end);

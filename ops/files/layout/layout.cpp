@@ -108,6 +108,7 @@ Operation read_known(const JsonPlace& place, NamedObjects& objects) {
   };
   if (!std::holds_alternative<AppendOperation>(operation) &&
       !std::holds_alternative<DrapeOperation>(operation) &&
+      !std::holds_alternative<RepairOperation>(operation) &&
       !objects.contains(object_name(operation)))
     refuse(place.at("object"), "the name of one of /objects");
   if (const auto given = given_name(operation); given && objects.contains(*given->name))
@@ -118,9 +119,10 @@ Operation read_known(const JsonPlace& place, NamedObjects& objects) {
   if (const auto* drape = std::get_if<DrapeOperation>(&operation))
     if (drape->of && !objects.contains(*drape->of))
       refuse(place.at("of"), "the name of one of /objects");
-  if (const auto together = place.find("together"))
-    for (const JsonPlace& other : together->items())
-      if (!objects.contains(other.text())) refuse(other, "the name of one of /objects");
+  for (const char* const key : {"together", "only"})
+    if (const auto names = place.find(key))
+      for (const JsonPlace& other : names->items())
+        if (!objects.contains(other.text())) refuse(other, "the name of one of /objects");
   objects.follow(operation);
   return operation;
 }

@@ -62,7 +62,9 @@ void NamedObjects::add(LayoutObject object) {
 }
 
 bool NamedObjects::follow(const Operation& operation) {
-  if (std::holds_alternative<ArrangeOperation>(operation)) return true;
+  if (std::holds_alternative<ArrangeOperation>(operation) ||
+      std::holds_alternative<RepairOperation>(operation))
+    return true;
   const auto* const append = std::get_if<AppendOperation>(&operation);
   const auto* const drape = std::get_if<DrapeOperation>(&operation);
   const auto found = m_index.find(object_name(operation));

@@ -236,7 +236,36 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
   return make_scene(layout, load_all(layout, models, options), options.layout_file);
 }
 
+bool stands_as_given(const Layout& layout) {
+  return !layout.operations.empty() &&
+         std::holds_alternative<RepairOperation>(layout.operations.front());
+}
+
+namespace {
+
+// Objects stand where the layout has them, whether they may or not.
+void stand_as_given(const Layout& layout, const RunOptions& options, LayoutRun& run) {
+  Transaction transaction(run.scene);
+  for (const LayoutObject& wanted : layout.objects) {
+    if (!wanted.pose) continue;
+    transaction.edit(*run.scene.find(wanted.name), [&](Object& object) {
+      object.pose = *wanted.pose;
+      object.placed = true;
+    });
+  }
+  transaction.commit();
+  if (const auto why =
+          refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
+    throw Error(Error::Kind::BadInput, "%1: %2", options.layout_file, message(*why));
+}
+
+}  // namespace
+
 void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& run) {
+  if (stands_as_given(layout)) {
+    stand_as_given(layout, options, run);
+    return update_contacts(run.scene, options.settle.clearance, options.settle);
+  }
   for (size_t i = 0; i < layout.objects.size(); ++i) {
     const LayoutObject& object = layout.objects[i];
     if (!object.pose) continue;
@@ -286,18 +315,7 @@ LayoutRun run_start_only(const Layout& layout, const ModelSource& models, const 
   options.settle = settle_options(given, layout.settle);
   LayoutRun run;
   run.scene = make_scene(layout, models, options);
-  Transaction transaction(run.scene);
-  for (const LayoutObject& wanted : layout.objects) {
-    if (!wanted.pose) continue;
-    transaction.edit(*run.scene.find(wanted.name), [&](Object& object) {
-      object.pose = *wanted.pose;
-      object.placed = true;
-    });
-  }
-  transaction.commit();
-  if (const auto why =
-          refuse_too_coarse(run.scene, std::span<const PlacedBox>(), options.settle.clearance))
-    throw Error(Error::Kind::BadInput, "%1: %2", options.layout_file, message(*why));
+  stand_as_given(layout, options, run);
   finish_run(options, run);
   return run;
 }

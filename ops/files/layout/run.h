@@ -51,6 +51,10 @@ Scene make_scene(const Layout& layout, const ModelSource& models, const RunOptio
 /// Options with the rules that hold: `options.rules`, else the file's, else `options.settle`.
 SettleOptions settle_options(const RunOptions& options, const SettleRules& of_file);
 
+/// True if its objects start as it has them, whether they may or not: it begins with MEND or
+/// SETTLE.
+bool stands_as_given(const Layout& layout);
+
 /// Does the operations of the layout on a scene that has its objects; by `options.settle`.
 void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& run);
 
@@ -60,8 +64,8 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
 /// kept as the settling's if all rests with it.
 void finish_run(const RunOptions& options, LayoutRun& run);
 
-/// Stands objects in the order of the layout, then does the operations, by the rules that hold,
-/// then checks the scene.
+/// Stands objects in the order of the layout, or as they are given, then does the operations, by
+/// the rules that hold, then checks the scene.
 LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options);
 
 /// The objects that stand from the start, exactly as the layout has them, whether they may or not:

@@ -3,6 +3,7 @@
 #include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/report/flexible_json.h"
+#include "ops/files/report/repaired.h"
 #include "ops/files/report/verdict.h"
 
 namespace trivet {
@@ -121,6 +122,7 @@ void add_outcome(const OperationResult& result, OrderedJson& json) {
   }
   add("interpenetrates", result.interpenetrates);
   add("unsound_supports", result.unsound);
+  if (result.repaired) json["repaired"] = repaired_json(*result.repaired);
 }
 
 OrderedJson contacts_json(const Scene& scene, const Object& object) {

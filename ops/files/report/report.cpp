@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 
+#include "ops/check/pair_classes.h"
 #include "ops/files/json/settle_json.h"
 #include "ops/files/json/text.h"
 #include "ops/files/report/json_parts.h"
@@ -75,7 +76,7 @@ void append_pairs(const std::vector<SceneCheck::PairFinding>& findings, const ch
                     {"point", to_json(f.point)}});
 }
 
-OrderedJson check_json(const SceneCheck& check) {
+OrderedJson check_json(const Scene& scene, const SceneCheck& check) {
   OrderedJson pairs = OrderedJson::array();
   append_pairs(check.crossings, "crossing", pairs);
   append_pairs(check.float32_crossings, "float32_crossing", pairs);
@@ -86,7 +87,11 @@ OrderedJson check_json(const SceneCheck& check) {
     hovering.push_back({{"name", h.name},
                         {"above", h.above.empty() ? OrderedJson() : OrderedJson(h.above)},
                         {"height", h.above.empty() ? OrderedJson() : OrderedJson(h.height)}});
+  const PairClasses classes = pair_classes(scene, check);
   return {{"interpenetrating_pairs", check.interpenetrating_pairs()},
+          {"pairs_passing_through", classes.num_through},
+          {"pairs_touching", classes.touching.size()},
+          {"pairs_apart", classes.num_apart},
           {"smallest_gap", check.smallest_gap},
           {"all_at_rest", check.not_at_rest.empty()},
           {"pairs", std::move(pairs)},
@@ -136,7 +141,7 @@ std::string report_json(const LayoutRun& run, const ReportOptions& options) {
   json["settle"] = settle_rules_json(rules_of(run.settle));
   json["objects"] = objects_json(run.scene, run.stability, options);
   json["operations"] = operations_json(run.operations);
-  json["check"] = check_json(run.check);
+  json["check"] = check_json(run.scene, run.check);
   json["stability"] = stability_json(run.scene, run.stability);
   return readable_json(json);
 }

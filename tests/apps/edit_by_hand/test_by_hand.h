@@ -2,14 +2,12 @@
 // and keys. Screenshots are kept.
 #pragma once
 
-#include <QTemporaryDir>
-#include <memory>
-
 #include "apps/edit_by_hand/jobs.h"
+#include "apps/edit_window/at_desk.h"
 
 namespace trivet::edit::test {
 
-class TestByHand : public QObject {
+class TestByHand : public QObject, AtDesk {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -30,10 +28,6 @@ class TestByHand : public QObject {
  private:
   void export_demo(const QString& name);
 
-  QTemporaryDir m_folder;
-  std::unique_ptr<Document> m_document;
-  std::unique_ptr<MainWindow> m_window;
-  std::unique_ptr<User> m_user;
   std::unique_ptr<AtWork> m_work;
 };
 

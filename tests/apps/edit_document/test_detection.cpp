@@ -82,10 +82,10 @@ INSTANTIATE_TEST_SUITE_P(Backends, EditorDetectionBy,
 TEST(EditorDetection, AutomaticTakesWhatIsMeasuredAsFaster) {
   std::atomic<int> num_usable = 0;
   const CostModel slow{10, 0, 0, 0}, fast{0.01, 0, 0, 0};
-  const Calibration calibration{{},
-                                0,
-                                {{"bvh", "cpu", true, "", 0, 0, slow, slow},
-                                 {"gpu compute", "cpu", false, "", 0, 0, fast, fast}}};
+  const Calibration calibration{
+      {},
+      0,
+      {{"bvh", "cpu", true, "", 0, slow, slow}, {"gpu compute", "cpu", false, "", 0, fast, fast}}};
   MachineOptions machine;
   machine.hardware = "a card";
   machine.gpu = {{"gpu compute", [&](bool, const GpuNotes&) -> std::unique_ptr<CandidateFinder> {

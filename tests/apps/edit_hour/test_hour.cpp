@@ -3,49 +3,23 @@
 //   test_apps_edit_hour [--hour] [--size 1280x800] [--dark] [--german] [Qt Test's own arguments]
 // --hour: nothing but the hour; so with --german, too, as the other tests read English.
 // QT_SCALE_FACTOR scales.
-#include <QApplication>
 #include <QComboBox>
 #include <QProcess>
-#include <QSettings>
-#include <QTemporaryDir>
 
-#include "apps/edit/window/language.h"
 #include "apps/edit_hour/browsing.h"
 #include "apps/edit_hour/hour.h"
+#include "apps/edit_window/at_desk.h"
 
 namespace trivet::edit::test {
-namespace {
-
-struct Kind {
-  bool only_hour = false, dark = false, german = false;
-  QSize size{1280, 800};
-};
-
-Kind taken_from(QStringList& arguments) {
-  Kind out;
-  out.only_hour = arguments.removeAll("--hour") > 0;
-  out.dark = arguments.removeAll("--dark") > 0;
-  out.german = arguments.removeAll("--german") > 0;
-  out.only_hour |= out.german;
-  if (const qsizetype at = arguments.indexOf("--size"); at >= 0) {
-    const QStringList size = arguments.takeAt(at + 1).split('x');
-    arguments.removeAt(at);
-    out.size = QSize(size[0].toInt(), size[1].toInt());
-  }
-  return out;
-}
-
-}  // namespace
-
-class TestHour : public QObject {
+class TestHour : public QObject, AtDesk {
   Q_OBJECT
 
  public:
-  explicit TestHour(const Kind& kind) : m_kind(kind) {}
+  TestHour(const Screen& screen, bool only_hour) : m_screen(screen), m_only_hour(only_hour) {}
 
  private Q_SLOTS:
-  void initTestCase();
-  void cleanupTestCase();
+  void initTestCase();     // NOLINT(readability-identifier-naming): Qt's
+  void cleanupTestCase();  // NOLINT(readability-identifier-naming): Qt's
   void helps_without_a_display();
   void keeps_thumbnails();
   void forgets_errors();
@@ -58,42 +32,19 @@ class TestHour : public QObject {
   void shows_all_texts();
 
  private:
-  Kind m_kind;
-  QTemporaryDir m_folder;
-  std::unique_ptr<Document> m_document;
-  std::unique_ptr<MainWindow> m_window;
-  std::unique_ptr<User> m_user;
+  Screen m_screen;
+  bool m_only_hour;
 };
 
 void TestHour::initTestCase() {
-  QVERIFY(m_folder.isValid());
-  qputenv("XDG_CACHE_HOME", m_folder.filePath("cache").toUtf8());
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
-  DocumentOptions options;
-  options.version = "test";
-  options.recovery_folder = m_folder.filePath("recovery").toStdString();
-  options.limits.max_seconds = kPatienceMs / 1000.0;  // by the clock
-  QDir().mkpath(m_folder.filePath("recovery"));
-  m_document = std::make_unique<Document>(options);
-  m_window = std::make_unique<MainWindow>(*m_document);
-  m_window->set_dark(m_kind.dark);
-  m_window->resize(m_kind.size);
-  m_window->show();
-  m_window->move(0, 0);
-  QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatienceMs));
-  m_user = std::make_unique<User>(*m_document, *m_window, QDir::current().filePath("pictures"));
-  QVERIFY(m_user->wait());
-  m_user->look("start_page");
+  sit_down(m_screen, kPatienceMs / 1000.0);
+  if (!QTest::currentTestFailed()) m_user->look("start_page");
 }
 
-void TestHour::cleanupTestCase() {
-  m_user.reset();
-  m_window.reset();
-  m_document.reset();
-}
+void TestHour::cleanupTestCase() { get_up(); }
 
 void TestHour::helps_without_a_display() {
-  if (m_kind.only_hour) QSKIP("--hour");
+  if (m_only_hour) QSKIP("--hour");
   QProcess editor;
   QProcessEnvironment none = QProcessEnvironment::systemEnvironment();
   for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
@@ -112,37 +63,37 @@ void TestHour::helps_without_a_display() {
 }
 
 void TestHour::keeps_thumbnails() {
-  if (m_kind.only_hour) QSKIP("--hour");
+  if (m_only_hour) QSKIP("--hour");
   keep_thumbnails(m_folder.filePath("thumbnails"));
 }
 
 void TestHour::forgets_errors() {
-  if (m_kind.only_hour) QSKIP("--hour");
+  if (m_only_hour) QSKIP("--hour");
   forget_errors(m_folder.filePath("errors"));
 }
 
 void TestHour::browses_models() {
-  if (m_kind.only_hour) QSKIP("--hour");
+  if (m_only_hour) QSKIP("--hour");
   browse_models(*m_document, *m_window, *m_user, m_folder.filePath("models"));
 }
 
 void TestHour::collects_objects() {
-  if (m_kind.only_hour) QSKIP("--hour");
+  if (m_only_hour) QSKIP("--hour");
   collect_objects(*m_document, *m_window, *m_user, m_folder.filePath("collections"));
 }
 
 void TestHour::imports_files() {
-  if (m_kind.only_hour) QSKIP("--hour");
+  if (m_only_hour) QSKIP("--hour");
   import_files(*m_document, *m_window, *m_user, m_folder.filePath("imported"));
 }
 
 void TestHour::stops_reading() {
-  if (m_kind.only_hour) QSKIP("--hour");
+  if (m_only_hour) QSKIP("--hour");
   stop_reading(m_folder.filePath("stopped"));
 }
 
 void TestHour::drops_files() {
-  if (m_kind.only_hour) QSKIP("--hour");
+  if (m_only_hour) QSKIP("--hour");
   drop_files(*m_document, *m_window, *m_user, m_folder.filePath("dropped"));
 }
 
@@ -164,16 +115,11 @@ void TestHour::shows_all_texts() {
 }  // namespace trivet::edit::test
 
 int main(int argc, char** argv) {
-  QStringList arguments;
-  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
-  const trivet::edit::test::Kind kind = trivet::edit::test::taken_from(arguments);
-  QCoreApplication::setOrganizationName("trivet");
-  QCoreApplication::setApplicationName("trivet-edit-hour");
-  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QApplication application(argc, argv);
-  trivet::edit::speak(application, kind.german ? "de" : "en");
-  trivet::edit::test::TestHour test(kind);
-  return QTest::qExec(&test, arguments);
+  using namespace trivet::edit::test;
+  return run_at_desk(argc, argv, "hour", [](const Screen& screen, QStringList& arguments) {
+    const bool only_hour = arguments.removeAll("--hour") > 0 || screen.german;
+    return std::make_unique<TestHour>(screen, only_hour);
+  });
 }
 
 #include "test_hour.moc"

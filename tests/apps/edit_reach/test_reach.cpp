@@ -1,14 +1,11 @@
 #include "apps/edit_reach/test_reach.h"
 
-#include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QScreen>
-#include <QSettings>
 #include <QTabWidget>
 
-#include "apps/edit/window/language.h"
 #include "apps/edit_document/boxes.h"
 #include "apps/edit_reach/reach.h"
 
@@ -23,51 +20,19 @@ const QStringList kDialogs{"preferences", "shortcuts", "two minutes", "quick act
                            "picture",     "array",     "scatter",     "align",         "open",
                            "import",      "save as",   "export"};
 
-Reach reach_from(QStringList& arguments) {
-  Reach out;
-  out.german = arguments.removeAll("--german") > 0;
-  out.dark = arguments.removeAll("--dark") > 0;
-  if (const qsizetype at = arguments.indexOf("--size"); at >= 0) {
-    const QStringList size = arguments.takeAt(at + 1).split('x');
-    arguments.removeAt(at);
-    out.size = QSize(size[0].toInt(), size[1].toInt());
-  }
-  return out;
-}
-
 }  // namespace
 
-void TestReach::initTestCase() {
-  QVERIFY(m_folder.isValid());
-  qputenv("XDG_CACHE_HOME", m_folder.filePath("cache").toUtf8());
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
-  DocumentOptions options;
-  options.version = "test";
-  options.recovery_folder = m_folder.filePath("recovery").toStdString();
-  QVERIFY(QDir().mkpath(m_folder.filePath("recovery")));
-  m_document = std::make_unique<Document>(options);
-  m_window = std::make_unique<MainWindow>(*m_document);
-  m_window->set_dark(m_reach.dark);
-  m_window->resize(m_reach.size);
-  m_window->show();
-  m_window->move(0, 0);
-  QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatienceMs));
-  m_user = std::make_unique<User>(*m_document, *m_window, QDir::current().filePath("pictures"));
-  QVERIFY(m_user->wait());
-}
+void TestReach::initTestCase() { sit_down(m_screen); }
 
-void TestReach::cleanupTestCase() {
-  m_user.reset();
-  m_window.reset();
-  m_document.reset();
-}
+void TestReach::cleanupTestCase() { get_up(); }
 
 void TestReach::check(const QString& where) {
   QTest::qWait(kLayoutMs);
-  QVERIFY2(m_window->size() == m_reach.size, qPrintable(QString("%1: the window has grown to %2x%3")
-                                                            .arg(where)
-                                                            .arg(m_window->width())
-                                                            .arg(m_window->height())));
+  QVERIFY2(m_window->size() == m_screen.size,
+           qPrintable(QString("%1: the window has grown to %2x%3")
+                          .arg(where)
+                          .arg(m_window->width())
+                          .arg(m_window->height())));
   const QStringList troubles = out_of_reach(*m_window);
   if (!troubles.isEmpty()) m_user->look("failed");
   if (!troubles.isEmpty()) m_troubles << where + ":\n" + troubles.join("\n");
@@ -83,7 +48,7 @@ void TestReach::tells_what_is_cut_off() {
   narrow.show();
   QVERIFY(QTest::qWaitForWindowExposed(&narrow, kPatienceMs));
   QCOMPARE(out_of_reach(narrow).size(), 2);
-  narrow.move(m_reach.size.width() - 100, 0);
+  narrow.move(m_screen.size.width() - 100, 0);
   QTRY_COMPARE_WITH_TIMEOUT(out_of_screen(narrow).size(), 3, kPatienceMs);
 }
 
@@ -173,20 +138,14 @@ void TestReach::has_menus() {
     if (menu->sizeHint().height() > screen.height() || menu->sizeHint().width() > screen.width())
       troubles << menu->title();
   QVERIFY2(troubles.isEmpty(), qPrintable(troubles.join(", ")));
-  QVERIFY(m_window->menuBar()->sizeHint().width() <= m_reach.size.width());
+  QVERIFY(m_window->menuBar()->sizeHint().width() <= m_screen.size.width());
 }
 
 }  // namespace trivet::edit::test
 
 int main(int argc, char** argv) {
-  QStringList arguments;
-  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
-  const trivet::edit::test::Reach reach = trivet::edit::test::reach_from(arguments);
-  QCoreApplication::setOrganizationName("trivet");
-  QCoreApplication::setApplicationName("trivet-edit-reach");
-  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QApplication application(argc, argv);
-  trivet::edit::speak(application, reach.german ? "de" : "en");
-  trivet::edit::test::TestReach test(reach);
-  return QTest::qExec(&test, arguments);
+  using namespace trivet::edit::test;
+  return run_at_desk(argc, argv, "reach", [](const Screen& screen, QStringList&) {
+    return std::make_unique<TestReach>(screen);
+  });
 }

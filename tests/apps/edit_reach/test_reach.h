@@ -3,23 +3,15 @@
 //   test_apps_edit_reach [--german] [--dark] [--size 1280x800] [Qt Test's own arguments]
 #pragma once
 
-#include <QTemporaryDir>
-#include <memory>
-
-#include "apps/edit_window/user.h"
+#include "apps/edit_window/at_desk.h"
 
 namespace trivet::edit::test {
 
-struct Reach {
-  bool german = false, dark = false;
-  QSize size{1280, 800};
-};
-
-class TestReach : public QObject {
+class TestReach : public QObject, AtDesk {
   Q_OBJECT
 
  public:
-  explicit TestReach(const Reach& reach) : m_reach(reach) {}
+  explicit TestReach(const Screen& screen) : m_screen(screen) {}
 
  private Q_SLOTS:
   void initTestCase();     // NOLINT(readability-identifier-naming): Qt's
@@ -37,12 +29,8 @@ class TestReach : public QObject {
   void check_tabs(const QString& where);
   void set_dock(const QString& name, bool shown);
 
-  Reach m_reach;
+  Screen m_screen;
   QStringList m_troubles;
-  QTemporaryDir m_folder;
-  std::unique_ptr<Document> m_document;
-  std::unique_ptr<MainWindow> m_window;
-  std::unique_ptr<User> m_user;
 };
 
 }  // namespace trivet::edit::test

@@ -80,13 +80,13 @@ def write_foreign_room(path):
 
 
 def small_recipe():
-    """That of guide/batches.md, with small pictures."""
+    """The recipe of guide/batches.md, with small pictures."""
     text = next(text for language, _, text in blocks("guide/batches.md") if language == "json")
     return {**json.loads(text), "views": SMALL_VIEWS}
 
 
 def prepare(folder, page):
-    """What pages presuppose: the models of BREAKFAST in models and here, and files of the names that they use."""
+    """Writes the files that pages presuppose: the models of BREAKFAST in models and here, and files that they name."""
     program("demo", "breakfast", "-o", "breakfast.glb", "--export", "models", "--quiet")
     for path in (folder / "models").glob("*.glb"):
         shutil.copy(path, folder)
@@ -102,6 +102,7 @@ def prepare(folder, page):
         for name in ("robot.urdf", "world.sdf"):
             program("export", "breakfast.glb", "-o", name)
         (folder / "dataset").mkdir()
+        shutil.copy(CASES / "drawer.urdf", "cabinet.urdf")
         kitchen = (CASES / "drawer.xml").read_text().replace('"in the drawer"', '"cube"').replace('name="slide"', 'name="drawer"')
         for name in ("kitchen.xml", "dataset/one.xml"):
             (folder / name).write_text(kitchen)

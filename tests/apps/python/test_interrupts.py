@@ -27,7 +27,7 @@ def fine_rings():
 
 
 def seconds_to_stop(work, delay):
-    """Of work that Ctrl+C interrupts after a delay: by the clock and of CPU; None if it came before or after it."""
+    """Seconds by the clock and of CPU until Ctrl+C, after a delay, ends work; None if it came before or after the work."""
     sent, is_under_way = [], False
 
     def send():

@@ -329,7 +329,7 @@ def other(scene, pipe):
 
 @pytest.mark.skipif(SANITIZED, reason="the sanitizer gives no memory back")
 def test_memory_stays_flat_over_many_scenes():
-    """Of 300 scenes after the first 300: a leak of one would show."""
+    """Memory does not grow by 300 scenes after the first 300: a leak of one would show."""
     def kilobytes():
         return int([line for line in open("/proc/self/status") if line.startswith("VmRSS")][0].split()[1])
 

@@ -34,6 +34,17 @@ function place(model, data, id, {fixed, position, rotation}) {
   }
 }
 
+/** Bodies as the engine names, places and weighs them. */
+export function read(file) {
+  const model = mujoco.MjModel.from_xml_path(bring(file)), data = new mujoco.MjData(model);
+  mujoco.mj_forward(model, data);
+  return Array.from({length: model.nbody - 1}, (_, k) => k + 1).map((id) => {
+    const [x, y, z] = data.xpos.slice(3 * id, 3 * id + 3), q = data.xquat.slice(4 * id, 4 * id + 4);
+    return {name: mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY.value, id), position: {x, y, z},
+      quaternion: {w: q[0], x: q[1], y: q[2], z: q[3]}, mass: model.body_mass[id]};
+  });
+}
+
 export function load(scene, file) {
   const model = mujoco.MjModel.from_xml_path(bring(file)), data = new mujoco.MjData(model);
   const ids = new Map(scene.bodies.map((body) => [body.name, mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY.value, body.name)]));

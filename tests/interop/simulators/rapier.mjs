@@ -73,6 +73,8 @@ export function load(scene) {
   const world = new rapier.World({x: 0, y: 0, z: -UNIT * scene.gravity});
   world.timestep = 1 / 240;
   world.lengthUnit = UNIT / 10;  // household things
+  world.integrationParameters.contact_natural_frequency = 120;  // of 30 Hz nuts in a basket sink and creep
+  world.numSolverIterations = 8;
   if (scene.floor !== null)
     addCollider(world, rapier.ColliderDesc.cuboid(50 * UNIT, 50 * UNIT, UNIT).setTranslation(0, 0, -UNIT), scene.floor);
   const bodies = new Map(scene.bodies.map((body) => [body.name, addBody(world, body)]));

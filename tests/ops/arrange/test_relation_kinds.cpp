@@ -1,63 +1,17 @@
 // Kinds of relations by what their files say of themselves.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/base/sentence.h"
 #include "ops/arrange/relation.h"
+#include "ops/files/arrange/schema.h"
 
 namespace trivet {
 namespace {
 
-using nlohmann::json;
-using Keys = std::set<std::string>;
-
-// By name, the keys of all forms of an entry and those that each of them needs.
-struct Forms {
-  Keys all, required;
-};
-
-void collect(const json& entry, std::map<std::string, Forms>& out) {
-  if (!entry.contains("properties")) {
-    for (const json& form : entry["oneOf"]) collect(form, out);
-    return;
-  }
-  const json& is = entry["properties"]["is"];
-  for (const json& name : is.contains("enum") ? is["enum"] : json::array({is["const"]})) {
-    Forms& forms = out[name];
-    Keys required = entry["required"].get<Keys>();
-    if (!forms.all.empty())  // needed in all forms
-      std::erase_if(required, [&](const std::string& key) { return !forms.required.count(key); });
-    forms.required = required;
-    for (const auto& [key, value] : entry["properties"].items()) forms.all.insert(key);
-  }
-}
-
-std::map<std::string, Forms> forms_of_schema() {
-  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../..";
-  std::ifstream file(root / "ops/files/arrange/arrange.schema.json");
-  std::map<std::string, Forms> out;
-  const json schema = json::parse(file);
-  for (const json& entry : schema["properties"]["relations"]["items"]["oneOf"]) collect(entry, out);
-  return out;
-}
-
-template <class K>
-Forms forms_of() {
-  Forms out{{"is", "a"}, {"is", "a"}};
-  if (K::kOther != relations::Other::None) out.all.insert("b");
-  if (K::kOther == relations::Other::Needed) out.required.insert("b");
-  if (!K::kCarries) out.all.insert({"tolerance", "weight"});
-  for (const auto& field : relations::fields_of<K>()) {
-    out.all.insert(field.key);
-    if (field.is_required) out.required.insert(field.key);
-  }
-  return out;
-}
+using Json = nlohmann::ordered_json;
 
 template <class Visit, size_t... I>
 void for_each_kind(const Visit& visit, std::index_sequence<I...>) {
@@ -69,22 +23,66 @@ void for_each_kind(const Visit& visit) {
   for_each_kind(visit, std::make_index_sequence<std::variant_size_v<relations::Kind>>());
 }
 
-TEST(RelationKinds, HaveTheKeysOfTheSchema) {
-  const std::map<std::string, Forms> schema = forms_of_schema();
-  Keys named;
+// Names under which an entry of the schema is chosen.
+std::vector<std::string> names_of(const Json& entry) {
+  const Json& is = entry["properties"]["is"];
+  return is.contains("enum") ? is["enum"].get<std::vector<std::string>>()
+                             : std::vector<std::string>{is["const"]};
+}
+
+Json entry_of(const std::string& name) {
+  for (const Json& entry : relation_schemas())
+    for (const std::string& each : names_of(entry))
+      if (each == name) return entry;
+  return {};
+}
+
+TEST(RelationKinds, AreInTheSchemaOnceEach) {
+  std::multiset<std::string> named, kinds;
+  for (const Json& entry : relation_schemas())
+    for (const std::string& name : names_of(entry)) named.insert(name);
   for_each_kind([&]<class K>(const K&) {
-    EXPECT_TRUE(named.insert(K::kName).second) << K::kName;
-    ASSERT_TRUE(schema.count(K::kName)) << K::kName;
-    EXPECT_EQ(forms_of<K>().all, schema.at(K::kName).all) << K::kName;
-    EXPECT_EQ(forms_of<K>().required, schema.at(K::kName).required) << K::kName;
-    if constexpr (K::kAlias != nullptr) {
-      named.insert(K::kAlias);
-      EXPECT_EQ(forms_of<K>().all, schema.at(K::kAlias).all) << K::kAlias;
-    }
+    kinds.insert(K::kName);
+    if constexpr (K::kAlias != nullptr) kinds.insert(K::kAlias);
   });
-  for (const auto& [name, forms] : schema)
-    EXPECT_TRUE(named.count(name) || forms.all.count("of") || !forms.all.count("tolerance"))
-        << name;
+  EXPECT_EQ(named, kinds);
+  EXPECT_EQ(std::set<std::string>(named.begin(), named.end()).size(), named.size());
+}
+
+TEST(RelationKinds, ShareAnEntryWhereTheyDifferByTheirNameOnly) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names_of(entry_of("behind")), (Names{"left_of", "right_of", "in_front_of", "behind"}));
+  EXPECT_EQ(names_of(entry_of("away")), (Names{"facing", "away"}));
+  EXPECT_EQ(names_of(entry_of("near")), Names{"near"});
+  EXPECT_EQ(names_of(entry_of("next_to")), Names{"next_to"});
+}
+
+// As they were written by hand.
+TEST(RelationKinds, MakeTheSchemaOfTheirFields) {
+  EXPECT_EQ(entry_of("view"), Json::parse(R"({
+    "description": "This part of what is to be seen of a is seen from b's middle, or a point: nothing else hides it.",
+    "type": "object", "additionalProperties": false, "required": ["is", "a"],
+    "oneOf": [{"required": ["b"], "properties": {"point": false}},
+              {"required": ["point"], "properties": {"b": false, "height": false}}],
+    "properties": {
+      "is": {"const": "view"}, "a": {"$ref": "#/$defs/text"}, "b": {"$ref": "#/$defs/text"},
+      "height": {"description": "Height of the eye over b's lowest point; default 1.2 m.",
+                 "type": "number", "minimum": -1e15, "maximum": 1e15},
+      "point": {"description": "Position of the eye in the world, metres.", "type": "array",
+                "minItems": 3,
+                "items": {"type": "number", "minimum": -1e15, "maximum": 1e15}, "maxItems": 3},
+      "part": {"description": "Share that is seen, at least; default 0.5.",
+               "type": "number", "minimum": 0.0, "maximum": 1.0},
+      "tolerance": {"$ref": "#/$defs/tolerance"}, "weight": {"$ref": "#/$defs/weight"}}})"));
+  EXPECT_EQ(entry_of("on"), Json::parse(R"({
+    "description": "b, or \"floor\", alone carries a; on this level of it.",
+    "type": "object", "additionalProperties": false, "required": ["is", "a", "b"],
+    "properties": {"is": {"const": "on"}, "a": {"$ref": "#/$defs/text"},
+                   "b": {"$ref": "#/$defs/text"}, "level": {"$ref": "#/$defs/level"}}})"));
+  EXPECT_EQ(entry_of("near")["required"], Json({"is", "a", "b", "distance"}));
+  EXPECT_EQ(entry_of("next_to")["required"], Json({"is", "a", "b"}));
+  EXPECT_EQ(entry_of("next_to")["description"], "The same; default 10 cm.");
+  EXPECT_EQ(entry_of("centred")["properties"]["along"]["enum"], Json({"x", "y", "both"}));
 }
 
 // As before there was a file for each.

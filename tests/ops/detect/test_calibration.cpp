@@ -23,8 +23,8 @@ Calibration example(test::Random& random) {
   };
   Calibration out{
       {"1.2", "gpu compute", "processor \"x\", 2 cores", "renderD128", 2}, 0.1 + 0.2, {}};
-  out.sources.push_back({"bvh", "cpu", true, "", 0, 5e-4, model(), model()});
-  out.sources.push_back({"gpu compute", "card", false, "fails", 1 / 3.0, 0, model(), model()});
+  out.sources.push_back({"bvh", "cpu", true, "", 5e-4, model(), model()});
+  out.sources.push_back({"gpu compute", "card", false, "fails", 1 / 3.0, model(), model()});
   return out;
 }
 
@@ -38,8 +38,7 @@ bool same(const Calibration& a, const Calibration& b) {
   for (size_t i = 0; out && i < a.sources.size(); ++i) {
     const SourceCost &x = a.sources[i], &y = b.sources[i];
     out = x.name == y.name && x.device == y.device && x.on_cpu == y.on_cpu &&
-          x.failure == y.failure && x.start_ms == y.start_ms &&
-          x.ms_per_new_triangle == y.ms_per_new_triangle && same(x.drop, y.drop) &&
+          x.failure == y.failure && x.start_ms == y.start_ms && same(x.drop, y.drop) &&
           same(x.turn, y.turn);
   }
   return out;
@@ -145,7 +144,7 @@ TEST(CalibrationFile, RefusesWhatIsDamaged) {
   for (size_t length = 0; length + 2 < good.size(); ++length)
     EXPECT_THROW(calibration_from_json(good.substr(0, length)), Error) << length;
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
-           {"\"format\": 2", "\"format\": 3"},
+           {"\"format\": 3", "\"format\": 2"},
            {"\"start_ms\": 0.0", "\"start_ms\": -1"},
            {"\"start_ms\": 0.0", "\"start_ms\": 1e999"},
            {"\"start_ms\": 0.0", "\"start_ms\": \"1\""},

@@ -92,8 +92,8 @@ struct Lossy {
     options.machine = std::make_shared<Machine>(
         machine, Calibration{{},
                              0,
-                             {{"bvh", "cpu", true, "", 0, 0, slow, slow},
-                              {"gpu compute", device, false, "", 0, 0, fast, fast}}});
+                             {{"bvh", "cpu", true, "", 0, slow, slow},
+                              {"gpu compute", device, false, "", 0, fast, fast}}});
     return make_detector(options);
   }
 

@@ -12,6 +12,7 @@
 #include "ops/settle/linear_program.h"
 #include "ops/stability/contact_forces.h"
 #include "ops/stability/part.h"
+#include "ops/stability/unbalanced.h"
 
 namespace trivet::test {
 namespace {
@@ -72,6 +73,41 @@ TEST(Parts, LackNoMoreByFewTouchesThanByAll) {
   }
   EXPECT_GT(num_balanced, kTrials / 10);
   EXPECT_LT(num_balanced, kTrials * 9 / 10);
+}
+
+// The motion of three bodies that do not stand tells that two of them do not either, at most where
+// their program says so: they may have touches that the three do not have.
+TEST(Parts, AreCalledUnbalancedByMotionsOnlyWhereTheProgramSaysSo) {
+  std::mt19937_64 random(40);
+  std::uniform_real_distribution<double> in(-1, 1);
+  int num_proved = 0, num_unbalanced = 0, num_balanced = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    FreeBodies larger, part;
+    for (std::uint32_t i = 0; i < 3; ++i)
+      larger.bodies.push_back({{i, 0}, Vec3(in(random), in(random), i), 1 + i * 0.5, 2});
+    part.bodies.assign(larger.bodies.begin(), larger.bodies.begin() + 2);
+    if (trial % 3 == 0) part.bodies[1].load = Vec3(in(random), 0, in(random)-1);
+    for (int k = 0; k < 36; ++k) {
+      const Vec3 point(in(random), in(random), in(random) + 0.5);
+      const Vec3 normal = Vec3(in(random), in(random), 0.1 * (trial % 6) - 0.6 + 0.3 * in(random));
+      const Index on = k / 12, from = k % 12 < 8 || on == 0 ? BodyContact::kGround : on - 1;
+      const ContactPoint p{point, normal.normalized(), kGap, ContactFeatures::VertexFace, k, 0};
+      const BodyContact touch{on, from, Support::floor(), 0.3, p};
+      const bool also_larger = trial % 2 == 0 || k % 5 > 0;
+      if (also_larger) (k % 4 == 0 ? larger.more : larger.touches).push_back(touch);
+      if (on < 2) (k % 4 == 1 ? part.more : part.touches).push_back(touch);
+    }
+    const PartForces forces = contact_forces(larger, kEps);
+    if (!forces.solved || forces.balanced()) continue;
+    const bool proved = clearly_unbalanced(part, kEps, larger, forces);
+    const bool balanced = contact_forces(part, kEps).balanced();
+    EXPECT_FALSE(proved && balanced) << "trial " << trial;
+    num_proved += proved;
+    ++(balanced ? num_balanced : num_unbalanced);
+  }
+  std::printf("%d of %d proved, %d balanced\n", num_proved, num_unbalanced, num_balanced);
+  EXPECT_GT(num_proved, num_unbalanced / 4);
+  EXPECT_GT(num_balanced, 10);
 }
 
 // Forces on a body, and a further push that is worth something: from one start as each alone.

@@ -3,67 +3,13 @@
 
 #include <cmath>
 
-#include "core/scene/transaction.h"
-#include "ops/check/check.h"
+#include "ops/mend/boxes.h"
 #include "ops/mend/mend.h"
-#include "support/solids.h"
 
 namespace trivet {
 namespace {
 
-Mesh box_of(const Vec3& half) {
-  std::vector<Triangle> triangles;
-  const auto corner = [&](int i) {
-    return Vec3(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(),
-                i & 4 ? half.z() : -half.z());
-  };
-  for (const std::array<int, 4>& q :
-       {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
-        std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
-    triangles.push_back({corner(q[0]), corner(q[1]), corner(q[2])});
-    triangles.push_back({corner(q[0]), corner(q[2]), corner(q[3])});
-  }
-  return weld(triangles);
-}
-
-/// Boxes at places, on a floor.
-struct Boxes {
-  Scene scene;
-  std::vector<ObjectId> ids;
-
-  ObjectId add(const std::string& name, const Vec3& half, const Vec3& at, bool fixed = false,
-               const Rotation& rotation = {}) {
-    auto model = std::make_shared<Model>();
-    model->mesh = box_of(half);
-    Object object;
-    object.name = name;
-    object.shape = make_shape(model->mesh);
-    object.model = std::move(model);
-    object.fixed = fixed;
-    object.pose = {rotation, at};
-    object.placed = true;
-    ids.push_back(scene.add(std::move(object)));
-    return ids.back();
-  }
-  Vec3 at(ObjectId id) const { return scene.at(id).pose.translation; }
-};
-
-bool is_true(const Scene& given) {
-  Scene scene = given;
-  update_contacts(scene);
-  return check_scene(scene).ok();
-}
-
-bool same_bits(const Scene& a, const Scene& b) {
-  for (const ObjectId id : a.ids()) {
-    const Pose &p = a.at(id).pose, &q = b.at(id).pose;
-    if (p.translation != q.translation || p.rotation.w != q.rotation.w ||
-        p.rotation.x != q.rotation.x || p.rotation.y != q.rotation.y ||
-        p.rotation.z != q.rotation.z)
-      return false;
-  }
-  return true;
-}
+using namespace trivet::test;
 
 constexpr double kClose = 1e-5;  // some clearances
 
@@ -173,6 +119,44 @@ TEST(Mend, AStackThatSankRisesWithoutASidewaysMove) {
   EXPECT_NEAR(s.at(b).z(), 0.15, kClose);
   EXPECT_NEAR((s.at(b) - Vec3(0.01, 0.02, 0.15)).norm(), 0, 1e-3);
   EXPECT_TRUE(out.relations.empty());
+}
+
+// 12 books of 30 mm, each 0.5 mm in the next: 5.5 mm are missing, shared by both sides.
+TEST(Mend, ARowSpreadsAboutItsMiddle) {
+  Boxes s;
+  s.add("shelf", {0.5, 0.2, 0.2}, {0, 0, 0.2}, true);
+  std::vector<ObjectId> books;
+  for (int i = 0; i < 12; ++i)
+    books.push_back(
+        s.add("book " + std::to_string(i), {0.015, 0.08, 0.1}, {0.0295 * (i - 5.5), 0, 0.5}));
+  const Scene before = s.scene;
+  const MendedScene out = mend_scene(s.scene, {});
+  EXPECT_TRUE(out.unable.empty());
+  EXPECT_TRUE(is_true(s.scene));
+  EXPECT_EQ(out.num_kept, 12u);
+  for (int i = 0; i < 12; ++i) {
+    EXPECT_LT((s.at(books[i]) - before.at(books[i]).pose.translation).norm(), 0.0035) << i;
+    EXPECT_NEAR(s.at(books[i]).z(), 0.5, kClose);
+    if (i > 0) {
+      EXPECT_GT(s.at(books[i]).x() - s.at(books[i - 1]).x(), 0.03);
+    }
+  }
+}
+
+TEST(Mend, ARowAtAWallGivesWayToTheOtherSide) {
+  Boxes s;
+  s.add("shelf", {0.5, 0.2, 0.2}, {0, 0, 0.2}, true);
+  s.add("wall", {0.01, 0.2, 0.2}, {0.2, 0, 0.6}, true);  // to 0.19
+  std::vector<ObjectId> books;
+  for (int i = 0; i < 3; ++i)
+    books.push_back(s.add("book " + std::to_string(i), {0.015, 0.08, 0.1},
+                          {0.176 - 0.029 * (2 - i), 0, 0.5}));  // 1 mm in the wall and each other
+  const MendedScene out = mend_scene(s.scene, {});
+  EXPECT_TRUE(out.unable.empty());
+  EXPECT_TRUE(is_true(s.scene));
+  EXPECT_NEAR(s.at(books[2]).x(), 0.175, 5e-4);
+  EXPECT_NEAR(s.at(books[1]).x(), 0.145, 5e-4);
+  EXPECT_NEAR(s.at(books[0]).x(), 0.115, 5e-4);
 }
 
 TEST(Mend, MendedAgainNothingMoves) {

@@ -143,8 +143,9 @@ TEST(Tables, MissingAndUnknownKeysAreNamed) {
   for_all_forms([](const Operation& one, const OperationTable& table, size_t form) {
     Json wrong = operation_json(one);
     wrong["nonsense"] = 1;
-    EXPECT_NE(complaint(wrong).find("/nonsense: unknown key; accepted: op, object"),
-              std::string::npos);
+    const std::string accepted = std::string("/nonsense: unknown key; accepted: op, ") +
+                                 (table.find("object") ? "object" : table.keys(form, false)[0]);
+    EXPECT_NE(complaint(wrong).find(accepted), std::string::npos) << complaint(wrong);
     for (const char* const key : table.keys(form, true)) {
       Json without = operation_json(one);
       without.erase(key);

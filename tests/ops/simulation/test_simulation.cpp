@@ -1,7 +1,9 @@
 // Common features of all formats: names, parts, overlaps, friction, files.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -11,6 +13,7 @@
 #include "core/convex/hull_memo.h"
 #include "core/convex/hull_overlap.h"
 #include "core/convex/hull_tree.h"
+#include "core/io/simulators/simulation_files.h"
 #include "core/scene/materials.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
@@ -49,10 +52,18 @@ ConvexPart part_of(const Model& model) {
 }
 
 TEST(Names, AreValidAndUnique) {
-  EXPECT_EQ(valid_names({"a", "a b", "a_b", "2", "", "\xc3\xa4", "world"}, true, {"world"}),
-            (std::vector<std::string>{"a", "a_b_2", "a_b", "_2", "_", "__", "world_2"}));
-  EXPECT_EQ(valid_names({"x.y-z"}, true, {})[0], "x.y-z");
-  EXPECT_EQ(valid_names({"x.y-z"}, false, {})[0], "x_y_z");
+  const NameRule xml = NameRule::Xml, identifier = NameRule::Identifier;
+  EXPECT_EQ(valid_names({"a", "a b", "a_b", "2", "", "world"}, xml, {"world"}),
+            (std::vector<std::string>{"a", "a_b_2", "a_b", "_2", "_", "world_2"}));
+  EXPECT_EQ(valid_names({"x.y-z"}, xml, {})[0], "x.y-z");
+  EXPECT_EQ(valid_names({"x.y-z"}, identifier, {})[0], "x_y_z");
+  // Letters of all scripts stay in XML, as far as they are UTF-8 and printed.
+  const std::string cup = "gr\xc3\xbcne \xe8\x8c\xb6\xe7\xa2\x97";
+  EXPECT_EQ(valid_names({cup, "\xc3\xa4", "\xc2\x85", "a\xffz", "\xc3"}, xml, {}),
+            (std::vector<std::string>{"gr\xc3\xbcne_\xe8\x8c\xb6\xe7\xa2\x97", "\xc3\xa4", "_",
+                                      "a_z", "__2"}));
+  EXPECT_EQ(valid_names({cup, "\xc3\xa4"}, identifier, {}),
+            (std::vector<std::string>{"gr_ne___", "_"}));
 }
 
 // An L of two boxes: one component, not convex.
@@ -418,6 +429,59 @@ TEST(Simulation, ComputesInertiaOfBox) {
   EXPECT_NEAR(body.mass, mass, 1e-12);
   const Vec3 expected = mass / 12 * Vec3(0.16 + 0.36, 0.04 + 0.36, 0.04 + 0.16);
   EXPECT_LE((body.inertia - Mat3(expected.asDiagonal())).norm(), 1e-12);
+}
+
+// A prism of a bow tie: one half is turned inside out, and the whole has less than no inertia.
+Model bow_tie() {
+  const double far = 0.45;
+  const std::array<Vec2, 4> corners{Vec2(-1, -1), Vec2(-1, 1), Vec2(far, -far), Vec2(far, far)};
+  std::vector<Triangle> triangles;
+  const auto at = [&](size_t i, double z) {
+    return Vec3(0.1 * corners[i % 4].x(), 0.1 * corners[i % 4].y(), z);
+  };
+  for (size_t i = 0; i < 4; ++i) {
+    triangles.push_back({at(i, 0), at(i, 0.1), at(i + 1, 0.1)});
+    triangles.push_back({at(i, 0), at(i + 1, 0.1), at(i + 1, 0)});
+  }
+  for (const auto& [a, b, c] : {std::array<size_t, 3>{0, 1, 2}, std::array<size_t, 3>{0, 2, 3}}) {
+    triangles.push_back({at(a, 0), at(b, 0), at(c, 0)});
+    triangles.push_back({at(a, 0.1), at(c, 0.1), at(b, 0.1)});
+  }
+  Model model = box_model(1, 1, 1);
+  model.mesh = weld(triangles);
+  model.face_material.assign(triangles.size(), 0);
+  return model;
+}
+
+TEST(Simulation, WritesAnInertiaThatABodyCanHave) {
+  Scene scene;
+  const ObjectId id = add(scene, "a", bow_tie(), {});
+  const Eigen::SelfAdjointEigenSolver<Mat3> given(scene.at(id).shape->mass.covariance);
+  ASSERT_LT(given.eigenvalues()[0], 0) << "the case is none";
+  const SimulationExport done = simulation_of(scene, "s", {});
+  const Eigen::SelfAdjointEigenSolver<Mat3> written(done.scene.bodies[0].inertia);
+  const Vec3& i = written.eigenvalues();
+  EXPECT_GT(i[0], 0);
+  EXPECT_GT(i[0] + i[1], i[2]);
+  ASSERT_EQ(done.notes.size(), 1u);
+  EXPECT_NE(in_english(done.notes[0]).find("inside out"), std::string::npos);
+}
+
+TEST(Simulation, TellsMujocoOfTheGapsAtRest) {
+  const TemporaryFolder folder;
+  const SimulationExport done = export_simulation(convex_objects().scene, folder.file("s.xml"));
+  for (const SimulationBody& body : done.scene.bodies) {
+    EXPECT_GT(body.gap, 0) << body.name;
+    EXPECT_LT(body.gap, 1e-4) << body.name;
+  }
+  EXPECT_GT(done.scene.floor_gap, 0);
+  const std::string text = content(folder.file("s.xml"));
+  EXPECT_NE(text.find(" margin=\"" + number_text(done.scene.floor_gap / 2 + 5e-7) + "\""),
+            std::string::npos);
+  SimulationOptions options;
+  options.files.mujoco = 2;
+  export_simulation(convex_objects().scene, folder.file("old.xml"), options);
+  EXPECT_EQ(content(folder.file("old.xml")).find("margin"), std::string::npos);
 }
 
 TEST(Simulation, SharesFilesOfModelsAndFolders) {

@@ -21,6 +21,7 @@ struct Extent {
 };
 
 void use_fromto(const Attributes& a, Extent& out) {
+  // The axis runs between two points, whose distance takes the place of a length.
   const std::vector<double> n = a.numbers("fromto", 6, 6);
   const Vec3 from(n[0], n[1], n[2]), to(n[3], n[4], n[5]);
   if (!((from - to).norm() > 1e-14))
@@ -28,6 +29,7 @@ void use_fromto(const Attributes& a, Extent& out) {
   out.pose = {z_to(from - to), (from + to) / 2};
   const double half = (from - to).norm() / 2;
   const bool round = out.type == "capsule" || out.type == "cylinder";
+  // Round shapes have radius and half length; others are as deep as they are wide.
   out.size = round ? Vec3(out.size.x(), half, 0) : Vec3(out.size.x(), out.size.x(), half);
 }
 
@@ -83,9 +85,11 @@ Solid of_mesh(const Attributes& a, const std::string& type, bool collides,
   if (asset && !asset->trouble.empty()) trouble = asset->trouble;
   if (!trouble.empty()) return {};
   Solid out;
+  // The mass is that of the mesh, also where its hull collides.
   const bool shell = a.text("shellinertia") == "true";
   out.moments = mesh_moments(*asset->mesh, shell ? MeshMass::Shell : asset->rule);
   if (!collides) return out;
+  // MuJoCo collides hulls of meshes.
   out.mesh = type == "sdf" || options.true_meshes ? asset->mesh : asset->hull();
   if (out.mesh->triangles.empty()) trouble = Sentence("a flat mesh has no hull");
   return out;
@@ -110,6 +114,7 @@ ContactBits bits_of(const Attributes& a) {
 }
 
 bool weighs(const Attributes& a, const Settings& settings) {
+  // Geoms of groups outside the range weigh nothing.
   const std::string range = settings.compiler("inertiagrouprange", "0 5");
   const std::vector<double> n = numbers_in(range, "inertiagrouprange", a.place(), 2, 2);
   const double group = a.number("group", 0);
@@ -119,6 +124,7 @@ bool weighs(const Attributes& a, const Settings& settings) {
 void add_mass(const Attributes& a, const Solid& solid, const Pose& pose, const Settings& settings,
               Body& body) {
   if (!weighs(a, settings)) return;
+  // A mass that is given wins over density and volume.
   const double kilograms =
       a.has("mass") ? a.number("mass", 0) : a.number("density", 1000) * solid.moments.volume;
   if (kilograms > 0) body.of_geoms.add(kilograms, solid.moments, pose);
@@ -144,11 +150,13 @@ void read_geom(const Attributes& a, const Pose& frame, const Settings& settings,
     geom.collides ? note_once(scene.unread, std::move(what))
                   : note_once(scene.notes, std::move(what));
   };
+  // A plane has no inside and no mass.
   if (extent.type == "plane") {
     geom.is_plane = true;
     if (geom.collides) body.geoms.push_back(std::move(geom));
     return;
   }
+  // A geom that neither collides nor weighs is not built.
   if (!geom.collides && !body.needs_mass) return;
   const bool is_mesh = extent.type == "mesh" || extent.type == "sdf";
   if (a.has("mesh") && !is_mesh) return skip("a geom fitted to a mesh is not read");
@@ -162,6 +170,7 @@ void read_geom(const Attributes& a, const Pose& frame, const Settings& settings,
     trouble = say("a geom of the type \"%1\" is not read", extent.type);
   }
   if (!trouble.empty()) return skip(trouble);
+  // Mass first: a geom may weigh without colliding.
   add_mass(a, solid, geom.collider.pose, settings, body);
   if (!geom.collides) return;
   count_faces(*solid.mesh, scene);
@@ -171,6 +180,7 @@ void read_geom(const Attributes& a, const Pose& frame, const Settings& settings,
 
 std::optional<GivenMass> mass_of(const Body& body, const Settings& settings) {
   const std::string rule = settings.compiler("inertiafromgeom", "auto");
+  // By the rule of the compiler, geoms or the inertial decide; auto prefers what is given.
   const bool by_geoms = rule == "true" || (rule == "auto" && !body.inertial);
   std::optional<GivenMass> out = by_geoms ? body.of_geoms.total() : body.inertial;
   const double least = settings.compiler_number("boundmass", 0);

@@ -1,26 +1,23 @@
 // Slides and hinges: what they move, their limits, and whether gravity would move them.
-#include <Eigen/Geometry>
-#include <cmath>
+#include <initializer_list>
 #include <map>
 #include <numbers>
 
+#include "core/io/foreign/joint_loads.h"
 #include "core/io/foreign/mjcf/model.h"
 
 namespace trivet::mjcf {
 namespace {
 
-constexpr double kGravity = 9.81;    // m/s^2
-constexpr double kLeastLoad = 1e-6;  // newtons or newton metres that count
-constexpr double kAtLimit = 1e-9;    // metres or degrees
-
-// Joints that something else drives or ties.
-std::set<std::string> driven_joints(const XmlNode& root) {
+// Names that elements of a section give by these attributes.
+std::set<std::string> names_in(const XmlNode& root, const char* section,
+                               std::initializer_list<const char*> attributes) {
   std::set<std::string> out;
-  for (const XmlNode& section : root.children)
-    if (section.tag == "actuator" || section.tag == "equality")
-      for (const XmlNode& node : section.children)
-        for (const char* key : {"joint", "joint1", "joint2", "jointinparent"})
-          if (const std::string* const name = node.find(key)) out.insert(*name);
+  for (const XmlNode& one : root.children)
+    if (one.tag == section)
+      for (const XmlNode& node : one.children)
+        for (const char* attribute : attributes)
+          if (const std::string* const name = node.find(attribute)) out.insert(*name);
   return out;
 }
 
@@ -32,7 +29,8 @@ class JointAdder {
         m_groups(groups),
         m_at(at),
         m_names(names),
-        m_driven(driven_joints(root)),
+        m_driven(names_in(root, "actuator", {"joint", "jointinparent"})),
+        m_tied(names_in(root, "equality", {"joint1", "joint2"})),
         m_scene(scene) {
     for (const ForeignBody& body : scene.bodies) m_bodies[body.name] = &body;
   }
@@ -44,7 +42,9 @@ class JointAdder {
         if (joint.kind != Joint::Kind::Slide && joint.kind != Joint::Kind::Hinge) continue;
         ForeignJoint out = made(i, joint, m_at.joints[i][k], numbers);
         if (out.moves.empty()) continue;
-        note_motion(out, joint);
+        if (m_tied.count(joint.name)) out.held = Sentence("an equality of the file holds it");
+        if (!m_driven.count(joint.name) && !m_tied.count(joint.name))
+          note_if_gravity_moves(out, bodies_of(out), joint.friction, m_scene.notes);
         m_scene.joints.push_back(std::move(out));
       }
   }
@@ -93,41 +93,17 @@ class JointAdder {
     return body;
   }
 
-  // Force along the axis, or torque about it, of the weights of all that moves.
-  double load_on(const ForeignJoint& joint) const {
-    double out = 0;
-    for (const std::string& name : joint.moves) {
-      const ForeignBody& body = *m_bodies.at(name);
-      if (!body.mass) continue;
-      const Vec3 weight(0, 0, -kGravity * body.mass->kilograms);
-      const Vec3 centre =
-          composed(body.pose, {{}, body.mass->centre.value_or(Vec3::Zero())}).translation;
-      out += joint.kind == ForeignJoint::Kind::Slide
-                 ? joint.axis.dot(weight)
-                 : joint.axis.dot((centre - joint.anchor).cross(weight));
-    }
+  std::vector<const ForeignBody*> bodies_of(const ForeignJoint& joint) const {
+    std::vector<const ForeignBody*> out;
+    for (const std::string& name : joint.moves) out.push_back(m_bodies.at(name));
     return out;
-  }
-
-  void note_motion(const ForeignJoint& joint, const Joint& given) {
-    if (m_driven.count(given.name)) return;
-    const double load = load_on(joint);
-    const bool stopped =
-        load > 0 ? joint.value >= joint.upper - kAtLimit : joint.value <= joint.lower + kAtLimit;
-    if (stopped || !(std::abs(load) > given.friction + kLeastLoad)) return;
-    note_once(m_scene.notes,
-              joint.kind == ForeignJoint::Kind::Hinge
-                  ? say("the link in the joint \"%1\" would swing: its weight turns it with %2 N m",
-                        joint.name, figure(load))
-                  : say("the link in the joint \"%1\" would slide: its weight pulls it with %2 N",
-                        joint.name, figure(load)));
   }
 
   const Model& m_model;
   const Groups& m_groups;
   const Kinematics& m_at;
   const std::vector<std::string>& m_names;
-  std::set<std::string> m_driven;
+  std::set<std::string> m_driven, m_tied;
   std::map<std::string, const ForeignBody*> m_bodies;
   ForeignScene& m_scene;
 };

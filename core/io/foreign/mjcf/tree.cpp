@@ -49,6 +49,7 @@ class TreeReader {
     read_bodies(node, place);
   }
   Model take() {
+    // Numbers of joints follow each other in the order of the tree, as in a keyframe.
     for (Body& body : m_model.bodies)
       for (Joint& joint : body.joints) {
         joint.first_number = m_model.num_numbers;
@@ -84,6 +85,7 @@ class TreeReader {
   }
 
   Place inside_frame(const XmlNode& node, const Place& place) const {
+    // A frame is no body: it shifts all that is inside it.
     Place out = place;
     const Attributes a = m_settings.attributes(node, "");
     out.frame = composed(place.frame, m_settings.pose(a));
@@ -94,12 +96,14 @@ class TreeReader {
 
   std::vector<Place> copies(const XmlNode& node, const Place& place) {
     const Attributes a = m_settings.attributes(node, "");
+    // Copies within copies multiply: their number is bounded before any is made.
     const double count = a.number("count", 0);
     if (!(count >= 0 && count <= static_cast<double>(kMostCopies)))
       a.place().refuse("count", a.text("count"), say("0 to %1", kMostCopies));
     m_num_copies += static_cast<size_t>(count);
     check_depth(node, place.depth);
     const Pose step{m_settings.orientation(a), a.vec3("offset", Vec3::Zero())};
+    // Numbers of copies have as many digits as the last one, so that names sort.
     const size_t digits = std::to_string(static_cast<long>(count) - 1).size();
     std::vector<Place> out;
     Pose at;
@@ -136,9 +140,12 @@ class TreeReader {
     body.local = composed(place.frame, m_settings.pose(a));
     body.mocap = a.text("mocap") == "true";
     body.is_copy = place.is_copy;
+    // A body moves if it or one above has a joint.
     body.moves = m_model.bodies[static_cast<size_t>(place.body)].moves || has_joint(node);
     const std::string rule = m_settings.compiler("inertiafromgeom", "auto");
+    // Geoms weigh only where the file gives no inertia, or says that it does not count.
     body.needs_mass = body.moves && (rule == "true" || (rule == "auto" && !node.child("inertial")));
+    // All inside the body counts from its own frame.
     Place inside = place;
     inside.body = static_cast<int>(m_model.bodies.size());
     inside.frame = {};
@@ -177,16 +184,19 @@ class TreeReader {
     } else if (type != "hinge") {
       a.place().refuse("type", type, "\"free\", \"ball\", \"slide\" or \"hinge\"");
     }
+    // A joint inside a frame is brought into the body.
     const Affine frame = world_from_object(place.frame, UpAxis::Z, 1);
     joint.anchor = frame.apply(a.vec3("pos", Vec3::Zero()));
     const Vec3 axis = a.vec3("axis", Vec3::UnitZ());
     if (axis.norm() > 1e-14) joint.axis = frame.apply_direction(axis.normalized());
+    // Hinges have angles, in the file's unit; slides have metres.
     const auto own_unit = [&](double number) {
       return joint.kind == Joint::Kind::Hinge ? m_settings.degrees(number) : number;
     };
     joint.reference = own_unit(a.number("ref", 0));
     joint.friction = a.number("frictionloss", 0);
     joint.name = a.text("name").empty() ? "" : a.text("name") + place.suffix;
+    // A range counts as a limit unless the joint says otherwise.
     if (a.has("range") && a.text("limited", "auto") != "false") {
       const std::vector<double> range = a.numbers("range", 2, 2);
       joint.lower = own_unit(range[0]), joint.upper = own_unit(range[1]);
@@ -198,19 +208,23 @@ class TreeReader {
     const Attributes a = m_settings.attributes(node, "");
     GivenMass mass;
     mass.kilograms = a.number("mass", 0);
+    // A body without a positive mass is left to its geoms, or weighs nothing.
     if (!(mass.kilograms > 0)) return;
     const Pose pose = composed(place.frame, m_settings.pose(a));
     mass.centre = pose.translation;
     Mat3 inertia = Mat3::Zero();
     if (a.has("fullinertia")) {
       const std::vector<double> m = a.numbers("fullinertia", 6, 6);
+      // The six numbers are xx, yy, zz, xy, xz, yz.
       inertia << m[0], m[3], m[4], m[3], m[1], m[5], m[4], m[5], m[2];
     } else if (a.has("diaginertia")) {
       inertia = a.vec3("diaginertia", Vec3::Zero()).asDiagonal();
     }
+    // The inertia is turned into the body's axes, and made symmetric to the bit.
     const Mat3 r = pose.rotation.matrix();
     const Mat3 turned_inertia = r * inertia * r.transpose();
     mass.inertia = 0.5 * (turned_inertia + turned_inertia.transpose());
+    // An inertia that no body can have is left out: mass and centre still count.
     if (refuse_mass(mass)) mass.inertia.reset();
     body.inertial = mass;
   }

@@ -1,6 +1,7 @@
 // Poses, masses and centres of cases/ against what MuJoCo 3.14, libsdformat 12 and hand computed.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -99,6 +100,19 @@ TEST(KnownPoses, UrdfIsClosed) {
     if (std::string(name) != "second") expect_pose(body->pose, want[name], kRounded, name);
   }
   EXPECT_EQ(scene.num_joints, 3u);
+}
+
+// MuJoCo has these poses for the door at 1 and the drawer at 0.2; "second" mimics the door.
+TEST(KnownPoses, UrdfIsOpenByAFileOfValues) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(case_file("cabinet.urdf"), folder.file("cabinet.urdf"));
+  write_text(folder.file("cabinet.urdf.joints.json"), "{\"door\": 1, \"drawer\": 0.2}");
+  const ForeignScene scene = read_urdf(folder.file("cabinet.urdf"), {}, no_mesh);
+  const json want = expected()["cabinet.urdf"]["door at 1, drawer at 0.2 (second follows: -0.4)"];
+  for (const char* name : {"door", "second", "drawer"})
+    expect_pose(find_body(scene, name)->pose, want[name], kRounded, name);
+  for (const ForeignJoint& joint : scene.joints)
+    EXPECT_EQ(joint.held.empty(), joint.name == "drawer") << joint.name;
 }
 
 TEST(KnownPoses, SdfFramesAreResolved) {

@@ -1,6 +1,8 @@
 // Scenes of other programs judged: known findings, depths and heights.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "core/base/error.h"
 #include "core/io/foreign/foreign_testing.h"
 #include "ops/files/foreign/findings.h"
@@ -131,6 +133,37 @@ TEST(Verdicts, AreALineOfJsonAndARow) {
   EXPECT_NE(verdict_table({v, v}).find("2 scenes: 0 ok; 2 pairs interpenetrate, 2 objects float"),
             std::string::npos)
       << verdict_table({v, v});
+}
+
+TEST(Verdicts, TellTheThreeClassesOfPairs) {
+  const SceneVerdict v = verdict_of_text(
+      boxes(box("a", "0 0 0.047") + box("b", "1 0 0.05") + box("c", "2 0 0.05000001")));
+  EXPECT_EQ(v.pairs.num_through, 1u);
+  EXPECT_EQ(v.pairs.touching.size(), 2u);
+  EXPECT_EQ(v.pairs.num_apart, 3u);
+  EXPECT_EQ(v.num_flush(), 1u);
+  EXPECT_NE(verdict_text(v).find("pairs: 1 passes through, 2 touch or are closer than 4 um, 3 are "
+                                 "apart"),
+            std::string::npos)
+      << verdict_text(v);
+  EXPECT_NE(
+      verdict_json(v).find("\"pairs\":{\"passing_through\":1,\"touching\":2,\"apart\":3},"
+                           "\"touching\":[{\"object\":\"b\",\"other\":\"floor\",\"gap\":0.0}"),
+      std::string::npos)
+      << verdict_json(v);
+}
+
+// A file of others does not say by which clearance it was settled: its scene was larger then.
+TEST(Verdicts, ASceneThatHasShrunkStillStands) {
+  const double clearance = verdict_of_text(boxes(box("a", "0 0 0.05"))).clearance;
+  const auto raised = [&](double clearances) {
+    char pos[60];
+    std::snprintf(pos, sizeof pos, "0 0 %.17g", 0.05 + clearances * clearance);
+    return verdict_of_text(boxes(box("a", pos)));
+  };
+  EXPECT_TRUE(raised(6).ok()) << verdict_text(raised(6));
+  EXPECT_FALSE(raised(40).ok());
+  EXPECT_EQ(raised(40).count(Kind::Floats), 1u);
 }
 
 TEST(PairTable, FrictionFollowsTheEngine) {
