@@ -22,7 +22,8 @@ function layerText(file) {
   return loader.layerToString();
 }
 
-const quoted = (text) => JSON.parse(text);
+/** The library quotes by ' what has a " inside. */
+const quoted = (text) => (text[0] === "'" ? text.slice(1, -1).replace(/\\(.)/g, '$1') : JSON.parse(text));
 const numbers = (text) => text.replace(/[()]/g, '').split(',').map(Number);
 
 /** Prims right below the default prim: {name, and the attributes as text}. */

@@ -34,7 +34,7 @@ mkdir -p "$work"
 if [ "$job" = usd ]; then
   install_modules "$here"
   TRIVET_PROGRAM="$trivet" TRIVET_NODE_MODULES="$work/node_modules" \
-    python3 -B "$here/../apps/test_export.py" Usd
+    python3 -B "$here/../apps/test_export.py" Usd Readers
   exit
 fi
 # An agent with the official client of the Model Context Protocol.

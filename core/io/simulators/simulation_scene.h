@@ -82,7 +82,7 @@ bool is_simulation_extension(const std::string& extension);
 /// ".xml, .mjcf, ..."
 const std::vector<std::string>& simulation_extensions();
 
-/// What names of a format are made of.
+/// Characters that names of a format may have.
 enum class NameRule {
   Identifier,  // ASCII letters, digits and '_', as prims of USD
   Xml,         // the same, '-', '.', and all printed characters beyond ASCII, as UTF-8
