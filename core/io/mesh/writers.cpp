@@ -97,13 +97,13 @@ class ObjWriter {
   std::set<std::string> m_taken;
 };
 
-struct Counts {
+struct TotalCounts {
   size_t vertices = 0, faces = 0;
 };
 
 // Both formats use 32-bit counts.
-Counts count(const ExportScene& scene, const char* format) {
-  Counts out;
+TotalCounts count_all(const ExportScene& scene, const char* format) {
+  TotalCounts out;
   for (const ExportObject& object : scene.objects) {
     out.vertices += object.model->mesh.vertices.size();
     out.faces += object.model->mesh.triangles.size();
@@ -143,7 +143,7 @@ ObjText obj_text(const ExportScene& scene, const std::string& mtl_name) {
 }
 
 std::string ply_bytes(const ExportScene& scene) {
-  const Counts total = count(scene, "PLY");
+  const TotalCounts total = count_all(scene, "PLY");
   std::string out = "ply\nformat binary_little_endian 1.0\ncomment Trivet: metres, z up" +
                     origin_text(scene) + "\n";
   out += "element vertex " + std::to_string(total.vertices) + "\n";
@@ -166,7 +166,7 @@ std::string ply_bytes(const ExportScene& scene) {
 }
 
 std::string stl_bytes(const ExportScene& scene) {
-  const Counts total = count(scene, "STL");
+  const TotalCounts total = count_all(scene, "STL");
   std::string out = "Trivet: binary STL, metres, z up" + origin_text(scene);
   out.resize(80, '\0');
   append_bytes(out, static_cast<std::uint32_t>(total.faces));
