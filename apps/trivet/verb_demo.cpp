@@ -57,7 +57,7 @@ void add_copy(const fs::path& from, const fs::path& to, StagedFiles& staged) {
   staged.add(to.string(), bytes);
 }
 
-// Whoever has other files of these names there keeps them, as scenes may name them.
+// Other files of these names that are there are kept, as scenes may name them.
 void export_files(const DemoFolder& made, const std::string& folder) {
   if (folder.empty()) return;
   std::error_code error;
@@ -86,6 +86,7 @@ std::vector<std::string> exported_files(const std::vector<std::string>& layouts,
                                         const std::string& folder) {
   if (folder.empty()) return {};
   std::vector<std::string> out;
+  out.reserve(layouts.size() + models.size());
   for (const std::string& layout : layouts) out.push_back((fs::path(folder) / layout).string());
   for (const DemoModel& made : models) out.push_back((fs::path(folder) / made.file).string());
   return out;

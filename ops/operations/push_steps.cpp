@@ -83,7 +83,7 @@ std::optional<double> Push::climb(const Vec3& direction, const Vec3& wall, doubl
   const double cosine = std::max(kLeastCosine, -direction.dot(wall));
   const double forward = std::min(kStepOn * clearance / cosine, way_left().norm());
   if (up < clearance || move(direction, forward) < 0.9 * forward) return give_up();
-  // Whatever it comes down onto within a step's depth is the new ground.
+  // The first thing below it, within a step's depth, is the new ground.
   const double down = up + clearance + m_options.step_down;
   if (move(-Vec3::UnitZ(), down) >= down) return give_up();
   // A ground that is too high after all is no step.

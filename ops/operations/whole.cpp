@@ -154,7 +154,7 @@ class Whole {
     std::vector<ObjectId> waiting = ids;
     std::map<std::uint32_t, int> num_tries;
     bool moved = false;
-    // Whoever touches a moved object may have lost its support, and waits again.
+    // Objects that touch a moved one may have lost their support, and wait again.
     for (int n = 0; !waiting.empty() && n < kMaxMotionsOfAll && !stopped(); ++n) {
       if (m_queries_left <= 0) break;
       const auto lowest =

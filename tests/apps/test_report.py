@@ -74,7 +74,7 @@ class Report(Case):
 
     def test_never_replaces_an_input(self):
         before = self.read("layout.json")
-        self.refused("report", "-o", "layout.json", "--", "run", "layout.json", "-o", "scene.glb", says=[".tar"])
+        self.refused("report", "-o", "layout.json", "--", "run", "layout.json", "-o", "scene.glb", says=["is an input"])
         self.write("case.tar", before)
         self.refused("report", "-o", "case.tar", "--", "run", "case.tar", "-o", "scene.glb", says=["is an input"])
         self.assertEqual(self.read("layout.json"), before)

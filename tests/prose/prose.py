@@ -13,7 +13,7 @@ import bodies
 
 ROOT = Path(sys.argv[1]).resolve()
 MOST_WORDS_OF_SENTENCE, MOST_COLUMNS = 30, 100
-OPENING = re.compile(r"(Of|Those|What|Whether|That|Nothing|Beside|How)\b")
+OPENING = re.compile(r"(Of|Those|What|Whatever|Whether|Whoever|That|Nothing|Beside|How)\b")
 HISTORY = re.compile(r"\b20\d\d-\d\d-\d\d\b|\b(?=[0-9a-f]*\d)(?=[0-9a-f]*[a-f])[0-9a-f]{7,12}\b|\bload (of )?\d")
 # Most words of a page.
 PAGES = [(re.compile(r"README\.md$"), 700), (re.compile(r".+/README\.md$"), 200), (re.compile(r"CONTRIBUTING\.md$"), 500)]

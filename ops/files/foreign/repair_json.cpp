@@ -2,15 +2,12 @@
 
 #include <cmath>
 
+#include "ops/files/report/repaired.h"
+
 namespace trivet {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json point_json(double lift, Vec3 point) {
-  point.z() -= lift;
-  return {point.x(), point.y(), point.z()};
-}
 
 Json limit_json(double limit) { return std::isfinite(limit) ? Json(limit) : Json(); }
 
@@ -62,7 +59,7 @@ Json joint_move_json(const Scene& scene, double lift, const SceneJoint& joint,
   json["end"] = end_text(move.end);
   if (move.end == JointMove::End::Blocked) {
     json["blocked_by"] = named(scene, move.blocker).name;
-    json["blocked_at"] = point_json(lift, move.point);
+    json["blocked_at"] = point_in_file(lift, move.point);
   }
   json["carried"] = Json::array();
   for (const ObjectId id : move.carried) json["carried"].push_back(scene.at(id).name);

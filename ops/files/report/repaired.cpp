@@ -10,11 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json point_in_file(double lift, Vec3 point) {
-  point.z() -= lift;
-  return {point.x(), point.y(), point.z()};
-}
-
 std::string move_text(const SettledObject& o) {
   char text[120];
   const double up = o.to.translation.z() - o.from.translation.z();
@@ -42,6 +37,11 @@ std::string relation_text(const ChangedRelation& r) {
 }
 
 }  // namespace
+
+Json point_in_file(double lift, Vec3 point) {
+  point.z() -= lift;
+  return {point.x(), point.y(), point.z()};
+}
 
 Json settled_json(const SettledScene& settled, double lift) {
   Json json = {{"moved", Json::array()}, {"unable", Json::array()}};

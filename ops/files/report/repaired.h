@@ -8,6 +8,9 @@
 
 namespace trivet {
 
+/// A point, metres, as files have it. @param lift  as below.
+nlohmann::ordered_json point_in_file(double lift, Vec3 point);
+
 /// {"moved": [{"object", "from", "to", "metres", "degrees"}], "unable": [{"object", "why"}]}; from
 /// and to are positions. @param lift  metres to take off heights, as JudgedScene has it.
 nlohmann::ordered_json settled_json(const SettledScene& settled, double lift = 0);

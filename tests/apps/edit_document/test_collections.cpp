@@ -23,6 +23,7 @@ class Collecting : public testing::Test {
 
   std::vector<ObjectId> ids(const std::vector<std::string>& names) {
     std::vector<ObjectId> out;
+    out.reserve(names.size());
     for (const std::string& name : names) out.push_back(document.id(name));
     return out;
   }
@@ -110,7 +111,7 @@ TEST_F(Collecting, IsSavedWithTheScene) {
   }
 }
 
-// Whatever the order of a file, its defaults, and names that mean nothing.
+// Files may have any order, defaults, and names that mean nothing.
 TEST_F(Collecting, LeavesAFileThatIsOpenedUnmodified) {
   std::ofstream(folder.file("others.json")) << R"({"trivet": 1,
     "objects": [{"name": "a", "model": "box.obj"}, {"name": "b", "model": "box.obj"}],

@@ -122,7 +122,7 @@ TEST(DecodedImage, RefusesHugeImagesBeforeDecoding) {
   EXPECT_NE(reason_of(jpeg).find("65000 x 65000 texels"), std::string::npos);
 }
 
-// Whatever happens to a file, it is decoded or refused; the sanitizers see to the rest.
+// A damaged file is decoded or refused; the sanitizers see to the rest.
 TEST(DecodedImage, SurvivesDamage) {
   std::mt19937 random(5);
   int num_refused = 0, num_accepted = 0;

@@ -65,8 +65,9 @@ TEST(Report, HasKeysInDocumentedOrder) {
     EXPECT_EQ(keys(operation), expected);
   }
   EXPECT_EQ(keys(report["check"]),
-            (std::vector<std::string>{"interpenetrating_pairs", "smallest_gap", "all_at_rest",
-                                      "pairs", "not_at_rest", "hovering"}));
+            (std::vector<std::string>{"interpenetrating_pairs", "pairs_passing_through",
+                                      "pairs_touching", "pairs_apart", "smallest_gap",
+                                      "all_at_rest", "pairs", "not_at_rest", "hovering"}));
 }
 
 TEST(Report, StatesOutcomeOfEachObject) {
