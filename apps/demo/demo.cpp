@@ -15,6 +15,7 @@ constexpr std::pair<const char*, Maker> kMakers[] = {
     {"breakfast", make_breakfast},
     {"office1", make_office1},
     {"office2", make_office2},
+    {"desk", make_desk_demo},
 };
 
 }  // namespace

@@ -9,5 +9,6 @@ DemoLayout make_spoon_saucer();
 DemoLayout make_breakfast();
 DemoLayout make_office1();
 DemoLayout make_office2();
+DemoLayout make_desk_demo();
 
 }  // namespace trivet

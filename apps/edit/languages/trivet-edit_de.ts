@@ -3818,6 +3818,18 @@
         <source>%1 is fixed: unfix it to put it elsewhere</source>
         <translation>%1 ist fest: zum Umstellen lösen</translation>
     </message>
+    <message>
+        <source>Click: the sheet comes down there; wheel: turn; Escape stops it</source>
+        <translation>Klicken: Das Tuch fällt dort herab; Rad: drehen; Escape bricht ab</translation>
+    </message>
+    <message>
+        <source>Click where the cable begins; an object that you click holds its end</source>
+        <translation>Klicken, wo das Kabel beginnt; ein angeklicktes Objekt hält sein Ende</translation>
+    </message>
+    <message>
+        <source>Click where it goes; Return or a double click ends it; Backspace takes the last place back, Escape all</source>
+        <translation>Klicken, wohin es geht; Eingabe oder Doppelklick beendet es; Rücktaste nimmt die letzte Stelle zurück, Escape alle</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit</name>
@@ -5698,6 +5710,14 @@
         <source>Alt+U</source>
         <translation>Alt+U</translation>
     </message>
+    <message>
+        <source>&amp;Drape</source>
+        <translation>&amp;Drapieren</translation>
+    </message>
+    <message>
+        <source>Drape: let a cloth, a paper or a cable come down where you click</source>
+        <translation>Drapieren: ein Tuch, ein Papier oder ein Kabel herabfallen lassen, wo Sie klicken</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::MessageBar</name>
@@ -6023,6 +6043,78 @@
     <message>
         <source>Flow</source>
         <translation>Menge</translation>
+    </message>
+    <message>
+        <source>Cotton</source>
+        <translation>Baumwolle</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Filz</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Towel</source>
+        <translation>Handtuch</translation>
+    </message>
+    <message>
+        <source>Wool</source>
+        <translation>Wolle</translation>
+    </message>
+    <message>
+        <source>Cable</source>
+        <translation>Kabel</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Along the weft</source>
+        <translation>Entlang des Schusses</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Along the warp</source>
+        <translation>Entlang der Kette</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Largest side: small ones show small folds, and take longer</source>
+        <translation>Größte Seite: Kleine Zellen zeigen kleine Falten und dauern länger</translation>
+    </message>
+    <message>
+        <source>a 40th of the length</source>
+        <translation>ein Vierzigstel der Länge</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Durchhang</translation>
+    </message>
+    <message>
+        <source>By how much a cable is longer than its way</source>
+        <translation>Um so viel ist ein Kabel länger als sein Weg</translation>
+    </message>
+    <message>
+        <source>Above the highest point below the sheet</source>
+        <translation>Über dem höchsten Punkt unter dem Tuch</translation>
+    </message>
+    <message>
+        <source>Drape</source>
+        <translation>Drapieren</translation>
     </message>
 </context>
 <context>
@@ -6554,6 +6646,10 @@
     <message>
         <source>A workbench, tools and parts in their zones</source>
         <translation>Eine Werkbank, Werkzeuge und Teile in ihren Zonen</translation>
+    </message>
+    <message>
+        <source>A coat, a paper and a lead that come down</source>
+        <translation>Ein Mantel, ein Blatt Papier und ein Kabel, die herabfallen</translation>
     </message>
 </context>
 <context>
