@@ -14,6 +14,16 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.translation == b.translation && p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z;
 }
 
+bool holds_any(const Scene& scene, const std::string& name) {
+  for (const ObjectId id : scene.ids()) {
+    const Object& object = scene.at(id);
+    if (!object.flexible || !object.placed) continue;
+    for (const FlexTie& tie : object.flexible->ties)
+      if (tie.name == name) return true;
+  }
+  return false;
+}
+
 // Else it would lose what it carries.
 bool is_free_of_loads(const Scene& scene, ObjectId draped, ObjectId holder) {
   const auto& contacts = scene.at(draped).contacts;
@@ -53,6 +63,10 @@ CarriedDrapes::CarriedDrapes(Transaction& transaction, std::optional<ObjectId> m
     if (held.is_away) take_out(transaction, held.draped);
 }
 
+bool CarriedDrapes::takes_any_away() const {
+  return std::any_of(m_held.begin(), m_held.end(), [](const Held& held) { return held.is_away; });
+}
+
 void CarriedDrapes::put_back(Transaction& transaction, const Held& held, OperationRun& run) {
   const Aabb box =
       expected_box(transaction.scene(), transaction.scene().at(held.draped), held.pose);
@@ -83,6 +97,16 @@ void CarriedDrapes::follow(Transaction& transaction, OperationRun& run,
     }
     for (const std::string& name : again.unsupported) add_name(result.unsupported, name);
   }
+}
+
+std::unique_ptr<const Scene> without_carried(const Scene& scene, ObjectId moving) {
+  // A copy costs as much as the scene is large.
+  if (!holds_any(scene, scene.at(moving).name)) return nullptr;
+  auto out = std::make_unique<Scene>(scene);
+  Transaction transaction(*out);
+  if (!CarriedDrapes(transaction, moving).takes_any_away()) return nullptr;
+  transaction.commit();
+  return out;
 }
 
 }  // namespace trivet

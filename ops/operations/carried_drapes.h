@@ -16,6 +16,8 @@ class CarriedDrapes {
   /// @param result  refused if one of them is.
   void follow(Transaction& transaction, OperationRun& run, OperationResult& result) const;
 
+  bool takes_any_away() const;
+
  private:
   struct Held {
     ObjectId draped;
@@ -27,5 +29,8 @@ class CarriedDrapes {
 
   std::vector<Held> m_held;
 };
+
+/// The scene without what is taken away while an object moves; null: that is nothing.
+std::unique_ptr<const Scene> without_carried(const Scene& scene, ObjectId moving);
 
 }  // namespace trivet
