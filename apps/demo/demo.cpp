@@ -11,8 +11,13 @@ namespace {
 using Maker = DemoLayout (*)();
 
 constexpr std::pair<const char*, Maker> kMakers[] = {
-    {"spoon-saucer", make_spoon_saucer}, {"breakfast", make_breakfast}, {"office1", make_office1},
-    {"office2", make_office2},           {"desk", make_desk_demo},
+    {"spoon-saucer", make_spoon_saucer},
+    {"breakfast", make_breakfast},
+    {"office1", make_office1},
+    {"office2", make_office2},
+    {"tablecloth", make_tablecloth},
+    {"desk", make_desk_demo},
+    {"towel", make_towel},
 };
 
 }  // namespace

@@ -35,8 +35,8 @@ struct DemoLayout {
   const Model& model(const std::string& file) const;
 };
 
-/// "spoon-saucer", "breakfast", "office1" and "office2": the layouts of [Shinya 1995]; "desk": what
-/// bends.
+/// "spoon-saucer", "breakfast", "office1" and "office2": the layouts of [Shinya 1995];
+/// "tablecloth", "desk" and "towel": what bends.
 std::vector<std::string> demo_names();
 
 /// @throws Error (BadInput) naming the demos there are.

@@ -1,4 +1,4 @@
-// DESK: paper hangs over its edge, a lamp's lead behind it, a coat over the chair.
+// DESK: paper hangs over its edge, a lamp's lead behind it, a coat over the chair. TOWEL: on a peg.
 #include "apps/demo/layout_writer.h"
 #include "apps/demo/layouts.h"
 #include "apps/demo/shapes/models.h"
@@ -10,17 +10,6 @@ using shapes::kDeskHeight;
 
 Vec3 on_desk(double x, double y, double over = 0.05) { return {x, y, kDeskHeight + over}; }
 Rotation turned_by(double angle_deg) { return turned(Vec3::UnitZ(), angle_deg); }
-
-DrapeOperation sheet(const std::string& name, const char* material, const Vec2& size, double cell,
-                     const Vec3& position, double turn_deg = 0) {
-  DrapeOperation out;
-  out.object = name;
-  out.material = material;
-  out.size = size;
-  out.cell = cell;
-  out.start = {turned_by(turn_deg), position};
-  return out;
-}
 
 // From the lamp's foot over the desk's far edge to the floor.
 DrapeOperation lead() {
@@ -44,9 +33,28 @@ DemoLayout make_desk_demo() {
   w.put("keyboard", "keyboard", on_desk(-0.15, -0.20));
   w.put("mug", "mug", on_desk(0.245, 0.165));
   w.put("report", "report", on_desk(0.45, -0.12), turned_by(-8));
-  w.add(sheet("paper", "paper", {0.21, 0.297}, 0.297 / 32, on_desk(-0.52, -0.30, 0.005), 7));
+  w.drape("paper", "paper", {0.21, 0.297}, 0.297 / 32, on_desk(-0.52, -0.30, 0.005), turned_by(7));
   w.add(lead());
-  w.add(sheet("coat", "wool", {0.9, 0.72}, 0.03, {-0.30, -1.22, 1.02}));
+  w.drape("coat", "wool", {0.9, 0.72}, 0.045, {-0.30, -1.22, 1.02});
+  return w.take();
+}
+
+// Its corner hangs from the middle peg; it starts upright, flat before the wall.
+DemoLayout make_towel() {
+  LayoutWriter w("towel");
+  w.look({Vec3(0.85, -2.05, 1.45), Vec3(0.0, 0.0, 1.18), 30});
+  w.fix("pegs", "pegs");
+  DrapeOperation towel;
+  towel.object = towel.material = "towel";
+  towel.size = Vec2(0.45, 0.70);
+  towel.cell = 0.03;
+  towel.start.rotation = turned(Vec3::UnitY(), -33) * turned(Vec3::UnitX(), 90);
+  const Vec3 corner(0, -0.06, shapes::kPegHeight - 0.01);
+  towel.start.translation =
+      corner - towel.start.rotation.matrix() * Vec3(towel.size->x() / 2, towel.size->y() / 2, 0);
+  towel.pins = {corner};
+  towel.held_by = {"pegs"};
+  w.add(towel);
   return w.take();
 }
 

@@ -6648,8 +6648,16 @@
         <translation>Eine Werkbank, Werkzeuge und Teile in ihren Zonen</translation>
     </message>
     <message>
-        <source>A coat, a paper and a lead that come down</source>
-        <translation>Ein Mantel, ein Blatt Papier und ein Kabel, die herabfallen</translation>
+        <source>The same table with a cloth that came down</source>
+        <translation>Derselbe Tisch mit einer Decke, die herabfiel</translation>
+    </message>
+    <message>
+        <source>A coat over a chair, a paper at an edge, a lead</source>
+        <translation>Ein Mantel über einem Stuhl, ein Papier an einer Kante, ein Kabel</translation>
+    </message>
+    <message>
+        <source>A towel on a peg</source>
+        <translation>Ein Handtuch an einem Haken</translation>
     </message>
 </context>
 <context>

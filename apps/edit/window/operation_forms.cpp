@@ -202,9 +202,9 @@ void OperationPanel::add_drape(QFormLayout& form) {
       {"towel", tr("Towel")},   {"wool", tr("Wool")}, {"lead", tr("Cable")}};
   for (const auto& [name, shown] : materials) material->addItem(shown, QString(name));
   form.addRow(tr("Material"), material);
-  auto* const width = threshold(form, tr("Width"), &ToolOptions::drape_width, tr("Along the weft"));
+  auto* const width = threshold(form, tr("Width"), &ToolOptions::drape_width, tr("Along the warp"));
   auto* const length =
-      threshold(form, tr("Length"), &ToolOptions::drape_length, tr("Along the warp"));
+      threshold(form, tr("Length"), &ToolOptions::drape_length, tr("Along the weft"));
   auto* const cell = threshold(form, tr("Cells"), &ToolOptions::drape_cell,
                                tr("Largest side: small ones show small folds, and take longer"));
   cell->setSpecialValueText(tr("a 40th of the length"));
