@@ -52,6 +52,16 @@ class Drape(SessionCase):
             self.assertIn(says, out)
         self.refused("drape", "s.glb", "x", "--path", 0, 0, 1, "-o", "x.glb", says=["two or more"])
 
+    def test_recipes_drape_and_keep_the_shapes_in_scenes(self):
+        group = {"name": "a", "models": [{"model": "cube.obj", "scale": 0.2}], "count": 1, "on": "block"}
+        self.write("recipe.json", json.dumps({
+            "trivet_recipe": 1, "objects": [BLOCK], "operations": [{**CLOTH, "cell": 0.05}], "groups": [group]}))
+        self.trivet("batch", "recipe.json", "--count", 1, "--out", "b", "--format", "dir", "--with", "scene")
+        self.trivet("check", "b/0000/scenes-000000/000000000.glb")
+        rows = self.read_json("b/0000/scenes-000000/000000000.json")["objects"]
+        self.assertEqual([o["class"] for o in rows if o.get("draped")], ["cloth"])
+        self.refused("batch", "materialise", "b", 0, "-o", "m.glb", says=['"cloth", which was draped', "--with scene"])
+
     def test_check_sees_what_is_gone(self):
         self.draped()
         live = Live(self.folder, "s.glb")
