@@ -58,6 +58,20 @@ class Drape(SessionCase):
             "trivet_recipe": 1, "objects": [BLOCK], "operations": [{**CLOTH, "cell": 0.05}], "groups": [group]}))
         self.trivet("batch", "recipe.json", "--count", 1, "--out", "b", "--format", "dir", "--with", "scene")
         self.trivet("check", "b/0000/scenes-000000/000000000.glb")
+        # A napkin on each plate.
+        self.write("plate.obj", box_obj(0.05, 0.05, 0.005))
+        plates = {"name": "plate", "models": [{"model": "plate.obj"}], "count": 2, "on": "floor",
+                  "region": [[-0.4, -0.4], [0.4, 0.4]]}
+        napkin = {"op": "drape", "group": "plate", "name": "napkin", "size": [0.15, 0.15], "cell": 0.025}
+        self.write("napkins.json", json.dumps({"trivet_recipe": 1, "groups": [plates], "then": [napkin]}))
+        self.trivet("batch", "napkins.json", "--count", 1, "--out", "n", "--format", "dir", "--with", "scene")
+        scene = self.read_json("n/0000/scenes-000000/000000000.json")
+        self.assertEqual([o["name"] for o in scene["objects"] if o.get("draped")], ["napkin_0", "napkin_1"])
+        self.trivet("check", "n/0000/scenes-000000/000000000.glb")
+        for key, value, says in (("material", "lead", "cotton, felt"), ("group", "cups", "the name of a group"),
+                                 ("size", [0.3], "size"), ("count", 2, "count")):
+            self.write("bad.json", json.dumps({"trivet_recipe": 1, "groups": [plates], "then": [{**napkin, key: value}]}))
+            self.refused("batch", "bad.json", "--count", 1, "--out", "x", says=says)
         rows = self.read_json("b/0000/scenes-000000/000000000.json")["objects"]
         self.assertEqual([o["class"] for o in rows if o.get("draped")], ["cloth"])
         self.refused("batch", "materialise", "b", 0, "-o", "m.glb", says=['"cloth", which was draped', "--with scene"])
