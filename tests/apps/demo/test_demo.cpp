@@ -137,7 +137,7 @@ TEST(Demo, ComesToRestWithoutInterpenetration) {
 TEST(Demo, LaysTable) {
   const LayoutRun result = run(make_demo("breakfast"));
   const Supports supports = supports_of(result.scene);
-  const auto expect = [&](const char* object, std::set<std::string> on) {
+  const auto expect = [&](const char* object, const std::set<std::string>& on) {
     EXPECT_EQ(supports.at(object), on) << object;
   };
   for (const char* object : {"plate_front", "plate_back", "saucer_front", "saucer_back", "bowl",
