@@ -735,10 +735,6 @@
         <translation>16 hexadezimale Ziffern</translation>
     </message>
     <message>
-        <source>an operation or several</source>
-        <translation>eine Operation oder mehrere</translation>
-    </message>
-    <message>
         <source>%1; BVHs are used instead</source>
         <translation>%1; stattdessen antworten Boxbäume</translation>
     </message>
@@ -3523,10 +3519,6 @@
         <translation>zwei oder mehr, über einen Millimeter oder mehr</translation>
     </message>
     <message>
-        <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, or &quot;of&quot; for a mesh</source>
-        <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels oder „of“ für ein Netz</translation>
-    </message>
-    <message>
         <source>cells along both sides that fit the vertices, and their lengths</source>
         <translation>Zellen entlang beider Seiten, die zu den Ecken passen, und deren Längen</translation>
     </message>
@@ -3641,6 +3633,26 @@
     <message>
         <source>meshes without volume, as their transform flattens them</source>
         <translation>Netze ohne Volumen, da ihre Transformation sie flach macht</translation>
+    </message>
+    <message>
+        <source>%1, one for each pin</source>
+        <translation>%1, je Nadel einer</translation>
+    </message>
+    <message>
+        <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, &quot;of&quot; for a mesh, or &quot;again&quot;</source>
+        <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels, „of“ für ein Netz oder „again“</translation>
+    </message>
+    <message>
+        <source>it is not flexible</source>
+        <translation>es ist nicht biegsam</translation>
+    </message>
+    <message>
+        <source>its pins have not all moved alike</source>
+        <translation>seine Nadeln haben sich nicht alle gleich bewegt</translation>
+    </message>
+    <message>
+        <source>the file does not say how it began</source>
+        <translation>die Datei sagt nicht, wie es begann</translation>
     </message>
 </context>
 <context>
@@ -3805,6 +3817,18 @@
     <message>
         <source>%1 is fixed: unfix it to put it elsewhere</source>
         <translation>%1 ist fest: zum Umstellen lösen</translation>
+    </message>
+    <message>
+        <source>Click: the sheet comes down there; wheel: turn; Escape stops it</source>
+        <translation>Klicken: Das Tuch fällt dort herab; Rad: drehen; Escape bricht ab</translation>
+    </message>
+    <message>
+        <source>Click where the cable begins; an object that you click holds its end</source>
+        <translation>Klicken, wo das Kabel beginnt; ein angeklicktes Objekt hält sein Ende</translation>
+    </message>
+    <message>
+        <source>Click where it goes; Return or a double click ends it; Backspace takes the last place back, Escape all</source>
+        <translation>Klicken, wohin es geht; Eingabe oder Doppelklick beendet es; Rücktaste nimmt die letzte Stelle zurück, Escape alle</translation>
     </message>
 </context>
 <context>
@@ -5686,6 +5710,14 @@
         <source>Alt+U</source>
         <translation>Alt+U</translation>
     </message>
+    <message>
+        <source>&amp;Drape</source>
+        <translation>&amp;Drapieren</translation>
+    </message>
+    <message>
+        <source>Drape: let a cloth, a paper or a cable come down where you click</source>
+        <translation>Drapieren: ein Tuch, ein Papier oder ein Kabel herabfallen lassen, wo Sie klicken</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::MessageBar</name>
@@ -6011,6 +6043,78 @@
     <message>
         <source>Flow</source>
         <translation>Menge</translation>
+    </message>
+    <message>
+        <source>Cotton</source>
+        <translation>Baumwolle</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Filz</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Towel</source>
+        <translation>Handtuch</translation>
+    </message>
+    <message>
+        <source>Wool</source>
+        <translation>Wolle</translation>
+    </message>
+    <message>
+        <source>Cable</source>
+        <translation>Kabel</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Along the weft</source>
+        <translation>Entlang des Schusses</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Along the warp</source>
+        <translation>Entlang der Kette</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Largest side: small ones show small folds, and take longer</source>
+        <translation>Größte Seite: Kleine Zellen zeigen kleine Falten und dauern länger</translation>
+    </message>
+    <message>
+        <source>a 40th of the length</source>
+        <translation>ein Vierzigstel der Länge</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Durchhang</translation>
+    </message>
+    <message>
+        <source>By how much a cable is longer than its way</source>
+        <translation>Um so viel ist ein Kabel länger als sein Weg</translation>
+    </message>
+    <message>
+        <source>Above the highest point below the sheet</source>
+        <translation>Über dem höchsten Punkt unter dem Tuch</translation>
+    </message>
+    <message>
+        <source>Drape</source>
+        <translation>Drapieren</translation>
     </message>
 </context>
 <context>
@@ -6542,6 +6646,18 @@
     <message>
         <source>A workbench, tools and parts in their zones</source>
         <translation>Eine Werkbank, Werkzeuge und Teile in ihren Zonen</translation>
+    </message>
+    <message>
+        <source>The same table with a cloth that came down</source>
+        <translation>Derselbe Tisch mit einer Decke, die herabfiel</translation>
+    </message>
+    <message>
+        <source>A coat over a chair, a paper at an edge, a lead</source>
+        <translation>Ein Mantel über einem Stuhl, ein Papier an einer Kante, ein Kabel</translation>
+    </message>
+    <message>
+        <source>A towel on a peg</source>
+        <translation>Ein Handtuch an einem Haken</translation>
     </message>
 </context>
 <context>

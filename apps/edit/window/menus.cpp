@@ -168,6 +168,8 @@ void MainWindow::make_tool_actions() {
   tool("rotate", tr("&Rotate"), "H", ToolKind::Rotate, tr("Rotate: turn the object by handles"));
   tool("paint", tr("P&aint"), "B", ToolKind::Paint,
        tr("Paint: drag over a surface to set down copies along the stroke"));
+  tool("drape", tr("&Drape"), "D", ToolKind::Drape,
+       tr("Drape: let a cloth, a paper or a cable come down where you click"));
 }
 
 void MainWindow::make_hand_actions() {

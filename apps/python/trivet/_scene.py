@@ -310,7 +310,9 @@ class Scene(Files, History, Pictures, Pours, Questions):
         **options
             `material` ("cotton", "felt", "paper", "towel", "wool", of cables "lead"); `cell`, `thickness` (metres),
             `density` (kg/m2, of cables kg/m), `bending` (N m, of cables N m2) and `friction` instead of the
-            material's; `net_force` and `steps`, by which it is at rest.
+            material's; `held_by` (names of objects, one for each pin: when they move, it is draped again with its ends
+            there); `again=True` (alone: `name` was draped before, and is once more from its first start); `net_force` and
+            `steps`, by which it is at rest.
 
         Returns
         -------
