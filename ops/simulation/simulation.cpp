@@ -82,6 +82,7 @@ class SceneMaker {
       add_fitted_parts();
     else
       add_parts();
+    if (m_options.measured) measure_parts();
     m_out.overlaps = part_overlaps(m_out.scene, limit());
     m_out.scene.num_near_parts = num_near_parts(m_out.scene);
     return std::move(m_out);
@@ -241,8 +242,30 @@ class SceneMaker {
       bodies.push_back({body.model,
                         world_from_object(body.world_from_link, UpAxis::Z, m_scales[body.model]),
                         m_scales[body.model], body.fixed});
+    if (m_options.max_error > 0) follow_surfaces(meshes, trees);
     fit_parts(trees, bodies, m_out.scene.floor, closest_fit());
     for (size_t i = 0; i < models.size(); ++i) set_parts(models[i], trees[i].parts(), m_scales[i]);
+  }
+
+  void follow_surfaces(const std::vector<Mesh>& meshes, std::vector<HullTree>& trees) {
+    for (size_t i = 0; i < trees.size(); ++i) {
+      const SurfaceProbe surface(meshes[i], m_shapes[i]->adjacency);
+      if (follow_surface(trees[i], surface, m_options.max_error / m_scales[i])) continue;
+      m_out.notes.push_back(
+          say("\"%1\": its parts stand out of its surface by more than %2 metres in places",
+              m_out.scene.models[i].model->path, figure(m_options.max_error)));
+    }
+  }
+
+  void measure_parts() {
+    for (size_t i = 0; i < m_out.scene.models.size(); ++i) {
+      const SimulationModel& model = m_out.scene.models[i];
+      const Mesh mesh = in_frame(m_shapes[i]->mesh, model.file_from_object);
+      const SurfaceProbe surface(mesh, m_shapes[i]->adjacency);
+      StandsOut farthest;
+      for (const ConvexPart& part : model.parts) farthest = surface.farthest(part, farthest);
+      m_out.stands_out.push_back({model.scale * farthest.distance, model.scale * farthest.at});
+    }
   }
 
   const Scene& m_scene;
@@ -269,6 +292,7 @@ void use_meshes(SimulationExport& done) {
   for (const size_t i : models) {
     SimulationModel& model = done.scene.models[i];
     model.parts.clear();
+    if (!done.stands_out.empty()) done.stands_out[i] = {};
     done.notes.push_back(
         say("\"%1\": its triangles collide, as no convex parts leave room for others",
             model.model->path));
