@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "apps/trivet/case_run.h"
+#include "apps/trivet/foreign_scenes.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
@@ -20,6 +21,7 @@ const std::string kSimulators = "Simulators", kTables = "Tables";
 constexpr double kLongestSimulation = 3600;  // seconds of a program that simulates
 
 struct ExportArguments {
+  ForeignArguments foreign;
   std::string scene, output, report;
   std::string collision = "fitted", table = "poses";
   SimulationOptions options;
@@ -28,21 +30,44 @@ struct ExportArguments {
   std::string simulator;  // a program; empty: MuJoCo in this process
 };
 
-Scene scene_of(const ExportArguments& arguments, const CommonOptions& common) {
+/// A scene, and its joints if it is one of another program.
+struct SceneToExport {
+  Scene scene;
+  std::shared_ptr<const std::vector<SceneJoint>> joints;
+};
+
+bool is_foreign(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension != ".glb" && extension != ".gltf" && is_of_others(path);
+}
+
+SceneToExport foreign_scene(const ExportArguments& arguments, const CommonOptions& common) {
+  OpenedScene opened = open_scene(arguments.scene, open_options(arguments.foreign, common));
+  check_not_inputs({arguments.output, arguments.report}, opened.files);
+  for (const Sentence& note : opened.notes) print_note(common, note);
+  for (const Sentence& what : opened.unread) print_note(common, say("not read: %1", what));
+  const double clearance = arguments.clearance > 0 ? arguments.clearance : opened.judged.clearance;
+  update_contacts(opened.judged.scene, clearance, {});
+  return {std::move(opened.judged.scene),
+          std::make_shared<const std::vector<SceneJoint>>(std::move(opened.joints))};
+}
+
+SceneToExport scene_of(const ExportArguments& arguments, const CommonOptions& common) {
+  if (is_foreign(arguments.scene)) return foreign_scene(arguments, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const Sentence& note : file.notes) print_note(common, note);
   check_not_inputs({arguments.output, arguments.report},
                    model_files(file.layout, folder_of(arguments.scene)));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
   update_contacts(file.scene, clearance, with_rules({}, file.layout.settle));
-  return std::move(file.scene);
+  return {std::move(file.scene), nullptr};
 }
 
 int export_table(const ExportArguments& arguments, const CommonOptions& common) {
   const Table table = arguments.table == "contacts" ? Table::Contacts
                       : arguments.table == "arena"  ? Table::Arena
                                                     : Table::Poses;
-  write_table(scene_of(arguments, common), table, arguments.output);
+  write_table(scene_of(arguments, common).scene, table, arguments.output);
   return 0;
 }
 
@@ -111,9 +136,10 @@ int export_for_simulator(const ExportArguments& arguments, const CommonOptions& 
   check_max_error(options);
   check_can_simulate(arguments);
   options.measured = !arguments.report.empty() || common.json;
-  const Scene scene = scene_of(arguments, common);
-  const SimulationExport done = export_simulation(scene, arguments.output, options);
-  const std::optional<SimulatedScene> moved = simulated(arguments, done, scene);
+  const SceneToExport from = scene_of(arguments, common);
+  options.joints = from.joints;
+  const SimulationExport done = export_simulation(from.scene, arguments.output, options);
+  const std::optional<SimulatedScene> moved = simulated(arguments, done, from.scene);
   const std::string report = simulation_json(done, options, moved ? &*moved : nullptr);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
   if (common.json)
@@ -216,7 +242,9 @@ std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("export", "Write a scene for a physics simulator, or as tables");
   const auto arguments = std::make_shared<ExportArguments>();
-  verb->add_option("scene", arguments->scene, "A scene written by trivet")
+  verb->add_option("scene", arguments->scene,
+                   "A scene written by trivet, or of another program (MJCF, URDF, SDF), which "
+                   "keeps its joints")
       ->required()
       ->type_name("SCENE.glb");
   verb->add_option("-o,--output", arguments->output, outputs_of_export())->required();
@@ -226,8 +254,10 @@ std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
       ->check(one_of({"poses", "contacts", "arena"}))
       ->group(kTables);
   add_simulator_options(*verb, *arguments);
+  add_foreign_options(*verb, arguments->foreign);
   return {{verb, [arguments, verb, &common] { return export_scene(*arguments, common, *verb); },
            "trivet export scene.glb -o scene.xml\n"
+           "trivet export kitchen.xml -o kitchen.usda\n"
            "trivet export scene.glb -o objects.csv\n",
            true,
            [arguments] {

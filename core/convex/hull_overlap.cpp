@@ -121,7 +121,7 @@ double penetration_depth(const PlacedPart& a, const PlacedPart& b) {
   const WaysOut ways(a, b);
   const double found =
       along.allFinite() && along.norm() > 0.5 ? ways.shortest(along, kInfinity) : depth / scale;
-  // Of slivers the polytope is so narrow that the direction may be far from the best one.
+  // The polytope of slivers is so narrow that the direction may be far from the best one.
   const bool few = std::max(a.triangles.size(), b.triangles.size()) <= kFewFaces;
   return few ? ways.shortest_of_all(found) : found;
 }

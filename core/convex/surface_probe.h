@@ -1,4 +1,4 @@
-// How far convex parts stand out of the mesh that they stand for.
+// Convex parts that stand out of the mesh for which they collide.
 #pragma once
 
 #include <vector>

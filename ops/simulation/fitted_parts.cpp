@@ -162,7 +162,7 @@ bool follow_surface(HullTree& tree, const SurfaceProbe& surface, double limit) {
       continue;
     }
     if (surface.farthest(node.part, {limit, {}}).distance <= limit) continue;
-    // What was refined is looked at again, or its halves are.
+    // A refined part is looked at again, or its halves are.
     if ((node.backing > 0 || tree.num_leaves() < kMaxFittedParts) && tree.refine(i))
       open.push_back(i);
     else

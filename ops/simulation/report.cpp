@@ -37,6 +37,11 @@ Json body_json(const SimulationExport& done, const SimulationBody& body) {
                {"friction", body.friction},
                {"restitution", body.restitution},
                {"parts", done.scene.models[body.model].parts.size()}};
+  if (!body.fixed) {  // of its free joint in MuJoCo, which has its name
+    const Vec3& p = body.world_from_link.translation;
+    const Rotation& q = body.world_from_link.rotation;
+    json["qpos"] = {p.x(), p.y(), p.z(), q.w, q.x, q.y, q.z};
+  }
   if (done.stands_out.empty()) return json;
   const StandsOut& farthest = done.stands_out[body.model];
   json["stands_out"] = {

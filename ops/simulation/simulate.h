@@ -43,7 +43,7 @@ std::string no_simulator();
 SimulatedScene simulate(const SimulationExport& done, double seconds,
                         const SimulationFileOptions& files = {});
 
-/// What a program that simulated an export printed, a line of JSON: {"objects": [{"name",
+/// Reads what a program printed that simulated an export, a line of JSON: {"objects": [{"name",
 /// "position", "rotation"}], "simulator", "penetration", "warnings", "contacts": [[NAME, NAME]]},
 /// names as in the file, metres, final poses of links; a rotation is w, x, y, z. Of these only
 /// "objects" is needed. @param program  for messages. @throws Error (BadInput): it is something
@@ -61,7 +61,7 @@ SimulatedObject simulated_object(const SimulationExport& done, const SimulationB
 void add_reasons(SimulatedScene& simulated, const SimulationExport& done, const Scene& scene,
                  const std::optional<double>& friction);
 
-/// How many objects stayed, by the rules of the field.
+/// Numbers of objects that stayed, by the rules of the field.
 struct StayedWithin {
   size_t millimetre = 0, two_millimetres_and_degrees = 0, centimetre = 0;
 };

@@ -28,7 +28,8 @@ const char* to_string(CollisionRule rule);
 /// @throws Error (BadInput) when the format of the file, or this build, has no such rule.
 void check_collision_rule(CollisionRule rule, const std::string& path);
 
-class PartCache;  // part_cache.h
+class PartCache;    // part_cache.h
+struct SceneJoint;  // ops/files/foreign/open_scene.h
 
 struct SimulationOptions {
   std::optional<double> density;   // kg/m^3, of everything; none: of the materials
@@ -39,6 +40,7 @@ struct SimulationOptions {
   double hull_clearance = 0;  // metres by which faces of convex parts are moved inwards
   bool measured = false;      // how far parts stand out of surfaces is measured
   std::shared_ptr<PartCache> cache;  // of scenes with the same models; null: none is kept
+  std::shared_ptr<const std::vector<SceneJoint>> joints;  // of the scene; null: it has none
   SimulationFileOptions files;
 };
 
@@ -81,11 +83,12 @@ SimulationExport export_simulation(const Scene& scene, const std::string& path,
 /// The export as JSON: {"files", "density", "friction" (a number or "materials"), "collision",
 /// "objects": [{"name", "file_name", "fixed", "mass", "friction", "restitution", "parts"}],
 /// "overlaps": [{"a", "b", "depth", "allowed", "part_pairs"}], "notes"}.
-/// Where it was measured, objects have "stands_out": {"distance", "at"}: how far their parts stand
-/// out of their surface, and where that is in the world.
-/// With a simulation also "simulated": {"simulator", "seconds", "penetration", "warnings",
-/// "within_1mm", "within_2mm_2deg", "within_1cm", "objects": [{"name", "moved", "turned_deg",
-/// "why"}]}, metres; "why" is a list of what is known, of those that moved by over a millimetre.
+/// Free objects have "qpos": x, y, z, qw, qx, qy, qz of their joint in MuJoCo, which has their
+/// "file_name". Where it was measured, objects have "stands_out": {"distance", "at"}: how far their
+/// parts stand out of their surface, and where that is in the world. With a simulation also
+/// "simulated": {"simulator", "seconds", "penetration", "warnings", "within_1mm",
+/// "within_2mm_2deg", "within_1cm", "objects": [{"name", "moved", "turned_deg", "why"}]}, metres;
+/// "why" is a list of what is known, of those that moved by over a millimetre.
 std::string simulation_json(const SimulationExport& done, const SimulationOptions& options,
                             const SimulatedScene* simulated = nullptr);
 /// For people: a few lines.

@@ -206,6 +206,32 @@ class Mujoco(Exports):
         self.assertEqual(corners[0], [])
         self.assertGreaterEqual(len(corners[1]), 4)
 
+    def test_keyframe_has_all_poses(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.xml", "--json")
+        root = ElementTree.fromstring(self.read("s.xml"))
+        key, = root.findall("keyframe/key")
+        positions = [float(v) for v in key.get("qpos").split()]
+        free = [b for b in root.iter("body") if b.find("freejoint") is not None]
+        self.assertEqual(positions, [float(v) for b in free for k in ("pos", "quat") for v in b.get(k).split()])
+        given = {o["file_name"]: o.get("qpos") for o in json.loads(out)["objects"]}
+        for k, body in enumerate(free):
+            self.assertEqual(given[body.get("name")], positions[7 * k:7 * k + 7])
+        self.assertEqual(sum(q is None for q in given.values()), 1)  # the slab is fixed
+
+    def test_heavy_loads_get_stiffer_contacts(self):
+        self.write("half/cube.obj", box_obj(0.025, 0.025, 0.025))
+        steps = {}
+        for scale in (1, 2):
+            layout = self.layout([{"name": "small", "model": "half/cube.obj"},
+                                  {"name": "big", "model": "half/cube.obj", "scale": 2 * scale}],
+                                 [put("small", 0, 0, 1), put("big", 0, 0, 2)])
+            self.trivet("run", layout, "-o", "s.glb")
+            self.trivet("export", "s.glb", "-o", "s.xml")
+            option = ElementTree.fromstring(self.read("s.xml")).find("option")
+            steps[scale] = option.get("timestep"), option.get("tolerance")
+        self.assertEqual(steps, {1: ("0.002", None), 2: ("0.001", "1e-14")})
+
     def test_free_objects_sleep_on_request(self):
         self.scene()
         for options, sleeping, flag in (((), [None] * 4, None), (("--asleep",), [None, "init", "init", "init"], "enable")):
@@ -267,7 +293,7 @@ print(json.dumps({"simulator": "Engine of " + seconds + " s", "objects": objects
 
 
 class Surfaces(Exports):
-    """How far parts stand out of surfaces is in the report, and can be bounded."""
+    """The report tells how far parts stand out of surfaces, which can be bounded."""
 
     def test_report_tells_where(self):
         self.write("cup.obj", cup_obj())
@@ -287,6 +313,16 @@ class Surfaces(Exports):
 
 
 class Usd(Exports):
+    def test_triangles_of_free_bodies_are_cut_into_convex_pieces(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--collision", "mesh", "--json")
+        kinds = {}
+        for file in json.loads(out)["files"][1:]:
+            text = self.read(file).decode()
+            if "physics:approximation" in text:
+                kinds[os.path.basename(file).split("_")[0]] = text.split('physics:approximation = "')[1].split('"')[0]
+        self.assertEqual(kinds, {"slab": "none", "cube": "convexDecomposition"})
+
     def test_three_reads_it(self):
         reader = os.path.join(NODE_MODULES, "three", "examples", "jsm", "loaders", "USDLoader.js")
         if not shutil.which("node") or not os.path.exists(reader):

@@ -1,4 +1,4 @@
-// What programs say of a simulated export, and why objects moved.
+// Output of programs that simulated an export, and reasons why objects moved.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -137,6 +137,17 @@ TEST(Reasons, NameOverlapsWeaknessAndNeighbours) {
   update_contacts(stacked.scene, 1e-6);
   add_reasons(out, stacked.done, stacked.scene, {});
   EXPECT_EQ(in_english(out.objects[1].why)[1], "it does not stand");
+}
+
+// Each of three equal boxes in a stack carries those above it.
+TEST(Loads, CountAllThatIsCarried) {
+  Stacked stacked;
+  EXPECT_NEAR(stacked.done.scene.heaviest_load, 1, 1e-9);
+  stacked.add("third", 0.5);
+  update_contacts(stacked.scene, 1e-6);
+  EXPECT_NEAR(simulation_of(stacked.scene, "s", {}).scene.heaviest_load, 2, 1e-9);
+  edit_object(stacked.scene, *stacked.scene.find("lower one"), [](Object& o) { o.fixed = true; });
+  EXPECT_NEAR(simulation_of(stacked.scene, "s", {}).scene.heaviest_load, 1, 1e-9);
 }
 
 }  // namespace

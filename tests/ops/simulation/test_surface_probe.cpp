@@ -1,4 +1,4 @@
-// How far parts stand out of surfaces, where that is asked for, and slivers that overlap.
+// Parts that stand out of surfaces, and slivers that overlap.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -76,7 +76,7 @@ TEST(SurfaceProbe, FindsMiddleOfLid) {
   EXPECT_GE(farthest.distance, inner - sampled);
   EXPECT_NEAR(farthest.at.z(), box.upper.z(), 1e-9);
   EXPECT_LT(farthest.at.head<2>().cwiseAbs().maxCoeff(), sampled);
-  // What is known to be farther stays.
+  // A point that is known and farther stays.
   const StandsOut known{1, Vec3(7, 0, 0)};
   EXPECT_EQ(surface.farthest(hull_part_of(mesh), known).at, known.at);
 }
