@@ -1,11 +1,15 @@
+#include <filesystem>
 #include <iostream>
 
+#include "apps/trivet/case_run.h"
 #include "apps/trivet/foreign_scenes.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
+#include "core/base/printable.h"
 #include "core/io/atomic_file.h"
+#include "ops/files/json/text.h"
 #include "ops/files/report/tables.h"
 #include "ops/simulation/scene_formats.h"
 #include "ops/simulation/simulate.h"
@@ -14,6 +18,7 @@ namespace trivet::apps {
 namespace {
 
 const std::string kSimulators = "Simulators", kTables = "Tables";
+constexpr double kLongestSimulation = 3600;  // seconds of a program that simulates
 
 struct ExportArguments {
   ForeignArguments foreign;
@@ -21,7 +26,8 @@ struct ExportArguments {
   std::string collision = "fitted", table = "poses";
   SimulationOptions options;
   double clearance = 0;
-  double simulate = 0;  // seconds
+  double simulate = 0;    // seconds
+  std::string simulator;  // a program; empty: MuJoCo in this process
 };
 
 /// A scene, and its joints if it is one of another program.
@@ -58,7 +64,9 @@ SceneToExport scene_of(const ExportArguments& arguments, const CommonOptions& co
 }
 
 int export_table(const ExportArguments& arguments, const CommonOptions& common) {
-  const Table table = arguments.table == "contacts" ? Table::Contacts : Table::Poses;
+  const Table table = arguments.table == "contacts" ? Table::Contacts
+                      : arguments.table == "arena"  ? Table::Arena
+                                                    : Table::Poses;
   write_table(scene_of(arguments, common).scene, table, arguments.output);
   return 0;
 }
@@ -77,6 +85,13 @@ void check_asleep(const ExportArguments& arguments) {
 }
 
 void check_can_simulate(const ExportArguments& arguments) {
+  if (!arguments.simulator.empty()) {
+    if (!(arguments.simulate > 0))
+      throw Error(Error::Kind::BadInput,
+                  "--simulator: for how long is missing; accepted: with "
+                  "--simulate and seconds");
+    return;
+  }
   if (!(arguments.simulate > 0)) return;
   if (!can_simulate()) throw Error(Error::Kind::BadInput, "--simulate: %1", no_simulator());
   if (!is_mjcf(arguments.output))
@@ -84,24 +99,54 @@ void check_can_simulate(const ExportArguments& arguments) {
                 "--simulate: MuJoCo does not read %1; accepted: .xml and .mjcf", arguments.output);
 }
 
+void check_max_error(const SimulationOptions& options) {
+  if (options.max_error > 0 && options.collision != CollisionRule::Fitted)
+    throw Error(Error::Kind::BadInput,
+                "--max-error: only fitted parts follow surfaces; accepted: --collision fitted");
+}
+
+SimulatedScene simulated_by(const std::string& program, const SimulationExport& done,
+                            double seconds) {
+  const std::string file = std::filesystem::absolute(done.files.at(0)).string();
+  const CaseRun run = run_program(program, {short_number(seconds), file}, kLongestSimulation);
+  if (run.out_of_time)
+    throw Error(Error::Kind::Environment, "%1: has not ended after %2 seconds", program,
+                figure(kLongestSimulation));
+  if (run.status != 0 || run.signal != 0)
+    throw Error(Error::Kind::Environment, "%1: ends with status %2: %3", program,
+                run.signal ? 128 + run.signal : run.status, printable(run.error));
+  return simulated_by_program(run.output, program, done, seconds);
+}
+
+std::optional<SimulatedScene> simulated(const ExportArguments& arguments,
+                                        const SimulationExport& done, const Scene& scene) {
+  if (!(arguments.simulate > 0)) return {};
+  SimulatedScene out = arguments.simulator.empty()
+                           ? simulate(done, arguments.simulate, arguments.options.files)
+                           : simulated_by(arguments.simulator, done, arguments.simulate);
+  add_reasons(out, done, scene, arguments.options.friction);
+  return out;
+}
+
 int export_for_simulator(const ExportArguments& arguments, const CommonOptions& common) {
   SimulationOptions options = arguments.options;
   options.collision = collision_rule_from_name(arguments.collision);
   check_collision_rule(options.collision, arguments.output);
   check_asleep(arguments);
+  check_max_error(options);
   check_can_simulate(arguments);
-  SceneToExport from = scene_of(arguments, common);
+  options.measured = !arguments.report.empty() || common.json;
+  const SceneToExport from = scene_of(arguments, common);
   options.joints = from.joints;
   const SimulationExport done = export_simulation(from.scene, arguments.output, options);
-  std::optional<SimulatedScene> simulated;
-  if (arguments.simulate > 0) simulated = simulate(done, arguments.simulate, options.files);
-  const std::string report = simulation_json(done, options, simulated ? &*simulated : nullptr);
+  const std::optional<SimulatedScene> moved = simulated(arguments, done, from.scene);
+  const std::string report = simulation_json(done, options, moved ? &*moved : nullptr);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
   if (common.json)
     std::cout << report;
   else if (!common.quiet)
-    std::cout << simulation_text(done) << (simulated ? simulated_text(*simulated) : "");
-  return simulated && !stays(*simulated) ? 1 : 0;
+    std::cout << simulation_text(done) << (moved ? simulated_text(*moved) : "");
+  return moved && !stays(*moved) ? 1 : 0;
 }
 
 int export_scene(const ExportArguments& arguments, const CommonOptions& common,
@@ -154,11 +199,21 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
                   "smaller one. More is an error")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
+  verb.add_option("--max-error", options.max_error,
+                  "Split fitted parts until none stands out of its surface by more than this "
+                  "(metres), so that mugs are hollow; 0 (default): by any")
+      ->check(number_from(0, 1e3))
+      ->group(kSimulators);
   verb.add_option(
           "--simulate", arguments.simulate,
-          "Run MuJoCo on the written .xml or .mjcf for this time (s), and report what moved; "
-          "the exit status is 1 if an object moved by more than a centimetre")
+          "Run MuJoCo on the written .xml or .mjcf for this time (s), and report what moved and "
+          "why; the exit status is 1 if an object moved by more than a centimetre")
       ->check(number_from(0, 1e4))
+      ->group(kSimulators);
+  verb.add_option("--simulator", arguments.simulator,
+                  "Run this program instead of MuJoCo, as PROGRAM SECONDS FILE; it prints final "
+                  "poses as a line of JSON")
+      ->type_name("PROGRAM")
       ->group(kSimulators);
   verb.add_option("--mujoco", options.files.mujoco,
                   "Version of MuJoCo that reads the .xml or .mjcf: 3 (default) or 2")
@@ -194,8 +249,9 @@ std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
       ->type_name("SCENE.glb");
   verb->add_option("-o,--output", arguments->output, outputs_of_export())->required();
   verb->add_option("--table", arguments->table,
-                   "poses (default): a row per object; contacts: a row per contact point")
-      ->check(one_of({"poses", "contacts"}))
+                   "poses (default): a row per object; contacts: a row per contact point; arena: a "
+                   "layout for Isaac Lab Arena, .jsonl")
+      ->check(one_of({"poses", "contacts", "arena"}))
       ->group(kTables);
   add_simulator_options(*verb, *arguments);
   add_foreign_options(*verb, arguments->foreign);

@@ -271,8 +271,40 @@
 <context>
     <name>refusal</name>
     <message>
+        <source>&quot;%1&quot;: its parts stand out of its surface by more than %2 metres in places</source>
+        <translation>„%1“: seine Teile ragen stellenweise um mehr als %2 Meter aus seiner Oberfläche</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; has no triangle; accepted: a mesh</source>
         <translation>%1: „%2“ hat kein Dreieck; erlaubt: ein Netz</translation>
+    </message>
+    <message>
+        <source>%1: a layout of Arena is a line of JSON; accepted: .jsonl</source>
+        <translation>%1: Ein Layout für Arena ist eine Zeile JSON; zulässig: .jsonl</translation>
+    </message>
+    <message>
+        <source>%1: prints no line of JSON; accepted: {&quot;objects&quot;: [{&quot;name&quot;: ..., &quot;position&quot;: [x, y, z], &quot;rotation&quot;: [w, x, y, z]}, ...]}</source>
+        <translation>%1: gibt keine Zeile JSON aus; zulässig: {&quot;objects&quot;: [{&quot;name&quot;: ..., &quot;position&quot;: [x, y, z], &quot;rotation&quot;: [w, x, y, z]}, ...]}</translation>
+    </message>
+    <message>
+        <source>a unit quaternion, w first</source>
+        <translation>ein Einheitsquaternion, w zuerst</translation>
+    </message>
+    <message>
+        <source>it does not stand</source>
+        <translation>es steht nicht</translation>
+    </message>
+    <message>
+        <source>it stands, but only just: margin %1 metres</source>
+        <translation>es steht nur knapp: Spielraum %1 Meter</translation>
+    </message>
+    <message>
+        <source>it touches &quot;%1&quot;, which moved, too</source>
+        <translation>es berührt „%1“, das sich auch bewegt hat</translation>
+    </message>
+    <message>
+        <source>its convex parts overlap those of &quot;%1&quot; by %2 metres</source>
+        <translation>seine konvexen Teile überlappen die von „%1“ um %2 Meter</translation>
     </message>
     <message>
         <source>no Radiance image: it ends early</source>
@@ -285,6 +317,18 @@
     <message>
         <source>no Radiance image: %1</source>
         <translation>kein Radiance-Bild: %1</translation>
+    </message>
+    <message>
+        <source>no free object is placed; accepted: a scene with one, as a layout of Arena has their poses</source>
+        <translation>Kein freies Objekt ist platziert; zulässig: eine Szene mit einem, da ein Layout für Arena ihre Lagen enthält</translation>
+    </message>
+    <message>
+        <source>no object is called &quot;%1&quot;</source>
+        <translation>kein Objekt heißt „%1“</translation>
+    </message>
+    <message>
+        <source>the simulator finds no contact with &quot;%1&quot;</source>
+        <translation>der Simulator findet keinen Kontakt mit „%1“</translation>
     </message>
     <message>
         <source>this build of trivet reads no Radiance images (libstb-dev was not installed)</source>
@@ -337,6 +381,10 @@
     <message>
         <source>an inertia that no rigid body has; accepted: symmetric, positive, no principal moment larger than the sum of the two others</source>
         <translation>ein Trägheitstensor, den kein starrer Körper hat; erlaubt: symmetrisch, positiv, kein Hauptmoment größer als die Summe der beiden anderen</translation>
+    </message>
+    <message>
+        <source>two names</source>
+        <translation>zwei Namen</translation>
     </message>
     <message>
         <source>two names, of which one may be &quot;floor&quot;</source>

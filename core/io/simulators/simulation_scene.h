@@ -65,6 +65,7 @@ struct SimulationScene {
   std::vector<SimulationModel> models;
   std::vector<SimulationBody> bodies;
   std::vector<SimulationJoint> joints;  // trees
+  double heaviest_load = 0;             // largest mass that a free body carries, in its own masses
   size_t num_near_parts = 0;  // pairs of parts that may touch, for simulators that want to know
 };
 
