@@ -141,69 +141,77 @@ OperationResult stand_draped(Transaction& transaction, Object object, OperationR
   return result;
 }
 
+constexpr unsigned kSheet = 0, kCable = 1, kMesh = 2;
+
+std::vector<FormRow<DrapeOperation>> drape_forms() {
+  using P = DrapeOperation;
+  return {{"drape",
+           "Drape a flat sheet, a new object, over what lies below",
+           {"size"},
+           {},
+           [](const P& o) { return o.size.has_value(); },
+           [](P& o) { o.size = Vec2(1, 1); }},
+          {"drape",
+           "Drape a cable, a new object, over what lies below",
+           {"path"},
+           {},
+           [](const P& o) { return !o.path.empty(); },
+           [](P& o) {
+             o.path = {Vec3::Zero(), Vec3::UnitX()};
+           }},
+          {"drape",
+           "Drape a sheet (by its size), a cable (by its path) or an open mesh, a new object, over "
+           "what lies below",
+           {"of"},
+           {},
+           [](const P& o) { return o.of.has_value(); },
+           [](P& o) { o.of = ""; }}};
+}
+
+std::vector<Row<DrapeOperation>> drape_rows() {
+  using P = DrapeOperation;
+  using R = Row<P>;
+  return {R("object", &P::object, kNewName, "Name of the new object; no other has it").needed(),
+          R("size", &P::size, kSize, "Size of the sheet along warp and weft").in({kSheet}).needed(),
+          R("path", &P::path, kPoint, "Corners of the line along which the cable starts")
+              .in({kCable})
+              .needed(),
+          R("of", &P::of, kObjectName, "Object with the mesh, in the scene or not")
+              .in({kMesh})
+              .needed(),
+          R("position", &P::start, &Pose::translation, kPoint,
+            "Position of the sheet's middle, or the mesh's origin, at the start")
+              .in({kSheet, kMesh})
+              .needed(),
+          R("rotation", &P::start, &Pose::rotation, kRotation,
+            "Rotation at the start, quaternion, of a level sheet")
+              .in({kSheet, kMesh}),
+          R("cell", &P::cell, kCell,
+            "Largest side of a cell of the sheet, or segment of the cable; default: a 40th of the "
+            "sheet's length, a 128th of the cable's")
+              .in({kSheet, kCable}),
+          R("material", &P::material, kText,
+            "Material: cotton (default), felt, paper, towel or wool of a sheet; lead of a cable"),
+          R("thickness", &P::thickness, kThickness,
+            "Thickness of the sheet, or diameter of the cable; default: the material's"),
+          R("density", &P::density, kFlexDensity,
+            "Mass per area, or per length of a cable; default: the material's"),
+          R("bending", &P::bending, kBending, "Bending stiffness; default: the material's"),
+          R("friction", &P::friction, kFlexFriction,
+            "Coulomb friction coefficient, also against itself; default: the material's"),
+          R("pins", &P::pins, kPoint, "Points whose nearest vertices stay where they start"),
+          R("net_force", &P::net_force, kNetForce,
+            "Largest net force that may be left at a vertex at rest"),
+          R("steps", &P::steps, kSteps,
+            "Largest number of steps of the solver, on each level from coarse to fine")};
+}
+
 }  // namespace
 
 template <>
 const OperationTable& table<DrapeOperation>() {
-  using P = DrapeOperation;
-  using R = Row<P>;
-  constexpr unsigned kSheet = 0, kCable = 1, kMesh = 2;
-  static const OperationTable rows = make_table<P>(
-      {{"drape",
-        "Drape a flat sheet, a new object, over what lies below",
-        {"size"},
-        {},
-        [](const P& o) { return o.size.has_value(); },
-        [](P& o) { o.size = Vec2(1, 1); }},
-       {"drape",
-        "Drape a cable, a new object, over what lies below",
-        {"path"},
-        {},
-        [](const P& o) { return !o.path.empty(); },
-        [](P& o) {
-          o.path = {Vec3::Zero(), Vec3::UnitX()};
-        }},
-       {"drape",
-        "Drape a sheet (by its size), a cable (by its path) or an open mesh, a new object, over "
-        "what lies below",
-        {"of"},
-        {},
-        [](const P& o) { return o.of.has_value(); },
-        [](P& o) { o.of = ""; }}},
-      {R("object", &P::object, kNewName, "Name of the new object; no other has it").needed(),
-       R("size", &P::size, kSize, "Size of the sheet along warp and weft").in({kSheet}).needed(),
-       R("path", &P::path, kPoint, "Corners of the line along which the cable starts")
-           .in({kCable})
-           .needed(),
-       R("of", &P::of, kObjectName, "Object with the mesh, in the scene or not")
-           .in({kMesh})
-           .needed(),
-       R("position", &P::start, &Pose::translation, kPoint,
-         "Position of the sheet's middle, or the mesh's origin, at the start")
-           .in({kSheet, kMesh})
-           .needed(),
-       R("rotation", &P::start, &Pose::rotation, kRotation,
-         "Rotation at the start, quaternion, of a level sheet")
-           .in({kSheet, kMesh}),
-       R("cell", &P::cell, kCell,
-         "Largest side of a cell of the sheet, or segment of the cable; default: a 40th of the "
-         "sheet's length, a 128th of the cable's")
-           .in({kSheet, kCable}),
-       R("material", &P::material, kText,
-         "Material: cotton (default), felt, paper, towel or wool of a sheet; lead of a cable"),
-       R("thickness", &P::thickness, kThickness,
-         "Thickness of the sheet, or diameter of the cable; default: the material's"),
-       R("density", &P::density, kFlexDensity,
-         "Mass per area, or per length of a cable; default: the material's"),
-       R("bending", &P::bending, kBending, "Bending stiffness; default: the material's"),
-       R("friction", &P::friction, kFlexFriction,
-         "Coulomb friction coefficient, also against itself; default: the material's"),
-       R("pins", &P::pins, kPoint, "Points whose nearest vertices stay where they start"),
-       R("net_force", &P::net_force, kNetForce,
-         "Largest net force that may be left at a vertex at rest"),
-       R("steps", &P::steps, kSteps,
-         "Largest number of steps of the solver, on each level from coarse to fine")},
-      refuse_drape,
+  static const OperationTable rows = make_table<DrapeOperation>(
+      drape_forms(), drape_rows(), refuse_drape,
       TRIVET_SENTENCE("a shape is missing; accepted: \"size\" of a sheet, \"path\" of a cable, or "
                       "\"of\" for a mesh"));
   return rows;
