@@ -1,5 +1,3 @@
-#include "ops/simulation/simulation.h"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <deque>
@@ -22,6 +20,7 @@
 #include "ops/simulation/overlaps.h"
 #include "ops/simulation/part_cache.h"
 #include "ops/simulation/shells.h"
+#include "ops/simulation/simulation.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -223,7 +222,9 @@ class SceneMaker {
   }
 
   // Colliders of scenes of others touch each other, but are one hull each.
-  Mesh in_shells(Mesh mesh) const { return m_options.joints ? shells_apart(mesh) : mesh; }
+  Mesh in_shells(Mesh mesh) const {
+    return m_options.joints ? shells_apart(mesh) : std::move(mesh);
+  }
   const Adjacency& adjacency_of(size_t model, const Mesh& mesh) {
     if (!m_options.joints) return m_shapes[model]->adjacency;
     return m_of_shells.emplace_back(make_adjacency(mesh));
