@@ -16,7 +16,7 @@ std::vector<const ObjectContact*> contacts_below(const Object& object) {
 
 }  // namespace
 
-double heaviest_load(const Scene& scene, const std::map<ObjectId, size_t>& body_of,
+double heaviest_load(const Scene& scene, const std::map<ObjectId, size_t, SlotOrder>& body_of,
                      const std::vector<SimulationBody>& bodies) {
   std::vector<ObjectId> from_top;
   for (const auto& [id, body] : body_of)
@@ -24,7 +24,7 @@ double heaviest_load(const Scene& scene, const std::map<ObjectId, size_t>& body_
   std::stable_sort(from_top.begin(), from_top.end(), [&](ObjectId a, ObjectId b) {
     return scene.at(a).centre_of_mass().z() > scene.at(b).centre_of_mass().z();
   });
-  std::map<ObjectId, double> carried;
+  std::map<ObjectId, double, SlotOrder> carried;
   double heaviest = 0;
   for (const ObjectId id : from_top) {
     const double own = bodies[body_of.at(id)].mass;

@@ -6,13 +6,11 @@
 #include "core/base/error.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
+#include "ops/files/layout/boxes.h"
 #include "ops/simulation/simulate.h"
-#include "support/solids.h"
 
 namespace trivet {
 namespace {
-
-using namespace trivet::test;
 
 /// Two boxes on the floor, the second one on the first, as an export without files.
 struct Stacked {

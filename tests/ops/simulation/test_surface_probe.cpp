@@ -5,14 +5,12 @@
 
 #include "core/convex/hull_overlap.h"
 #include "core/convex/surface_probe.h"
+#include "ops/files/layout/boxes.h"
 #include "ops/simulation/fitted_parts.h"
 #include "ops/simulation/simulation.h"
-#include "support/solids.h"
 
 namespace trivet {
 namespace {
-
-using namespace trivet::test;
 
 ConvexPart hull_part_of(const Mesh& mesh) {
   ConvexPart part;
