@@ -199,37 +199,6 @@ OperationResult bring_down(Transaction& transaction, const DrapeOperation& o,
 constexpr unsigned kSheet = 0, kCable = 1, kAgain = 2, kMesh = 3;
 constexpr std::initializer_list<unsigned> kNew = {kSheet, kCable, kMesh};
 
-std::vector<FormRow<DrapeOperation>> drape_forms() {
-  using P = DrapeOperation;
-  return {{"drape",
-           "Drape a flat sheet, a new object, over what lies below",
-           {"size"},
-           {},
-           [](const P& o) { return o.size.has_value(); },
-           [](P& o) { o.size = Vec2(1, 1); }},
-          {"drape",
-           "Drape a cable, a new object, over what lies below",
-           {"path"},
-           {},
-           [](const P& o) { return !o.path.empty(); },
-           [](P& o) {
-             o.path = {Vec3::Zero(), Vec3::UnitX()};
-           }},
-          {"drape",
-           "Drape an object again that was draped before",
-           {"again"},
-           {},
-           [](const P& o) { return o.again; },
-           [](P& o) { o.again = true; }},
-          {"drape",
-           "Drape a sheet (by its size), a cable (by its path) or an open mesh, a new object, over "
-           "what lies below",
-           {"of"},
-           {},
-           [](const P& o) { return o.of.has_value(); },
-           [](P& o) { o.of = ""; }}};
-}
-
 std::vector<Row<DrapeOperation>> drape_rows() {
   using P = DrapeOperation;
   using R = Row<P>;
@@ -286,8 +255,36 @@ std::vector<Row<DrapeOperation>> drape_rows() {
 
 template <>
 const OperationTable& table<DrapeOperation>() {
-  static const OperationTable rows = make_table<DrapeOperation>(
-      drape_forms(), drape_rows(), refuse_drape,
+  using P = DrapeOperation;
+  static const OperationTable rows = make_table<P>(
+      {{"drape",
+        "Drape a flat sheet, a new object, over what lies below",
+        {"size"},
+        {},
+        [](const P& o) { return o.size.has_value(); },
+        [](P& o) { o.size = Vec2(1, 1); }},
+       {"drape",
+        "Drape a cable, a new object, over what lies below",
+        {"path"},
+        {},
+        [](const P& o) { return !o.path.empty(); },
+        [](P& o) {
+          o.path = {Vec3::Zero(), Vec3::UnitX()};
+        }},
+       {"drape",
+        "Drape an object again that was draped before",
+        {"again"},
+        {},
+        [](const P& o) { return o.again; },
+        [](P& o) { o.again = true; }},
+       {"drape",
+        "Drape a sheet (by its size), a cable (by its path) or an open mesh, a new object, over "
+        "what lies below",
+        {"of"},
+        {},
+        [](const P& o) { return o.of.has_value(); },
+        [](P& o) { o.of = ""; }}},
+      drape_rows(), refuse_drape,
       TRIVET_SENTENCE("a shape is missing; accepted: \"size\" of a sheet, \"path\" of a cable, "
                       "\"of\" for a mesh, or \"again\""));
   return rows;

@@ -32,21 +32,6 @@ std::optional<InvalidArgument> refuse_tries_of_place(const PutOperation& o) {
 
 constexpr unsigned kOn = 0, kFrom = 1;
 
-std::vector<FormRow<PutOperation>> put_forms() {
-  using P = PutOperation;
-  return {
-      {"put",
-       "Let an object fall where there is room, at a place where it comes to rest on one support "
-       "alone",
-       {"on", "at"},
-       {},
-       [](const P& o) { return o.place.has_value(); },
-       [](P& o) { o.place.emplace(); }},
-      {"put",
-       "Let an object fall from a position along gravity to the first contact, then settle",
-       {"position"}}};
-}
-
 std::vector<Row<PutOperation>> put_rows() {
   using P = PutOperation;
   using R = Row<P>;
@@ -101,8 +86,19 @@ std::vector<Row<PutOperation>> put_rows() {
 
 template <>
 const OperationTable& table<PutOperation>() {
-  static const OperationTable rows = make_table<PutOperation>(
-      put_forms(), put_rows(), refuse_tries_of_place,
+  using P = PutOperation;
+  static const OperationTable rows = make_table<P>(
+      {{"put",
+        "Let an object fall where there is room, at a place where it comes to rest on one support "
+        "alone",
+        {"on", "at"},
+        {},
+        [](const P& o) { return o.place.has_value(); },
+        [](P& o) { o.place.emplace(); }},
+       {"put",
+        "Let an object fall from a position along gravity to the first contact, then settle",
+        {"position"}}},
+      put_rows(), refuse_tries_of_place,
       TRIVET_SENTENCE("a place is missing; accepted: \"position\", from where it falls, or \"on\", "
                       "an object or \"floor\", on which a place is found"));
   return rows;

@@ -210,7 +210,7 @@ struct FormRow {
 
 /// The table of `P`: these rows, the object before them, and what all moves have after them.
 template <class P>
-OperationTable make_table(const std::vector<FormRow<P>>& forms, const std::vector<Row<P>>& rows,
+OperationTable make_table(std::initializer_list<FormRow<P>> forms, const std::vector<Row<P>>& rows,
                           std::optional<InvalidArgument> (*rule)(const P&) = nullptr,
                           const char* choice = "") {
   OperationTable out;
