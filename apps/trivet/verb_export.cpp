@@ -174,6 +174,20 @@ std::string outputs_of_export() {
   return out;
 }
 
+void add_simulation_options(CLI::App& verb, ExportArguments& arguments) {
+  verb.add_option(
+          "--simulate", arguments.simulate,
+          "Run MuJoCo on the written .xml or .mjcf for this time (s), and report what moved and "
+          "why; the exit status is 1 if an object moved by more than a centimetre")
+      ->check(number_from(0, 1e4))
+      ->group(kSimulators);
+  verb.add_option("--simulator", arguments.simulator,
+                  "Run this program instead of MuJoCo, as PROGRAM SECONDS FILE; it prints final "
+                  "poses as a line of JSON")
+      ->type_name("PROGRAM")
+      ->group(kSimulators);
+}
+
 void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
   SimulationOptions& options = arguments.options;
   verb.add_option("--report", arguments.report,
@@ -204,17 +218,7 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
                   "(metres), so that mugs are hollow; 0 (default): by any")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
-  verb.add_option(
-          "--simulate", arguments.simulate,
-          "Run MuJoCo on the written .xml or .mjcf for this time (s), and report what moved and "
-          "why; the exit status is 1 if an object moved by more than a centimetre")
-      ->check(number_from(0, 1e4))
-      ->group(kSimulators);
-  verb.add_option("--simulator", arguments.simulator,
-                  "Run this program instead of MuJoCo, as PROGRAM SECONDS FILE; it prints final "
-                  "poses as a line of JSON")
-      ->type_name("PROGRAM")
-      ->group(kSimulators);
+  add_simulation_options(verb, arguments);
   verb.add_option("--mujoco", options.files.mujoco,
                   "Version of MuJoCo that reads the .xml or .mjcf: 3 (default) or 2")
       ->check(integer_from(kOldestMujoco, kNewestMujoco))

@@ -42,6 +42,22 @@ struct Drawing {
   }
 };
 
+Drawing cloth_over_a_table() {
+  Drawing d;
+  d.line({{5, 17.5}, {5, 9}, {15, 9}, {15, 17.5}});
+  d.line({{2, 14}, {3.4, 6}, {16.6, 6}, {18, 14}});
+  d.line({{2, 14},
+          {4, 12.4},
+          {6, 14},
+          {8, 12.4},
+          {10, 14},
+          {12, 12.4},
+          {14, 14},
+          {16, 12.4},
+          {18, 14}});
+  return d;
+}
+
 Drawing tool_drawing(Icon icon) {
   Drawing d;
   switch (icon) {
@@ -73,18 +89,7 @@ Drawing tool_drawing(Icon icon) {
       d.dot({10, 10}, 1.5);
       break;
     case Icon::Drape:
-      d.line({{5, 17.5}, {5, 9}, {15, 9}, {15, 17.5}});
-      d.line({{2, 14}, {3.4, 6}, {16.6, 6}, {18, 14}});
-      d.line({{2, 14},
-              {4, 12.4},
-              {6, 14},
-              {8, 12.4},
-              {10, 14},
-              {12, 12.4},
-              {14, 14},
-              {16, 12.4},
-              {18, 14}});
-      break;
+      return cloth_over_a_table();
     case Icon::Paint:
       d.line({{17, 3}, {9.5, 10.5}});
       d.polygon({{9.4, 9.2}, {11.2, 11}, {8, 14.6}, {4, 15.5}, {6, 12.4}});

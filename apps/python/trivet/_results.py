@@ -213,7 +213,7 @@ class Crossing(NamedTuple):
 
 @dataclass(frozen=True)
 class Check:
-    """A scene judged from its poses alone.
+    """A scene judged from its poses alone; true if it passed.
 
     Attributes
     ----------
@@ -221,14 +221,12 @@ class Check:
         Nothing interpenetrates, in float64 and as exported in float32, and each free object is at rest with all
         others held.
     crossings, float32_crossings, contained : tuple of Crossing
-    not_at_rest : tuple of str
+    not_at_rest, topples, marginal : tuple of str
     smallest_gap : float
         Metres, over all contacts; infinity without one.
     stability : "stable", "marginal", "unstable" or "unknown"
         Of the scene as a whole, by friction. `why_unknown` says more.
-    stable : bool
-        Stable or marginal.
-    topples, marginal : tuple of str
+    stable : bool, for stable and marginal scenes
     margin : float
         Metres by which all weights may be shifted sideways before an object gives way; infinity without a free one.
     names, force_objects, force_point, force
