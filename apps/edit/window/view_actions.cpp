@@ -21,6 +21,7 @@ void MainWindow::make_view_actions() {
   });
   make_three_view_actions();
   make_direction_actions();
+  m_workspace->add_section_buttons();
   add_action(
       "section", tr("&Section: cut away what is in front"), tr("X"),
       [this] { m_workspace->toggle_section(m_workspace->active_view()); },

@@ -27,7 +27,6 @@ Workspace::Workspace(Document& document, Toolbox& toolbox, SceneDrawing& drawing
   connect(m_constraint, &SceneView::camera_moved, this, [this] { m_constraint_is_free = true; });
   make_frames();
   arrange();
-  make_section_buttons();
   connect(m_message_bar, &MessageBar::dismissed, &m_drawing, &SceneDrawing::put_out_lights);
 }
 
@@ -116,7 +115,7 @@ void Workspace::resizeEvent(QResizeEvent* event) {
 
 // --- sections ------------------------------------------------------------------------------------
 
-void Workspace::make_section_buttons() {
+void Workspace::add_section_buttons() {
   for (ViewFrame* const frame : m_frames) {
     auto* const view = qobject_cast<SceneView*>(frame->content());
     if (!view) continue;

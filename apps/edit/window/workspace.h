@@ -52,6 +52,8 @@ class Workspace : public QWidget {
   /// The constraint window looks along the contact again.
   void follow_contact();
 
+  /// Adds a button to the title of each view, behind those that are there.
+  void add_section_buttons();
   /// Switches the section of a view on or off.
   void toggle_section(SceneView& view);
   /// Maximises the active view, or restores all.
@@ -76,7 +78,6 @@ class Workspace : public QWidget {
   SceneView* make_view(WindowKind kind);
   void make_frames();
   void arrange();
-  void make_section_buttons();
   void maximise(ViewFrame* frame);
   SceneViews views() const { return {m_perspective, m_three, m_constraint}; }
   void aim_constraint_view();
