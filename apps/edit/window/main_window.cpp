@@ -204,8 +204,8 @@ void MainWindow::take_tool(ToolKind kind) {
 /// Tools can also be selected by keys of the toolbox.
 void MainWindow::show_tool() {
   const ToolKind kind = m_toolbox.current();
-  static constexpr const char* kActions[] = {"select",  "put",  "push",   "turn",
-                                             "pick up", "move", "rotate", "paint"};
+  static constexpr const char* kActions[] = {"select", "put",    "push",  "turn", "pick up",
+                                             "move",   "rotate", "paint", "drape"};
   QAction* const shown = action(kActions[static_cast<int>(kind)]);
   if (shown->isChecked() && kind == m_shown_tool) return;
   m_shown_tool = kind;
