@@ -1,13 +1,12 @@
 #include "ops/mend/intent.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "core/motion/motion.h"
-#include "ops/arrange/stable_poses.h"
+#include "ops/mend/attitudes.h"
+#include "ops/mend/intent_order.h"
 
 namespace trivet {
 namespace {
@@ -25,28 +24,6 @@ double at_share(std::vector<double> values, double share) {
   std::nth_element(values.begin(), values.begin() + k, values.end());
   return values[static_cast<size_t>(k)];
 }
-
-double angle_between_deg(const Vec3& a, const Vec3& b) {
-  // The angle is twice the arctangent of the chord over its complement, without libm.
-  const double apart = (a - b).norm(), together = (a + b).norm();
-  return apart <= together ? turned_deg(apart / together) : 180 - turned_deg(together / apart);
-}
-
-// The shortest turn that takes unit `a` to unit `b`.
-Rotation turn_to(const Vec3& a, const Vec3& b) {
-  const Vec3 axis = a.cross(b);
-  const double w = 1 + a.dot(b);
-  if (w < 1e-9) return {0, 1, 0, 0};
-  return Rotation{w, axis.x(), axis.y(), axis.z()}.normalized();
-}
-
-/// An object and what its columns say.
-struct Looked {
-  Placement level;
-  ObjectIntent intent;
-  Columns columns;
-  std::set<std::uint32_t> above;  // slots of what it lies above
-};
 
 class IntentFinder {
  public:
@@ -71,7 +48,7 @@ class IntentFinder {
     look(kColumns);
     Intent out;
     out.tolerance = m_tolerance, out.most_tilt_deg = m_most_tilt;
-    out.objects = in_order();
+    out.objects = in_order(m_looked);
     return out;
   }
 
@@ -108,23 +85,6 @@ class IntentFinder {
         if (l.intent.id == p.id) p.pose = l.intent.level;
   }
 
-  // About the middle of its box.
-  static Pose levelled(const Object& object, const std::vector<Vec3>& downs) {
-    const Rotation& r = object.pose.rotation;
-    const int k = nearest_down(downs, r).first;
-    const Vec3 down = r.matrix() * downs[static_cast<size_t>(k)];
-    // An attitude that is level to rounding stays to the bit.
-    if (angle_between_deg(down, -Vec3::UnitZ()) < 1e-9) return object.pose;
-    Pose out;
-    out.rotation = (turn_to(down, -Vec3::UnitZ()) * r).normalized();
-    // The middle of the box stays where it is, as a turn about the origin would move the object.
-    const Vec3 middle =
-        world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
-    out.translation =
-        object.pose.translation + r.matrix() * middle - out.rotation.matrix() * middle;
-    return out;
-  }
-
   void look(int num) {
     // Each look starts anew, as the tolerance has changed.
     m_index.clear();
@@ -147,12 +107,6 @@ class IntentFinder {
   const Looked* looked(ObjectId id) const {
     const auto it = m_index.find(id.index);
     return it == m_index.end() ? nullptr : &m_looked[it->second];
-  }
-
-  double lowest(const Looked& l) const {
-    double low = kInfinity;
-    for (const Column& c : l.columns.columns) low = std::min(low, c.low);
-    return low;
   }
 
   // A larger object around its lower part, whose rim is above its underside.
@@ -343,56 +297,6 @@ class IntentFinder {
     return body_of(m_scene.at(l.intent.id), l.intent.level).world_box.lower.z();
   }
 
-  // The lower ones first; a circle loses its weakest support.
-  std::vector<ObjectIntent> in_order() {
-    std::vector<ObjectIntent> out;
-    std::set<std::uint32_t> done;
-    std::vector<Looked*> left;
-    for (Looked& l : m_looked) left.push_back(&l);
-    const auto waits_for = [&](const Support& s) {
-      return s.is_object() && m_index.count(s.object().index) && !done.count(s.object().index);
-    };
-    // Each round takes all whose supports are placed; a circle of supports is cut at its weakest.
-    while (!left.empty()) {
-      std::vector<Looked*> ready;
-      for (Looked* l : left)
-        if (std::none_of(l->intent.on.begin(), l->intent.on.end(),
-                         [&](const IntendedSupport& s) { return waits_for(s.on); }) &&
-            !(l->intent.inside && waits_for(*l->intent.inside)))
-          ready.push_back(l);
-      if (ready.empty()) {
-        cut_weakest(left, waits_for);
-        continue;
-      }
-      // Leaning objects come after standing ones.
-      std::stable_sort(ready.begin(), ready.end(), [&](const Looked* a, const Looked* b) {
-        if (a->intent.is_level != b->intent.is_level) return a->intent.is_level;
-        return lowest(*a) < lowest(*b);
-      });
-      for (Looked* l : ready) {
-        out.push_back(l->intent);
-        done.insert(l->intent.id.index);
-        std::erase(left, l);
-      }
-    }
-    return out;
-  }
-
-  template <class Waits>
-  void cut_weakest(const std::vector<Looked*>& left, const Waits& waits_for) {
-    Looked* from = nullptr;
-    size_t which = 0;
-    double least = kInfinity;
-    for (Looked* l : left)
-      for (size_t i = 0; i < l->intent.on.size(); ++i)
-        if (waits_for(l->intent.on[i].on) && l->intent.on[i].share < least)
-          from = l, which = i, least = l->intent.on[i].share;
-    if (from)
-      from->intent.on.erase(from->intent.on.begin() + static_cast<std::ptrdiff_t>(which));
-    else
-      for (Looked* l : left) l->intent.inside.reset();
-  }
-
   const Scene& m_scene;
   PosedObjects m_all;  // level
   std::vector<Looked> m_looked;
@@ -406,23 +310,6 @@ const ObjectIntent* Intent::find(ObjectId id) const {
   for (const ObjectIntent& o : objects)
     if (o.id == id) return &o;
   return nullptr;
-}
-
-std::vector<Vec3> downs_of(const Object& object) {
-  std::vector<Vec3> out;
-  for (const StablePose& pose : stable_poses(*object.shape, object.up, object.scale))
-    out.push_back(pose.rotation.matrix().transpose() * -Vec3::UnitZ());
-  return out;
-}
-
-std::pair<int, double> nearest_down(const std::vector<Vec3>& downs, const Rotation& rotation) {
-  const Vec3 down = rotation.matrix().transpose() * -Vec3::UnitZ();
-  std::pair<int, double> out{-1, 180};
-  for (size_t k = 0; k < downs.size(); ++k) {
-    const double angle = angle_between_deg(downs[k], down);
-    if (angle < out.second) out = {static_cast<int>(k), angle};
-  }
-  return out;
 }
 
 Intent infer_intent(const Scene& scene, std::optional<double> tolerance) {

@@ -196,14 +196,66 @@ OperationResult bring_down(Transaction& transaction, const DrapeOperation& o,
   return stand_draped(transaction, std::move(object), run);
 }
 
+constexpr unsigned kSheet = 0, kCable = 1, kAgain = 2, kMesh = 3;
+constexpr std::initializer_list<unsigned> kNew = {kSheet, kCable, kMesh};
+
+std::vector<Row<DrapeOperation>> drape_rows() {
+  using P = DrapeOperation;
+  using R = Row<P>;
+  return {
+      R("object", &P::object, kNewName,
+        "Name of the new object; no other has it. With \"again\": the object")
+          .needed(),
+      R("size", &P::size, kSize, "Size of the sheet along warp and weft").in({kSheet}).needed(),
+      R("path", &P::path, kPoint, "Corners of the line along which the cable starts")
+          .in({kCable})
+          .needed(),
+      R("of", &P::of, kObjectName, "Object with the mesh, in the scene or not")
+          .in({kMesh})
+          .needed(),
+      R("again", &P::again, kFlag,
+        "Drape the object again from its first start, its ends at those that hold them")
+          .in({kAgain})
+          .needed(),
+      R("position", &P::start, &Pose::translation, kPoint,
+        "Position of the sheet's middle, or the mesh's origin, at the start")
+          .in({kSheet, kMesh})
+          .needed(),
+      R("rotation", &P::start, &Pose::rotation, kRotation,
+        "Rotation at the start, quaternion, of a level sheet")
+          .in({kSheet, kMesh}),
+      R("cell", &P::cell, kCell,
+        "Largest side of a cell of the sheet, or segment of the cable; default: a 40th of the "
+        "sheet's length, a 128th of the cable's")
+          .in({kSheet, kCable}),
+      R("material", &P::material, kText,
+        "Material: cotton (default), felt, paper, towel or wool of a sheet; lead of a cable")
+          .in(kNew),
+      R("thickness", &P::thickness, kThickness,
+        "Thickness of the sheet, or diameter of the cable; default: the material's")
+          .in(kNew),
+      R("density", &P::density, kFlexDensity,
+        "Mass per area, or per length of a cable; default: the material's")
+          .in(kNew),
+      R("bending", &P::bending, kBending, "Bending stiffness; default: the material's").in(kNew),
+      R("friction", &P::friction, kFlexFriction,
+        "Coulomb friction coefficient, also against itself; default: the material's")
+          .in(kNew),
+      R("pins", &P::pins, kPoint, "Points whose nearest vertices stay where they start").in(kNew),
+      R("held_by", &P::held_by, kObjectName,
+        "Objects that hold the pins, one for each: when they move, it is draped again")
+          .in(kNew),
+      R("net_force", &P::net_force, kNetForce,
+        "Largest net force that may be left at a vertex at rest"),
+      R("steps", &P::steps, kSteps,
+        "Largest number of steps of the solver, on each level from coarse to fine")};
+}
+
 }  // namespace
 
 template <>
 const OperationTable& table<DrapeOperation>() {
   using P = DrapeOperation;
-  using R = Row<P>;
-  constexpr unsigned kSheet = 0, kCable = 1, kAgain = 2, kMesh = 3;
-  static constexpr std::initializer_list<unsigned> kNew = {kSheet, kCable, kMesh};
   static const OperationTable rows = make_table<P>(
       {{"drape",
         "Drape a flat sheet, a new object, over what lies below",
@@ -232,53 +284,7 @@ const OperationTable& table<DrapeOperation>() {
         {},
         [](const P& o) { return o.of.has_value(); },
         [](P& o) { o.of = ""; }}},
-      {R("object", &P::object, kNewName,
-         "Name of the new object; no other has it. With \"again\": the object")
-           .needed(),
-       R("size", &P::size, kSize, "Size of the sheet along warp and weft").in({kSheet}).needed(),
-       R("path", &P::path, kPoint, "Corners of the line along which the cable starts")
-           .in({kCable})
-           .needed(),
-       R("of", &P::of, kObjectName, "Object with the mesh, in the scene or not")
-           .in({kMesh})
-           .needed(),
-       R("again", &P::again, kFlag,
-         "Drape the object again from its first start, its ends at those that hold them")
-           .in({kAgain})
-           .needed(),
-       R("position", &P::start, &Pose::translation, kPoint,
-         "Position of the sheet's middle, or the mesh's origin, at the start")
-           .in({kSheet, kMesh})
-           .needed(),
-       R("rotation", &P::start, &Pose::rotation, kRotation,
-         "Rotation at the start, quaternion, of a level sheet")
-           .in({kSheet, kMesh}),
-       R("cell", &P::cell, kCell,
-         "Largest side of a cell of the sheet, or segment of the cable; default: a 40th of the "
-         "sheet's length, a 128th of the cable's")
-           .in({kSheet, kCable}),
-       R("material", &P::material, kText,
-         "Material: cotton (default), felt, paper, towel or wool of a sheet; lead of a cable")
-           .in(kNew),
-       R("thickness", &P::thickness, kThickness,
-         "Thickness of the sheet, or diameter of the cable; default: the material's")
-           .in(kNew),
-       R("density", &P::density, kFlexDensity,
-         "Mass per area, or per length of a cable; default: the material's")
-           .in(kNew),
-       R("bending", &P::bending, kBending, "Bending stiffness; default: the material's").in(kNew),
-       R("friction", &P::friction, kFlexFriction,
-         "Coulomb friction coefficient, also against itself; default: the material's")
-           .in(kNew),
-       R("pins", &P::pins, kPoint, "Points whose nearest vertices stay where they start").in(kNew),
-       R("held_by", &P::held_by, kObjectName,
-         "Objects that hold the pins, one for each: when they move, it is draped again")
-           .in(kNew),
-       R("net_force", &P::net_force, kNetForce,
-         "Largest net force that may be left at a vertex at rest"),
-       R("steps", &P::steps, kSteps,
-         "Largest number of steps of the solver, on each level from coarse to fine")},
-      refuse_drape,
+      drape_rows(), refuse_drape,
       TRIVET_SENTENCE("a shape is missing; accepted: \"size\" of a sheet, \"path\" of a cable, "
                       "\"of\" for a mesh, or \"again\""));
   return rows;

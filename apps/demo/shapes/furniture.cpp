@@ -11,7 +11,7 @@ namespace trivet::shapes {
 namespace {
 
 constexpr Index kWood = 0, kLinen = 1, kStripe = 2;
-constexpr Index kPlaster = 1, kSteel = 2;
+constexpr Index kPlaster = 1, kPegSteel = 2;
 const Vec2 kHalfTop(0.6, 0.4);
 
 // A leg that gets thinner downwards, 1 mm deep in the top.
@@ -92,7 +92,7 @@ Model make_pegs() {
   for (const double x : {-0.2, 0.0, 0.2})
     parts.push_back(
         {painted(rod({x, -0.017, kPegHeight}, {x, -0.085, kPegHeight + 0.015}, 0.006, 0.009, 16),
-                 kSteel),
+                 kPegSteel),
          40});
   return assemble("pegs", parts,
                   {wood(), make_material("plaster", 0.72f, 0.70f, 0.64f, 0.9f),

@@ -68,8 +68,11 @@ TEST(FlexCurls, RestAlongALineAndKeepTheirCurl) {
     EXPECT_NEAR((right - left).norm(), chord, 1e-3 * chord);
     EXPECT_NEAR(left.z(), right.z(), 1e-5) << "it is as symmetric as it was";
     EXPECT_LT(result.x[vertex_of(kAround / 2, j)].z(), clear);
-    for (int i = 0; i <= kAround; ++i)
-      if (std::abs(i - kAround / 2) > 1) EXPECT_GT(result.x[vertex_of(i, j)].z(), clear);
+    for (int i = 0; i <= kAround; ++i) {
+      if (std::abs(i - kAround / 2) > 1) {
+        EXPECT_GT(result.x[vertex_of(i, j)].z(), clear);
+      }
+    }
   }
 }
 
