@@ -735,10 +735,6 @@
         <translation>16 hexadezimale Ziffern</translation>
     </message>
     <message>
-        <source>an operation or several</source>
-        <translation>eine Operation oder mehrere</translation>
-    </message>
-    <message>
         <source>%1; BVHs are used instead</source>
         <translation>%1; stattdessen antworten Boxbäume</translation>
     </message>
@@ -3642,6 +3638,22 @@
         <source>meshes without volume, as their transform flattens them</source>
         <translation>Netze ohne Volumen, da ihre Transformation sie flach macht</translation>
     </message>
+    <message>
+        <source>it fits nowhere above its place</source>
+        <translation>es passt nirgends über seinen Platz</translation>
+    </message>
+    <message>
+        <source>no place near is free</source>
+        <translation>kein Platz in der Nähe ist frei</translation>
+    </message>
+    <message>
+        <source>the time is over</source>
+        <translation>die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>there is no object %1; accepted: names of objects</source>
+        <translation>es gibt kein Objekt %1; erlaubt: Namen von Objekten</translation>
+    </message>
 </context>
 <context>
     <name>results</name>
@@ -3692,6 +3704,21 @@
     <message>
         <source>stopped at a drop deeper than %1</source>
         <translation>hält vor einer Kante, die tiefer abfällt als %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 supports kept</source>
+        <translation>%1 von %2 Auflagen erhalten</translation>
+    </message>
+    <message>
+        <source>%1 stays where it was: %2</source>
+        <translation>%1 bleibt, wo es war: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects moved, by %1 at most</source>
+        <translation>
+            <numerusform>%n Objekt bewegt, um höchstens %1</numerusform>
+            <numerusform>%n Objekte bewegt, um höchstens %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4515,6 +4542,10 @@
     <message>
         <source>%1: stopped after %2 of %3, which stay</source>
         <translation>%1: nach %2 von %3 angehalten; diese bleiben</translation>
+    </message>
+    <message>
+        <source>%1: no object passes through another, and all are at rest</source>
+        <translation>%1: kein Objekt durchdringt ein anderes, und alle sind in Ruhe</translation>
     </message>
 </context>
 <context>
@@ -5685,6 +5716,22 @@
     <message>
         <source>Alt+U</source>
         <translation>Alt+U</translation>
+    </message>
+    <message>
+        <source>&amp;Mend</source>
+        <translation>In &amp;Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>Mend: move what interpenetrates or floats as little as possible, so that everything rests on what it was meant to rest on; of several selected objects, these alone</source>
+        <translation>In Ordnung bringen: was sich durchdringt oder schwebt, so wenig wie möglich bewegen, damit alles auf dem ruht, worauf es gedacht war; sind mehrere Objekte gewählt, nur diese</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttle</source>
+        <translation>Zur &amp;Ruhe bringen</translation>
+    </message>
+    <message>
+        <source>Settle: let what floats or is sunk come to rest; of several selected objects, these alone</source>
+        <translation>Zur Ruhe bringen: was schwebt oder eingesunken ist, zur Ruhe kommen lassen; sind mehrere Objekte gewählt, nur diese</translation>
     </message>
 </context>
 <context>

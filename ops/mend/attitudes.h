@@ -1,0 +1,20 @@
+// Attitudes in which an object can stand, and the nearest of them. Private.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/scene/object.h"
+
+namespace trivet {
+
+/// Stable attitudes of an object as the directions, in its own frame (z up, metres), that point
+/// down in them; unit.
+std::vector<Vec3> downs_of(const Object& object);
+/// The nearest of these to the attitude, and degrees to it; -1 without any.
+std::pair<int, double> nearest_down(const std::vector<Vec3>& downs, const Rotation& rotation);
+/// Turned to the nearest of these, about the middle of its box; to the bit as it is where it is
+/// level.
+Pose levelled(const Object& object, const std::vector<Vec3>& downs);
+
+}  // namespace trivet
