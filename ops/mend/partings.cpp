@@ -9,11 +9,10 @@
 namespace trivet {
 namespace {
 
-constexpr int kMostSweeps = 1000;
-constexpr double kStill = 1e-8;  // metres: smaller changes end it
-constexpr double kOverRelaxed =
-    1.8;  // makes long rows converge in as many sweeps as they have pairs
-constexpr double kCompliance = 1e-4;  // bounds multipliers of partings that cannot be met
+constexpr int kMostSweeps = 4000;
+constexpr double kStill = 1e-8;       // metres: smaller changes end it
+constexpr double kOverRelaxed = 1.9;  // makes long rows converge in some sweeps a pair
+constexpr double kCompliance = 1e-7;  // bounds multipliers of partings that cannot be met
 
 /// Each parting as a push on its two.
 class Relaxation {

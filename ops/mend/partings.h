@@ -18,7 +18,7 @@ struct Parting {
 
 /// The shifts with the least sum of squares that meet all partings, to a micrometre; where these
 /// contradict each other, each gives way a little. By relaxation of their multipliers [Hildreth
-/// 1957]; cost O(partings) for each of some hundred sweeps.
+/// 1957]; cost O(partings) for each of some thousand sweeps.
 /// @param num  of shifts.
 std::vector<Vec2> least_shifts(const std::vector<Parting>& partings, size_t num);
 

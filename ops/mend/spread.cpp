@@ -17,6 +17,7 @@ namespace trivet {
 namespace {
 
 constexpr double kSpreadAir = 2e-5;      // metres between them afterwards
+constexpr double kArrived = 1e-7;        // metres: no step any more
 constexpr int kMostRounds = 60;          // steps and corrections of exact depths
 constexpr double kStepShare = 0.25;      // of the narrowest member: no step goes through a wall
 constexpr double kRectangleShare = 0.9;  // of its rectangle that an outline fills at least
@@ -45,12 +46,9 @@ class Spreader {
   Spread run() {
     Spread out;
     for (m_round = 0; m_round < kMostRounds; ++m_round) {
-      const bool crosses = find_partings();
-      if (!crosses) {
-        out.free = true;
-        break;
-      }
-      step();
+      find_partings();
+      out.free = m_crossing.empty() && m_crossing_walls.empty();
+      if (out.free || !step()) break;
     }
     for (const Vec2& s : m_shifts) {
       out.shifts.push_back({s.x(), s.y(), 0});
@@ -60,14 +58,20 @@ class Spreader {
   }
 
  private:
-  // True if some pass through each other, and are not to be left so.
-  bool find_partings() {
-    bool crosses = false;
+  // Pairs of which none has moved are as they were.
+  void find_partings() {
     for (const Pair& pair : near_pairs())
-      if (m_has_moved[pair.first] || m_has_moved[pair.second]) crosses |= part(pair);
+      if (m_has_moved[pair.first] || m_has_moved[pair.second]) keep(m_crossing, pair, part(pair));
     for (size_t i = 0; i < m_given.size(); ++i)
-      if (m_has_moved[i]) crosses |= leave_the_scene(i);
-    return crosses;
+      if (m_has_moved[i]) keep(m_crossing_walls, i, leave_the_scene(i));
+  }
+
+  template <class Key>
+  static void keep(std::set<Key>& set, const Key& key, bool is_in) {
+    if (is_in)
+      set.insert(key);
+    else
+      set.erase(key);
   }
 
   // By a sweep along the longer side of all; in its order.
@@ -98,6 +102,7 @@ class Spreader {
     return overlaps(a, b);
   }
 
+  // True if they pass through each other, and are not to be left so.
   bool part(const Pair& pair) {
     if (m_left.count(pair)) return false;
     const ObjectInWorld &a = m_worlds[pair.first], &b = m_worlds[pair.second];
@@ -158,8 +163,9 @@ class Spreader {
     return out;
   }
 
-  // Towards the least shifts for all partings that are known, no farther than a step.
-  void step() {
+  // Towards the least shifts for all partings that are known, no farther than a step. False: that
+  // is where they are.
+  bool step() {
     std::vector<Parting> all;
     for (const auto& [pair, parting] : m_partings) all.push_back(parting);
     for (const auto& [at, parting] : m_walls) all.push_back(parting);
@@ -175,6 +181,7 @@ class Spreader {
       m_shifts[i] += by;
       m_worlds[i] = in_world(m_scene.at(m_given[i].id), pose_of(i), m_origin);
     }
+    return farthest > kArrived;
   }
 
   const Scene& m_scene;
@@ -188,7 +195,9 @@ class Spreader {
   std::vector<Outline> m_outlines;      // as given
   std::map<Pair, Parting> m_partings;
   std::map<std::pair<size_t, std::uint32_t>, Parting> m_walls;  // by member and slot
-  std::set<Pair> m_left;                                        // in each other
+  std::set<Pair> m_crossing;                                    // partings that are not met yet
+  std::set<size_t> m_crossing_walls;
+  std::set<Pair> m_left;  // in each other
 };
 
 /// Direction of a side of the smallest rectangle around an outline, and the share that it fills.
