@@ -1,11 +1,11 @@
 // node rest.mjs SECONDS SCENE...: how far MuJoCo moves the free bodies of each scene from its start state.
 // Needs @mujoco/mujoco of npm. Prints a line of JSON for each: {"file", "version", "moved": {body: metres},
-// "end": {body: [x, y, z, qw, qx, qy, qz]}} or "error".
+// "end": {body: [x, y, z, qw, qx, qy, qz]}, "joints": {joint: by how much its value changed, metres or radians}} or "error".
 import load from '@mujoco/mujoco';
 import fs from 'fs';
 import path from 'path';
 
-const FREE = 0;  // mjJNT_FREE
+const FREE = 0, SLIDE = 2;  // mjJNT_FREE, mjJNT_SLIDE; mjJNT_HINGE is the next
 const MOST_BYTES = 500e6;
 
 function filesBelow(folder) {
@@ -44,11 +44,15 @@ function movedBodies(mj, model, seconds) {
   const data = new mj.MjData(model);
   if (model.nkey > 0) mj.mj_resetDataKeyframe(model, data, 0);
   mj.mj_forward(model, data);
-  const from = Array.from(data.xipos);
+  const from = Array.from(data.xipos), values = Array.from(data.qpos);
   const steps = Math.round(seconds / model.opt.timestep);
   for (let i = 0; i < steps; ++i) mj.mj_step(model, data);
-  const moved = {}, end = {};
+  const moved = {}, end = {}, joints = {};
   for (let j = 0; j < model.njnt; ++j) {
+    if (model.jnt_type[j] >= SLIDE) {
+      const at = model.jnt_qposadr[j];
+      joints[nameAt(model, model.name_jntadr[j]) || `joint ${j}`] = data.qpos[at] - values[at];
+    }
     if (model.jnt_type[j] !== FREE) continue;
     const body = model.jnt_bodyid[j];
     const away = [0, 1, 2].map(k => data.xipos[3 * body + k] - from[3 * body + k]);
@@ -57,7 +61,7 @@ function movedBodies(mj, model, seconds) {
     end[name] = [...[0, 1, 2].map(k => data.xpos[3 * body + k]), ...[0, 1, 2, 3].map(k => data.xquat[4 * body + k])];
   }
   data.delete?.();
-  return {moved, end};
+  return {moved, end, joints};
 }
 
 const mj = await load({print: () => {}, printErr: () => {}});

@@ -47,8 +47,8 @@ class Stream {
   int m_descriptor = -1;
 };
 
-pid_t start(const std::vector<std::string>& arguments, const Stream& output, const Stream& error) {
-  std::string name = "trivet";
+pid_t start(const std::string& program, std::string name, const std::vector<std::string>& arguments,
+            const Stream& output, const Stream& error) {
   std::vector<char*> pointers{name.data()};
   for (const std::string& argument : arguments)
     pointers.push_back(const_cast<char*>(argument.c_str()));
@@ -60,19 +60,18 @@ pid_t start(const std::vector<std::string>& arguments, const Stream& output, con
   posix_spawn_file_actions_adddup2(&actions, error.descriptor(), STDERR_FILENO);
   pid_t child = 0;
   const int failure =
-      posix_spawn(&child, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
+      posix_spawnp(&child, program.c_str(), &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0)
-    throw Error(Error::Kind::Environment, "the command does not start: %1", std::strerror(failure));
+    throw Error(Error::Kind::Environment, "%1 does not start: %2", name, std::strerror(failure));
   return child;
 }
 
-}  // namespace
-
-CaseRun run_case(const std::vector<std::string>& arguments, double seconds) {
+CaseRun run(const std::string& program, const std::string& name,
+            const std::vector<std::string>& arguments, double seconds) {
   using Clock = std::chrono::steady_clock;
   const Stream output, error;
-  const pid_t child = start(arguments, output, error);
+  const pid_t child = start(program, name, arguments, output, error);
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   CaseRun out;
   int state = 0;
@@ -86,6 +85,17 @@ CaseRun run_case(const std::vector<std::string>& arguments, double seconds) {
   out.output = output.last(CaseRun::kMostBytes);
   out.error = error.last(CaseRun::kMostBytes);
   return out;
+}
+
+}  // namespace
+
+CaseRun run_case(const std::vector<std::string>& arguments, double seconds) {
+  return run("/proc/self/exe", "trivet", arguments, seconds);
+}
+
+CaseRun run_program(const std::string& program, const std::vector<std::string>& arguments,
+                    double seconds) {
+  return run(program, program, arguments, seconds);
 }
 
 }  // namespace trivet::apps

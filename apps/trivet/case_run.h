@@ -1,4 +1,4 @@
-// A command of this program, run once more in a process of its own.
+// A program in a process of its own: a command of this one run once more, or another.
 #pragma once
 
 #include <string>
@@ -19,5 +19,9 @@ struct CaseRun {
 /// @param seconds  of the wall, after which it is stopped.
 /// @throws Error (Environment) if it cannot be started.
 CaseRun run_case(const std::vector<std::string>& arguments, double seconds);
+
+/// The same of another program. @param program  a path, or a name that is looked for in PATH.
+CaseRun run_program(const std::string& program, const std::vector<std::string>& arguments,
+                    double seconds);
 
 }  // namespace trivet::apps

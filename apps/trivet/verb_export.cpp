@@ -1,10 +1,15 @@
+#include <filesystem>
 #include <iostream>
 
+#include "apps/trivet/case_run.h"
+#include "apps/trivet/foreign_scenes.h"
 #include "apps/trivet/outputs.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 #include "core/base/extension.h"
+#include "core/base/printable.h"
 #include "core/io/atomic_file.h"
+#include "ops/files/json/text.h"
 #include "ops/files/report/tables.h"
 #include "ops/simulation/scene_formats.h"
 #include "ops/simulation/simulate.h"
@@ -13,28 +18,56 @@ namespace trivet::apps {
 namespace {
 
 const std::string kSimulators = "Simulators", kTables = "Tables";
+constexpr double kLongestSimulation = 3600;  // seconds of a program that simulates
 
 struct ExportArguments {
+  ForeignArguments foreign;
   std::string scene, output, report;
   std::string collision = "fitted", table = "poses";
   SimulationOptions options;
   double clearance = 0;
-  double simulate = 0;  // seconds
+  double simulate = 0;    // seconds
+  std::string simulator;  // a program; empty: MuJoCo in this process
 };
 
-Scene scene_of(const ExportArguments& arguments, const CommonOptions& common) {
+/// A scene, and its joints if it is one of another program.
+struct SceneToExport {
+  Scene scene;
+  std::shared_ptr<const std::vector<SceneJoint>> joints;
+};
+
+bool is_foreign(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension != ".glb" && extension != ".gltf" && is_of_others(path);
+}
+
+SceneToExport foreign_scene(const ExportArguments& arguments, const CommonOptions& common) {
+  OpenedScene opened = open_scene(arguments.scene, open_options(arguments.foreign, common));
+  check_not_inputs({arguments.output, arguments.report}, opened.files);
+  for (const Sentence& note : opened.notes) print_note(common, note);
+  for (const Sentence& what : opened.unread) print_note(common, say("not read: %1", what));
+  const double clearance = arguments.clearance > 0 ? arguments.clearance : opened.judged.clearance;
+  update_contacts(opened.judged.scene, clearance, {});
+  return {std::move(opened.judged.scene),
+          std::make_shared<const std::vector<SceneJoint>>(std::move(opened.joints))};
+}
+
+SceneToExport scene_of(const ExportArguments& arguments, const CommonOptions& common) {
+  if (is_foreign(arguments.scene)) return foreign_scene(arguments, common);
   SceneFile file = read_scene_file(arguments.scene, common.limits());
   for (const Sentence& note : file.notes) print_note(common, note);
   check_not_inputs({arguments.output, arguments.report},
                    model_files(file.layout, folder_of(arguments.scene)));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
   update_contacts(file.scene, clearance, with_rules({}, file.layout.settle));
-  return std::move(file.scene);
+  return {std::move(file.scene), nullptr};
 }
 
 int export_table(const ExportArguments& arguments, const CommonOptions& common) {
-  const Table table = arguments.table == "contacts" ? Table::Contacts : Table::Poses;
-  write_table(scene_of(arguments, common), table, arguments.output);
+  const Table table = arguments.table == "contacts" ? Table::Contacts
+                      : arguments.table == "arena"  ? Table::Arena
+                                                    : Table::Poses;
+  write_table(scene_of(arguments, common).scene, table, arguments.output);
   return 0;
 }
 
@@ -52,6 +85,13 @@ void check_asleep(const ExportArguments& arguments) {
 }
 
 void check_can_simulate(const ExportArguments& arguments) {
+  if (!arguments.simulator.empty()) {
+    if (!(arguments.simulate > 0))
+      throw Error(Error::Kind::BadInput,
+                  "--simulator: for how long is missing; accepted: with "
+                  "--simulate and seconds");
+    return;
+  }
   if (!(arguments.simulate > 0)) return;
   if (!can_simulate()) throw Error(Error::Kind::BadInput, "--simulate: %1", no_simulator());
   if (!is_mjcf(arguments.output))
@@ -59,23 +99,54 @@ void check_can_simulate(const ExportArguments& arguments) {
                 "--simulate: MuJoCo does not read %1; accepted: .xml and .mjcf", arguments.output);
 }
 
+void check_max_error(const SimulationOptions& options) {
+  if (options.max_error > 0 && options.collision != CollisionRule::Fitted)
+    throw Error(Error::Kind::BadInput,
+                "--max-error: only fitted parts follow surfaces; accepted: --collision fitted");
+}
+
+SimulatedScene simulated_by(const std::string& program, const SimulationExport& done,
+                            double seconds) {
+  const std::string file = std::filesystem::absolute(done.files.at(0)).string();
+  const CaseRun run = run_program(program, {short_number(seconds), file}, kLongestSimulation);
+  if (run.out_of_time)
+    throw Error(Error::Kind::Environment, "%1: has not ended after %2 seconds", program,
+                figure(kLongestSimulation));
+  if (run.status != 0 || run.signal != 0)
+    throw Error(Error::Kind::Environment, "%1: ends with status %2: %3", program,
+                run.signal ? 128 + run.signal : run.status, printable(run.error));
+  return simulated_by_program(run.output, program, done, seconds);
+}
+
+std::optional<SimulatedScene> simulated(const ExportArguments& arguments,
+                                        const SimulationExport& done, const Scene& scene) {
+  if (!(arguments.simulate > 0)) return {};
+  SimulatedScene out = arguments.simulator.empty()
+                           ? simulate(done, arguments.simulate, arguments.options.files)
+                           : simulated_by(arguments.simulator, done, arguments.simulate);
+  add_reasons(out, done, scene, arguments.options.friction);
+  return out;
+}
+
 int export_for_simulator(const ExportArguments& arguments, const CommonOptions& common) {
   SimulationOptions options = arguments.options;
   options.collision = collision_rule_from_name(arguments.collision);
   check_collision_rule(options.collision, arguments.output);
   check_asleep(arguments);
+  check_max_error(options);
   check_can_simulate(arguments);
-  const SimulationExport done =
-      export_simulation(scene_of(arguments, common), arguments.output, options);
-  std::optional<SimulatedScene> simulated;
-  if (arguments.simulate > 0) simulated = simulate(done, arguments.simulate, options.files);
-  const std::string report = simulation_json(done, options, simulated ? &*simulated : nullptr);
+  options.measured = !arguments.report.empty() || common.json;
+  const SceneToExport from = scene_of(arguments, common);
+  options.joints = from.joints;
+  const SimulationExport done = export_simulation(from.scene, arguments.output, options);
+  const std::optional<SimulatedScene> moved = simulated(arguments, done, from.scene);
+  const std::string report = simulation_json(done, options, moved ? &*moved : nullptr);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, report);
   if (common.json)
     std::cout << report;
   else if (!common.quiet)
-    std::cout << simulation_text(done) << (simulated ? simulated_text(*simulated) : "");
-  return simulated && !stays(*simulated) ? 1 : 0;
+    std::cout << simulation_text(done) << (moved ? simulated_text(*moved) : "");
+  return moved && !stays(*moved) ? 1 : 0;
 }
 
 int export_scene(const ExportArguments& arguments, const CommonOptions& common,
@@ -128,11 +199,21 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
                   "smaller one. More is an error")
       ->check(number_from(0, 1e3))
       ->group(kSimulators);
+  verb.add_option("--max-error", options.max_error,
+                  "Split fitted parts until none stands out of its surface by more than this "
+                  "(metres), so that mugs are hollow; 0 (default): by any")
+      ->check(number_from(0, 1e3))
+      ->group(kSimulators);
   verb.add_option(
           "--simulate", arguments.simulate,
-          "Run MuJoCo on the written .xml or .mjcf for this time (s), and report what moved; "
-          "the exit status is 1 if an object moved by more than a centimetre")
+          "Run MuJoCo on the written .xml or .mjcf for this time (s), and report what moved and "
+          "why; the exit status is 1 if an object moved by more than a centimetre")
       ->check(number_from(0, 1e4))
+      ->group(kSimulators);
+  verb.add_option("--simulator", arguments.simulator,
+                  "Run this program instead of MuJoCo, as PROGRAM SECONDS FILE; it prints final "
+                  "poses as a line of JSON")
+      ->type_name("PROGRAM")
       ->group(kSimulators);
   verb.add_option("--mujoco", options.files.mujoco,
                   "Version of MuJoCo that reads the .xml or .mjcf: 3 (default) or 2")
@@ -161,17 +242,22 @@ std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb =
       app.add_subcommand("export", "Write a scene for a physics simulator, or as tables");
   const auto arguments = std::make_shared<ExportArguments>();
-  verb->add_option("scene", arguments->scene, "A scene written by trivet")
+  verb->add_option("scene", arguments->scene,
+                   "A scene written by trivet, or of another program (MJCF, URDF, SDF), which "
+                   "keeps its joints")
       ->required()
       ->type_name("SCENE.glb");
   verb->add_option("-o,--output", arguments->output, outputs_of_export())->required();
   verb->add_option("--table", arguments->table,
-                   "poses (default): a row per object; contacts: a row per contact point")
-      ->check(one_of({"poses", "contacts"}))
+                   "poses (default): a row per object; contacts: a row per contact point; arena: a "
+                   "layout for Isaac Lab Arena, .jsonl")
+      ->check(one_of({"poses", "contacts", "arena"}))
       ->group(kTables);
   add_simulator_options(*verb, *arguments);
+  add_foreign_options(*verb, arguments->foreign);
   return {{verb, [arguments, verb, &common] { return export_scene(*arguments, common, *verb); },
            "trivet export scene.glb -o scene.xml\n"
+           "trivet export kitchen.xml -o kitchen.usda\n"
            "trivet export scene.glb -o objects.csv\n",
            true,
            [arguments] {

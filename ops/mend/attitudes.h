@@ -1,4 +1,4 @@
-// Attitudes in which an object can stand, and the nearest of them. Private.
+// Stable attitudes of objects, and how far an object is from them. Private.
 #pragma once
 
 #include <utility>
@@ -13,8 +13,8 @@ namespace trivet {
 std::vector<Vec3> downs_of(const Object& object);
 /// The nearest of these to the attitude, and degrees to it; -1 without any.
 std::pair<int, double> nearest_down(const std::vector<Vec3>& downs, const Rotation& rotation);
-/// Turned to the nearest of these, about the middle of its box; to the bit as it is where it is
-/// level.
+/// The object's pose turned to the nearest of these, which must not be empty, about the middle of
+/// its box.
 Pose levelled(const Object& object, const std::vector<Vec3>& downs);
 
 }  // namespace trivet

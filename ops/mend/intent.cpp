@@ -6,7 +6,7 @@
 #include <set>
 
 #include "ops/mend/attitudes.h"
-#include "ops/mend/order.h"
+#include "ops/mend/intent_order.h"
 
 namespace trivet {
 namespace {
@@ -25,14 +25,6 @@ double at_share(std::vector<double> values, double share) {
   std::nth_element(values.begin(), values.begin() + k, values.end());
   return values[static_cast<size_t>(k)];
 }
-
-/// An object and what its columns say.
-struct Looked {
-  Placement level;
-  ObjectIntent intent;
-  Columns columns;
-  std::set<std::uint32_t> above;  // slots of what it lies above
-};
 
 class IntentFinder {
  public:
@@ -57,7 +49,7 @@ class IntentFinder {
     look(kColumns);
     Intent out;
     out.tolerance = m_tolerance, out.most_tilt_deg = m_most_tilt;
-    out.objects = in_order();
+    out.objects = in_order(m_looked);
     return out;
   }
 
@@ -116,12 +108,6 @@ class IntentFinder {
   const Looked* looked(ObjectId id) const {
     const auto it = m_index.find(id.index);
     return it == m_index.end() ? nullptr : &m_looked[it->second];
-  }
-
-  double lowest(const Looked& l) const {
-    double low = kInfinity;
-    for (const Column& c : l.columns.columns) low = std::min(low, c.low);
-    return low;
   }
 
   // A larger object around its lower part, whose rim is above its underside.
@@ -335,12 +321,6 @@ class IntentFinder {
       if (const auto owner = owner_of(l, c)) nearest = apart, out = c.low - owner->gap;
     }
     return out;
-  }
-
-  std::vector<ObjectIntent> in_order() const {
-    std::vector<OpenIntent> all;
-    for (const Looked& l : m_looked) all.push_back({l.intent, lowest(l)});
-    return lower_first(std::move(all));
   }
 
   const Scene& m_scene;

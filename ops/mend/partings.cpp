@@ -9,7 +9,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kMostSweeps = 4000;
+constexpr int kMostSweeps = 4000, kPlainSweeps = 100;
 constexpr double kStill = 1e-8;       // metres: smaller changes end it
 constexpr double kOverRelaxed = 1.9;  // makes long rows converge in some sweeps a pair
 constexpr double kCompliance = 1e-7;  // bounds multipliers of partings that cannot be met
@@ -22,19 +22,21 @@ class Relaxation {
 
   std::vector<Vec2> run() {
     for (int sweep = 0; sweep < kMostSweeps; ++sweep)
-      if (sweep_once() < kStill) break;
+      if (sweep_once(kOverRelaxed) < kStill) return std::move(m_shifts);
+    // Partings that contradict each other overshoot by then.
+    for (int sweep = 0; sweep < kPlainSweeps; ++sweep) sweep_once(1);
     return std::move(m_shifts);
   }
 
  private:
-  double sweep_once() {
+  double sweep_once(double relaxed) {
     double most = 0;
     for (size_t c = 0; c < m_partings.size(); ++c) {
       const Parting& p = m_partings[c];
       const Vec2 between = p.b ? Vec2(m_shifts[p.a] - m_shifts[*p.b]) : m_shifts[p.a];
       const double lacks = p.least - p.way.dot(between) - kCompliance * m_pushes[c];
       // A push never pulls: what is farther apart than it must be stays there.
-      const double wanted = m_pushes[c] + kOverRelaxed * lacks / ((p.b ? 2 : 1) + kCompliance);
+      const double wanted = m_pushes[c] + relaxed * lacks / ((p.b ? 2 : 1) + kCompliance);
       const double change = std::max(0.0, wanted) - m_pushes[c];
       m_pushes[c] += change;
       m_shifts[p.a] += change * p.way;

@@ -149,6 +149,28 @@ class PartFitter {
 
 }  // namespace
 
+bool follow_surface(HullTree& tree, const SurfaceProbe& surface, double limit) {
+  bool reached = true;
+  std::vector<Index> open;
+  for (Index i = tree.num_roots(); i-- > 0;) open.push_back(i);
+  while (!open.empty()) {
+    const Index i = open.back();
+    open.pop_back();
+    const HullTree::Node& node = tree.node(i);
+    if (!node.is_leaf()) {
+      open.insert(open.end(), node.children.rbegin(), node.children.rend());
+      continue;
+    }
+    if (surface.farthest(node.part, {limit, {}}).distance <= limit) continue;
+    // A refined part is looked at again, or its halves are.
+    if ((node.backing > 0 || tree.num_leaves() < kMaxFittedParts) && tree.refine(i))
+      open.push_back(i);
+    else
+      reached = false;
+  }
+  return reached;
+}
+
 void fit_parts(std::vector<HullTree>& trees, const std::vector<FittedBody>& bodies, bool floor,
                const std::function<double(size_t, size_t)>& limit) {
   PartFitter(trees, bodies, limit).run(floor);

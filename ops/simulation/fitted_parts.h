@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/convex/hull_tree.h"
+#include "core/convex/surface_probe.h"
 #include "core/motion/pose.h"
 
 namespace trivet {
@@ -23,6 +24,11 @@ struct FittedBody {
 /// Deterministic.   Cost: pairs of parts whose boxes overlap, in a few rounds.
 void fit_parts(std::vector<HullTree>& trees, const std::vector<FittedBody>& bodies, bool floor,
                const std::function<double(size_t, size_t)>& limit);
+
+/// Refines a tree until none of its parts stands out of the surface by more than `limit` (units of
+/// the tree), so that mugs and bowls are hollow. @return false if kMaxFittedParts leaves are too
+/// few.
+bool follow_surface(HullTree& tree, const SurfaceProbe& surface, double limit);
 
 inline constexpr size_t kMaxFittedParts = 1024;
 

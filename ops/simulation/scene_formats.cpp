@@ -21,6 +21,7 @@ const std::vector<SceneFormat>& scene_formats() {
       out.push_back({Kind::Simulator, format.name, format.extensions});
     out.push_back({Kind::Table, "CSV", {".csv"}});
     out.push_back({Kind::Table, "JSON lines", {".jsonl"}});
+    out.push_back({Kind::Table, "NumPy", {".npy"}});
     return out;
   }();
   return formats;

@@ -2,8 +2,8 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "core/base/error.h"
@@ -11,6 +11,8 @@
 
 namespace trivet {
 namespace {
+
+constexpr double kFirstContacts = 0.05;  // seconds in which gaps of contacts close
 
 constexpr const char* kLibrary = "libmujoco.so." TRIVET_MUJOCO_VERSION;
 
@@ -78,7 +80,7 @@ class MujocoRun {
   }
 
   Affine pose(const SimulationBody& body) const {
-    const int id = m_mujoco.number(m_model.get(), mjOBJ_BODY, body.file_name.c_str());
+    const int id = body_number(body);
     Affine out;
     for (int r = 0; r < 3; ++r) {
       out.translation[r] = m_data->xpos[3 * id + r];
@@ -90,6 +92,22 @@ class MujocoRun {
   void run(double seconds) {
     while (m_data->time < seconds) m_mujoco.step(m_model.get(), m_data.get());
     m_mujoco.forward(m_model.get(), m_data.get());
+  }
+
+  /// Pairs of bodies with a contact in any step up to this time.
+  std::set<std::array<std::string, 2>> touched(const SimulationScene& scene, double until) {
+    std::map<int, std::string> names{{0, "floor"}};
+    for (const SimulationBody& body : scene.bodies) names[body_number(body)] = body.name;
+    std::set<std::array<std::string, 2>> out;
+    do {
+      for (int i = 0; i < m_data->ncon; ++i) {
+        const mjContact& contact = m_data->contact[i];
+        out.insert({names[m_model->geom_bodyid[contact.geom1]],
+                    names[m_model->geom_bodyid[contact.geom2]]});
+      }
+      m_mujoco.step(m_model.get(), m_data.get());
+    } while (m_data->time < until);
+    return out;
   }
 
   double penetration() const {
@@ -105,22 +123,14 @@ class MujocoRun {
   }
 
  private:
+  int body_number(const SimulationBody& body) const {
+    return m_mujoco.number(m_model.get(), mjOBJ_BODY, body.file_name.c_str());
+  }
+
   const Mujoco& m_mujoco = mujoco();
   std::unique_ptr<mjModel, DeleteModel> m_model;
   std::unique_ptr<mjData, DeleteData> m_data;
 };
-
-SimulatedObject moved_between(const SimulationModel& model, const std::string& name,
-                              const Affine& from, const Affine& to) {
-  SimulatedObject out{name};
-  for (const ConvexPart& part : model.parts)
-    for (const Vec3& v : part.vertices)
-      out.moved =
-          std::max(out.moved, (to.apply(model.scale * v) - from.apply(model.scale * v)).norm());
-  const double cosine = ((to.linear * from.linear.transpose()).trace() - 1) / 2;
-  out.turned_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / 3.14159265358979323846;
-  return out;
-}
 
 /// The scene file that this simulator reads: the one that was written, or one beside it.
 class ReadableFile {
@@ -169,15 +179,14 @@ SimulatedScene simulate(const SimulationExport& done, double seconds,
   for (const SimulationBody& body : done.scene.bodies) before.push_back(run.pose(body));
   SimulatedScene out;
   out.penetration = run.penetration();
+  out.touched = run.touched(done.scene, std::min(seconds, kFirstContacts));
   run.run(seconds);
   out.simulator = std::string("MuJoCo ") + mujoco().version();
   out.seconds = seconds;
   out.num_warnings = run.num_warnings();
   for (size_t i = 0; i < before.size(); ++i) {
     const SimulationBody& body = done.scene.bodies[i];
-    if (!body.fixed)
-      out.objects.push_back(
-          moved_between(done.scene.models[body.model], body.name, before[i], run.pose(body)));
+    if (!body.fixed) out.objects.push_back(simulated_object(done, body, before[i], run.pose(body)));
   }
   return out;
 }

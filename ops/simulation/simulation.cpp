@@ -1,15 +1,12 @@
-#include "ops/simulation/simulation.h"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <set>
 #include <tuple>
 
 #include "core/base/error.h"
-#include "core/base/extension.h"
 #include "core/base/float32.h"
 #include "core/base/tunables.h"
 #include "core/model/exported_floats.h"
@@ -17,9 +14,13 @@
 #include "ops/files/json/text.h"
 #include "ops/files/report/models_of_shapes.h"
 #include "ops/simulation/fitted_parts.h"
+#include "ops/simulation/joints_of_scene.h"
+#include "ops/simulation/loads.h"
 #include "ops/simulation/looks.h"
 #include "ops/simulation/overlaps.h"
 #include "ops/simulation/part_cache.h"
+#include "ops/simulation/shells.h"
+#include "ops/simulation/simulation.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -56,11 +57,6 @@ Mat3 nearest_of_a_body(const Mat3& covariance, double least) {
   return solver.eigenvectors() * spread.asDiagonal() * solver.eigenvectors().transpose();
 }
 
-bool is_mjcf(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  return extension == ".xml" || extension == ".mjcf";
-}
-
 constexpr double kVertexRounding = 0x1p-22;  // of a size
 
 class SceneMaker {
@@ -77,11 +73,14 @@ class SceneMaker {
   SimulationExport make() {
     for (const ObjectId id : m_scene.ids())
       if (m_scene.at(id).placed) add(id);
+    if (m_options.joints) add_joints();
+    m_out.scene.heaviest_load = heaviest_load(m_scene, m_body_of, m_out.scene.bodies);
     if (m_options.collision == CollisionRule::Mesh) return std::move(m_out);
     if (m_options.collision == CollisionRule::Fitted)
       add_fitted_parts();
     else
       add_parts();
+    if (m_options.measured) measure_parts();
     m_out.overlaps = part_overlaps(m_out.scene, limit());
     m_out.scene.num_near_parts = num_near_parts(m_out.scene);
     return std::move(m_out);
@@ -119,6 +118,7 @@ class SceneMaker {
     body.restitution = object.material.restitution;
     body.gap = widest_gap(object);
     m_sizes.push_back(object.scale * object.shape->box.diagonal());
+    m_body_of[id] = m_out.scene.bodies.size();
     m_out.scene.bodies.push_back(std::move(body));
     add_notes(id);
   }
@@ -133,6 +133,12 @@ class SceneMaker {
       if (entry.with.is_floor()) of_floor = std::max(of_floor, of_entry);
     }
     return widest;
+  }
+
+  void add_joints() {
+    SimulationJoints made = simulation_joints(*m_options.joints, m_body_of, m_out.scene.bodies);
+    m_out.scene.joints = std::move(made.joints);
+    m_out.notes.insert(m_out.notes.end(), made.notes.begin(), made.notes.end());
   }
 
   void add_notes(ObjectId id) {
@@ -174,7 +180,8 @@ class SceneMaker {
 
   void add_model(const Object& object) {
     SimulationModel model;
-    model.name = std::filesystem::path(object.model->path).stem().string();
+    const std::string& path = object.model->path;  // scenes of others have none
+    model.name = path.empty() ? object.name : std::filesystem::path(path).stem().string();
     model.model = object.model;
     model.scale = m_options.files.for_many_scenes ? object.scale : 1;
     model.link_from_object = link_axes(object, object.scale);
@@ -214,11 +221,20 @@ class SceneMaker {
       model.parts.push_back(clearance > 0 ? shrunk(part, clearance) : std::move(part));
   }
 
+  // Colliders of scenes of others touch each other, but are one hull each.
+  Mesh in_shells(Mesh mesh) const {
+    return m_options.joints ? shells_apart(mesh) : std::move(mesh);
+  }
+  const Adjacency& adjacency_of(size_t model, const Mesh& mesh) {
+    if (!m_options.joints) return m_shapes[model]->adjacency;
+    return m_of_shells.emplace_back(make_adjacency(mesh));
+  }
+
   void add_parts() {
     for (size_t i = 0; i < m_out.scene.models.size(); ++i) {
       SimulationModel& model = m_out.scene.models[i];
-      ConvexParts parts = convex_parts(in_frame(m_shapes[i]->mesh, model.link_from_object),
-                                       m_shapes[i]->adjacency, part_rule(m_options.collision));
+      const Mesh mesh = in_shells(in_frame(m_shapes[i]->mesh, model.link_from_object));
+      ConvexParts parts = convex_parts(mesh, adjacency_of(i, mesh), part_rule(m_options.collision));
       for (const Sentence& note : parts.notes)
         m_out.notes.push_back(say("\"%1\": %2", model.model->path, note));
       set_parts(model, std::move(parts.parts), 1);
@@ -230,24 +246,47 @@ class SceneMaker {
     // In units of the files: hulls are the same then whatever the scale is.
     std::vector<Mesh> meshes;
     for (size_t i = 0; i < models.size(); ++i)
-      meshes.push_back(in_frame(m_shapes[i]->mesh, m_unscaled[i]));
+      meshes.push_back(in_shells(in_frame(m_shapes[i]->mesh, m_unscaled[i])));
     std::vector<HullTree> trees;
     trees.reserve(models.size());
     for (size_t i = 0; i < models.size(); ++i)
-      trees.emplace_back(meshes[i], m_shapes[i]->adjacency,
+      trees.emplace_back(meshes[i], adjacency_of(i, meshes[i]),
                          kWallThickness * meshes[i].box().diagonal(), m_memos[i].get());
     std::vector<FittedBody> bodies;
     for (const SimulationBody& body : m_out.scene.bodies)
       bodies.push_back({body.model,
                         world_from_object(body.world_from_link, UpAxis::Z, m_scales[body.model]),
                         m_scales[body.model], body.fixed});
+    if (m_options.max_error > 0) follow_surfaces(meshes, trees);
     fit_parts(trees, bodies, m_out.scene.floor, closest_fit());
     for (size_t i = 0; i < models.size(); ++i) set_parts(models[i], trees[i].parts(), m_scales[i]);
+  }
+
+  void follow_surfaces(const std::vector<Mesh>& meshes, std::vector<HullTree>& trees) {
+    for (size_t i = 0; i < trees.size(); ++i) {
+      const SurfaceProbe surface(meshes[i], m_shapes[i]->adjacency);
+      if (follow_surface(trees[i], surface, m_options.max_error / m_scales[i])) continue;
+      m_out.notes.push_back(
+          say("\"%1\": its parts stand out of its surface by more than %2 metres in places",
+              m_out.scene.models[i].model->path, figure(m_options.max_error)));
+    }
+  }
+
+  void measure_parts() {
+    for (size_t i = 0; i < m_out.scene.models.size(); ++i) {
+      const SimulationModel& model = m_out.scene.models[i];
+      const Mesh mesh = in_frame(m_shapes[i]->mesh, model.file_from_object);
+      const SurfaceProbe surface(mesh, m_shapes[i]->adjacency);
+      StandsOut farthest;
+      for (const ConvexPart& part : model.parts) farthest = surface.farthest(part, farthest);
+      m_out.stands_out.push_back({model.scale * farthest.distance, model.scale * farthest.at});
+    }
   }
 
   const Scene& m_scene;
   const SimulationOptions& m_options;
   SimulationExport m_out;
+  std::map<ObjectId, size_t, SlotOrder> m_body_of;
   std::map<std::tuple<const Model*, const ShapeIndex*, UpAxis, double>, size_t> m_models;
   std::vector<Vec3> m_shifts;                      // of the models: from the pose to the link frame
   std::vector<const Shape*> m_shapes;              // of the models
@@ -255,91 +294,15 @@ class SceneMaker {
   std::vector<double> m_scales;                    // of the models, metres per unit
   std::vector<Affine> m_unscaled;                  // of the models: axes of the link, their unit
   std::vector<double> m_sizes;                     // of the bodies
+  std::deque<Adjacency> m_of_shells;
 };
 
-bool is_too_deep(const PartOverlap& overlap) { return overlap.depth > overlap.allowed; }
-
-/// The triangles themselves for what parts cannot follow.
-void use_meshes(SimulationExport& done) {
-  // Models with a pair that is still too deep collide by their triangles, all of their bodies.
-  std::set<size_t> models;
-  for (const PartOverlap& o : done.overlaps)
-    if (is_too_deep(o))
-      for (const size_t body : {o.body_a, o.body_b}) models.insert(done.scene.bodies[body].model);
-  for (const size_t i : models) {
-    SimulationModel& model = done.scene.models[i];
-    model.parts.clear();
-    done.notes.push_back(
-        say("\"%1\": its triangles collide, as no convex parts leave room for others",
-            model.model->path));
-  }
-  std::erase_if(done.overlaps, is_too_deep);
-}
-
-void refuse_overlaps(const SimulationExport& done, const std::string& path,
-                     const SimulationOptions& options) {
-  const auto num = std::count_if(done.overlaps.begin(), done.overlaps.end(), is_too_deep);
-  if (num == 0) return;
-  const PartOverlap& o = *std::find_if(done.overlaps.begin(), done.overlaps.end(), is_too_deep);
-  const Sentence more = num > 1
-                            ? say("more than %1, and of %2 more pairs", figure(o.allowed), num - 1)
-                            : say("more than %1", figure(o.allowed));
-  throw Error(
-      Error::Kind::BadInput,
-      "%1: convex parts of \"%2\" and \"%3\" overlap by %4 metres, %5: a simulator would push "
-      "them apart; accepted: %6--max-overlap from %7%8",
-      path, o.a, o.b, figure(o.depth), more,
-      std::string(options.collision == CollisionRule::Fitted ? "" : "--collision fitted, "),
-      figure(done.overlaps.front().depth), std::string(is_mjcf(path) ? "" : ", --collision mesh"));
-}
-
 }  // namespace
-
-const std::vector<std::string>& collision_rule_names() {
-  static const std::vector<std::string> names = {"fitted", "hull", "components", "decomposition",
-                                                 "mesh"};
-  return names;
-}
-
-const char* to_string(CollisionRule rule) {
-  return collision_rule_names()[static_cast<size_t>(rule)].c_str();
-}
-
-CollisionRule collision_rule_from_name(const std::string& name) {
-  const std::vector<std::string>& names = collision_rule_names();
-  const auto it = std::find(names.begin(), names.end(), name);
-  if (it == names.end())
-    throw Error(Error::Kind::BadInput,
-                "\"%1\" is not accepted; accepted: fitted, hull, components, decomposition, mesh",
-                name);
-  return static_cast<CollisionRule>(it - names.begin());
-}
-
-void check_collision_rule(CollisionRule rule, const std::string& path) {
-  if (rule == CollisionRule::Mesh && is_mjcf(path))
-    throw Error(Error::Kind::BadInput,
-                "--collision: \"mesh\" is not accepted for MJCF, as MuJoCo takes the hulls of "
-                "meshes; accepted: fitted, hull, components, decomposition");
-  if (rule == CollisionRule::Decomposition && !can_decompose())
-    throw Error(Error::Kind::BadInput,
-                "--collision: \"decomposition\" is not part of this build (Debian: "
-                "libbullet-extras-dev); accepted: fitted, hull, components, mesh");
-}
 
 SimulationExport simulation_of(const Scene& scene, const std::string& name,
                                const SimulationOptions& options) {
   const WholeModels whole(scene);
   return SceneMaker(whole.scene(), name, options).make();
-}
-
-SimulationExport export_simulation(const Scene& scene, const std::string& path,
-                                   const SimulationOptions& options) {
-  check_collision_rule(options.collision, path);
-  SimulationExport out = simulation_of(scene, std::filesystem::path(path).stem().string(), options);
-  if (options.collision == CollisionRule::Fitted && !is_mjcf(path)) use_meshes(out);
-  refuse_overlaps(out, path, options);
-  out.files = write_simulation(out.scene, path, options.files);
-  return out;
 }
 
 }  // namespace trivet

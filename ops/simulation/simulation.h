@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/sentence.h"
+#include "core/convex/surface_probe.h"
 #include "core/io/simulators/simulation_scene.h"
 #include "core/scene/scene.h"
 
@@ -27,15 +28,19 @@ const char* to_string(CollisionRule rule);
 /// @throws Error (BadInput) when the format of the file, or this build, has no such rule.
 void check_collision_rule(CollisionRule rule, const std::string& path);
 
-class PartCache;  // part_cache.h
+class PartCache;    // part_cache.h
+struct SceneJoint;  // ops/files/foreign/open_scene.h
 
 struct SimulationOptions {
   std::optional<double> density;   // kg/m^3, of everything; none: of the materials
   std::optional<double> friction;  // of everything; none: of the materials
   CollisionRule collision = CollisionRule::Fitted;
-  double max_overlap = 0;            // metres; 0: kMaxPartOverlap of the smaller of two objects
-  double hull_clearance = 0;         // metres by which faces of convex parts are moved inwards
+  double max_overlap = 0;     // metres; 0: kMaxPartOverlap of the smaller of two objects
+  double max_error = 0;       // metres by which fitted parts may stand out of surfaces; 0: any
+  double hull_clearance = 0;  // metres by which faces of convex parts are moved inwards
+  bool measured = false;      // how far parts stand out of surfaces is measured
   std::shared_ptr<PartCache> cache;  // of scenes with the same models; null: none is kept
+  std::shared_ptr<const std::vector<SceneJoint>> joints;  // of the scene; null: it has none
   SimulationFileOptions files;
 };
 
@@ -55,6 +60,7 @@ inline constexpr double kMaxPartOverlap = 1e-4;
 struct SimulationExport {
   SimulationScene scene;
   std::vector<PartOverlap> overlaps;  // deepest first
+  std::vector<StandsOut> stands_out;  // of the models, link frame, metres; empty: not measured
   std::vector<Sentence> notes;
   std::vector<std::string> files;  // the scene file first
 };
@@ -77,8 +83,12 @@ SimulationExport export_simulation(const Scene& scene, const std::string& path,
 /// The export as JSON: {"files", "density", "friction" (a number or "materials"), "collision",
 /// "objects": [{"name", "file_name", "fixed", "mass", "friction", "restitution", "parts"}],
 /// "overlaps": [{"a", "b", "depth", "allowed", "part_pairs"}], "notes"}.
-/// With a simulation also "simulated": {"simulator", "seconds", "penetration", "warnings",
-/// "objects": [{"name", "moved", "turned_deg"}]}, metres.
+/// Free objects have "qpos": x, y, z, qw, qx, qy, qz of their joint in MuJoCo, which has their
+/// "file_name". Where it was measured, objects have "stands_out": {"distance", "at"}: how far their
+/// parts stand out of their surface, and where that is in the world. With a simulation also
+/// "simulated": {"simulator", "seconds", "penetration", "warnings", "within_1mm",
+/// "within_2mm_2deg", "within_1cm", "objects": [{"name", "moved", "turned_deg", "why"}]}, metres;
+/// "why" is a list of what is known, of those that moved by over a millimetre.
 std::string simulation_json(const SimulationExport& done, const SimulationOptions& options,
                             const SimulatedScene* simulated = nullptr);
 /// For people: a few lines.

@@ -94,8 +94,12 @@ class Cabinet:
                   for i, size in enumerate((0.02, 0.025, 0.03, 0.035))]
         self.bodies = body.all() + things
         self.things = [one.name for one in things]
-        self.text = ('<mujoco><compiler angle="radian" autolimits="true"/><worldbody><geom type="plane" size="3 3 .1"/>\n' +
-                     body.mjcf() + "".join(one.mjcf() for one in things) + "</worldbody></mujoco>\n")
+        self.text = self.text_of(body, things)
+
+    @staticmethod
+    def text_of(body, things):
+        return ('<mujoco><compiler angle="radian" autolimits="true"/><worldbody><geom type="plane" size="3 3 .1"/>\n' +
+                body.mjcf() + "".join(one.mjcf() for one in things) + "</worldbody></mujoco>\n")
 
 
 class Drawers(Case):

@@ -1,9 +1,12 @@
 """Scenes for simulators and as tables: output of `trivet export` and `trivet run -o`."""
+import ast
 import csv
 import io
 import json
+import math
 import os
 import shutil
+import struct
 import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -15,6 +18,17 @@ from test_textures import checker, textured_box
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 NODE_MODULES = os.environ.get("TRIVET_NODE_MODULES", "")
+
+
+def cup_obj():
+    """A box without lid, of one surface: 0.22 m wide, 0.1 m high, walls of 1 cm."""
+    rings = [(0.11, 0), (0.11, 0.1), (0.1, 0.1), (0.1, 0.01)]
+    lines = ["v %g %g %g" % (a * half, b * half, z) for half, z in rings for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    for ring in range(3):
+        for k in range(4):
+            a, b = 4 * ring + k + 1, 4 * ring + (k + 1) % 4 + 1
+            lines.append("f %d %d %d %d" % (a, b, b + 4, a + 4))
+    return "\n".join(lines + ["f 4 3 2 1", "f 13 14 15 16", ""])
 
 
 class Exports(Case):
@@ -192,6 +206,32 @@ class Mujoco(Exports):
         self.assertEqual(corners[0], [])
         self.assertGreaterEqual(len(corners[1]), 4)
 
+    def test_keyframe_has_all_poses(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.xml", "--json")
+        root = ElementTree.fromstring(self.read("s.xml"))
+        key, = root.findall("keyframe/key")
+        positions = [float(v) for v in key.get("qpos").split()]
+        free = [b for b in root.iter("body") if b.find("freejoint") is not None]
+        self.assertEqual(positions, [float(v) for b in free for k in ("pos", "quat") for v in b.get(k).split()])
+        given = {o["file_name"]: o.get("qpos") for o in json.loads(out)["objects"]}
+        for k, body in enumerate(free):
+            self.assertEqual(given[body.get("name")], positions[7 * k:7 * k + 7])
+        self.assertEqual(sum(q is None for q in given.values()), 1)  # the slab is fixed
+
+    def test_heavy_loads_get_stiffer_contacts(self):
+        self.write("half/cube.obj", box_obj(0.025, 0.025, 0.025))
+        steps = {}
+        for scale in (1, 2):
+            layout = self.layout([{"name": "small", "model": "half/cube.obj"},
+                                  {"name": "big", "model": "half/cube.obj", "scale": 2 * scale}],
+                                 [put("small", 0, 0, 1), put("big", 0, 0, 2)])
+            self.trivet("run", layout, "-o", "s.glb")
+            self.trivet("export", "s.glb", "-o", "s.xml")
+            option = ElementTree.fromstring(self.read("s.xml")).find("option")
+            steps[scale] = option.get("timestep"), option.get("tolerance")
+        self.assertEqual(steps, {1: ("0.002", None), 2: ("0.001", "1e-14")})
+
     def test_free_objects_sleep_on_request(self):
         self.scene()
         for options, sleeping, flag in (((), [None] * 4, None), (("--asleep",), [None, "init", "init", "init"], "enable")):
@@ -203,7 +243,86 @@ class Mujoco(Exports):
         self.refused("export", "s.glb", "-o", "s.xml", "--asleep", "--mujoco", 2, says="--asleep")
 
 
+class Programs(Exports):
+    """Simulators of others, run on what was written."""
+
+    ENGINE = """#!/usr/bin/env python3
+import json, sys
+import xml.etree.ElementTree as ElementTree
+seconds, file = sys.argv[1:]
+shift = SHIFT
+objects = []
+for body in ElementTree.parse(file).getroot().iter("body"):
+    x, y, z = map(float, body.get("pos").split())
+    objects.append({"name": body.get("name"), "position": [x, y, z - shift], "rotation": list(map(float, body.get("quat").split()))})
+print("warming up")
+print(json.dumps({"simulator": "Engine of " + seconds + " s", "objects": objects, "contacts": []}))
+"""
+
+    def engine(self, text):
+        self.write("engine.py", text)
+        os.chmod(self.path("engine.py"), 0o755)
+        return self.path("engine.py")
+
+    def simulated(self, shift, status):
+        engine = self.engine(self.ENGINE.replace("SHIFT", str(shift)))
+        out, _ = self.trivet("export", "s.glb", "-o", "s.xml", "--simulate", 2.5, "--simulator", engine, "--json",
+                             status=status)
+        return json.loads(out)["simulated"]
+
+    def test_program_is_asked_and_objects_counted(self):
+        self.scene()
+        for shift, status, counts in ((0, 0, (3, 3, 3)), (1.5e-3, 0, (0, 3, 3)), (0.004, 0, (0, 0, 3)), (0.02, 1, (0, 0, 0))):
+            said = self.simulated(shift, status)
+            self.assertEqual(said["simulator"], "Engine of 2.5 s")
+            self.assertEqual(tuple(said[k] for k in ("within_1mm", "within_2mm_2deg", "within_1cm")), counts)
+            for entry in said["objects"]:
+                self.assertAlmostEqual(entry["moved"], shift, places=6)
+                self.assertEqual("why" in entry, shift > 1e-3)
+                if shift > 1e-3:  # the program reports no contact at all
+                    self.assertTrue(any("finds no contact with" in why for why in entry["why"]), entry)
+
+    def test_programs_that_fail(self):
+        self.scene()
+        command = ("export", "s.glb", "-o", "s.xml", "--simulate", 1, "--simulator")
+        self.refused(*command, self.path("none"), says="does not start", status=3)
+        self.refused(*command, self.engine("#!/bin/sh\necho no such scene >&2\nexit 3\n"),
+                     says=["status 3", "no such scene"], status=3)
+        self.refused(*command, self.engine("#!/bin/sh\necho done\n"), says="prints no line of JSON")
+        self.refused("export", "s.glb", "-o", "s.xml", "--simulator", "true", says="--simulate")
+
+
+class Surfaces(Exports):
+    """The report tells how far parts stand out of surfaces, which can be bounded."""
+
+    def test_report_tells_where(self):
+        self.write("cup.obj", cup_obj())
+        self.trivet("run", self.layout([{"name": "cup", "model": "cup.obj"}], [put("cup", 1, 2, 1)]), "-o", "s.glb")
+        out, _ = self.trivet("export", "s.glb", "-o", "s.xml", "--json")
+        cup = json.loads(out)["objects"][0]
+        self.assertEqual(cup["parts"], 1)
+        self.assertAlmostEqual(cup["stands_out"]["distance"], 0.1, delta=0.03)  # of the middle of the lid from the walls
+        for at, middle in zip(cup["stands_out"]["at"], (1, 2, 0.1)):
+            self.assertAlmostEqual(at, middle, delta=0.04)
+        out, _ = self.trivet("export", "s.glb", "-o", "s.xml", "--json", "--max-error", 0.002)
+        hollow = json.loads(out)
+        self.assertEqual(hollow["max_error"], 0.002)
+        self.assertLessEqual(hollow["objects"][0]["stands_out"]["distance"], 0.002)
+        self.assertGreater(hollow["objects"][0]["parts"], 1)
+        self.refused("export", "s.glb", "-o", "s.xml", "--max-error", 0.002, "--collision", "hull", says="fitted")
+
+
 class Usd(Exports):
+    def test_triangles_of_free_bodies_are_cut_into_convex_pieces(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--collision", "mesh", "--json")
+        kinds = {}
+        for file in json.loads(out)["files"][1:]:
+            text = self.read(file).decode()
+            if "physics:approximation" in text:
+                kinds[os.path.basename(file).split("_")[0]] = text.split('physics:approximation = "')[1].split('"')[0]
+        self.assertEqual(kinds, {"slab": "none", "cube": "convexDecomposition"})
+
     def test_three_reads_it(self):
         reader = os.path.join(NODE_MODULES, "three", "examples", "jsm", "loaders", "USDLoader.js")
         if not shutil.which("node") or not os.path.exists(reader):
@@ -327,6 +446,80 @@ class Tables(Exports):
         for entry in report["objects"]:
             for i, contact in enumerate(entry["contacts"]):
                 self.assertEqual(gaps[entry["name"], i], contact["gap"])
+
+    def records(self, name):
+        """Rows of an array of records in NumPy's format, read as the format says."""
+        data = self.read(name)
+        self.assertEqual(data[:8], b"\x93NUMPY\x01\x00")
+        begin = 10 + struct.unpack("<H", data[8:10])[0]
+        self.assertEqual(begin % 64, 0)
+        header = ast.literal_eval(data[10:begin].decode("ascii"))
+        self.assertIs(header["fortran_order"], False)
+        rows, at = [], begin
+        for _ in range(header["shape"][0]):
+            row = {}
+            for key, kind in header["descr"]:
+                size = {"<f8": 8, "|b1": 1}.get(kind) or 4 * int(kind[2:])
+                piece, at = data[at:at + size], at + size
+                row[key] = struct.unpack("<d", piece)[0] if kind == "<f8" else piece != b"\0" if kind == "|b1" else \
+                    piece.decode("utf-32-le").rstrip("\0")
+            rows.append(row)
+        self.assertEqual(at, len(data))
+        return rows
+
+    def test_numpy_equals_csv(self):
+        self.scene()
+        for table in ("poses", "contacts"):
+            self.trivet("export", "s.glb", "-o", "t.csv", "--table", table)
+            self.trivet("export", "s.glb", "-o", "t.npy", "--table", table)
+            rows, records = self.rows("t.csv"), self.records("t.npy")
+            self.assertEqual(len(rows), len(records))
+            for row, record in zip(rows, records):
+                self.assertEqual(list(row), list(record))
+                for key, value in record.items():
+                    if isinstance(value, bool):
+                        self.assertEqual(row[key], str(value).lower())
+                    elif isinstance(value, str):
+                        self.assertEqual(row[key], value)
+                    elif math.isnan(value):
+                        self.assertEqual(row[key], "")
+                    else:
+                        self.assertEqual(float(row[key]), value)
+
+    def test_numpy_keeps_letters_of_all_scripts(self):
+        names = ["gr\u00fcne Tasse", "\u8336\u7897 \U0001f375", "a"]
+        layout = self.layout([{"name": n, "model": "cube.obj"} for n in names],
+                             [put(n, 0.4 * k, 0, 1) for k, n in enumerate(names)])
+        self.trivet("run", layout, "-o", "s.glb")
+        self.trivet("export", "s.glb", "-o", "t.npy")
+        self.assertEqual([r["name"] for r in self.records("t.npy")], names)
+        try:
+            import numpy
+        except ImportError:
+            return
+        loaded = numpy.load(self.path("t.npy"))
+        self.assertEqual(list(loaded["name"]), names)
+
+    def test_layout_for_arena_has_poses_of_free_objects(self):
+        self.scene()
+        self.trivet("export", "s.glb", "-o", "layout 7.jsonl", "--table", "arena")
+        self.trivet("export", "s.glb", "-o", "t.csv")
+        lines = self.read("layout 7.jsonl").decode().splitlines()
+        self.assertEqual(len(lines), 1)
+        placement = json.loads(lines[0])["variations"]["scene.relation_placement"]
+        self.assertEqual((placement["layout_id"], placement["source"]), ("layout 7", "trivet"))
+        rows = {r["name"]: r for r in self.rows("t.csv") if r["fixed"] == "false" and r["x"]}
+        self.assertEqual(set(placement["poses"]), set(rows))
+        self.assertEqual(len(rows), 3)
+        for name, pose in placement["poses"].items():
+            self.assertEqual(set(pose), {"position_xyz", "rotation_xyzw"})
+            self.assertEqual(pose["position_xyz"], [float(rows[name][k]) for k in "xyz"])
+            self.assertEqual(pose["rotation_xyzw"], [float(rows[name]["q" + k]) for k in "xyzw"])
+            self.assertAlmostEqual(sum(v * v for v in pose["rotation_xyzw"]), 1)
+        self.refused("export", "s.glb", "-o", "t.npy", "--table", "arena", says=".jsonl")
+        layout = self.layout([SLAB], [])
+        self.trivet("run", layout, "-o", "fixed.glb")
+        self.refused("export", "fixed.glb", "-o", "t.jsonl", "--table", "arena", says="free")
 
     def test_json_lines_equal_csv(self):
         self.scene()

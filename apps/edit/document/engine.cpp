@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/io/process/sandboxed_import.h"
 #include "ops/mend/settle_free.h"
+#include "ops/operations/drape_watch.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet::edit {
@@ -229,8 +230,18 @@ bool Engine::perform_all(const std::vector<Operation>& operations,
   if (operations.empty()) return true;
   Session& session = m_opened->session;
   const std::optional<Pose> from = pose_before(operations);
+  bool is_falling_shown = false;
+  const DrapeWatch watch([&](const std::shared_ptr<const Object>& falling, double) {
+    is_falling_shown = true;
+    tell([snapshot = m_snapshots.make_falling(falling)](Document& shown) {
+      shown.show_scene(snapshot);
+    });
+  });
   const OperationResult result = session.perform_all(operations, settle_options(), context());
-  if (result.ok()) show_done(operations, result, from);
+  if (result.ok())
+    show_done(operations, result, from);
+  else if (is_falling_shown)
+    show_again();
   if (result.ok() && !select.empty())
     tell([select](Document& shown) { shown.select_named(select); });
   tell(result, operations.back());

@@ -24,13 +24,13 @@ double load_of(const ForeignBody& body, const ForeignJoint& joint) {
 }  // namespace
 
 void note_if_gravity_moves(const ForeignJoint& joint, std::span<const ForeignBody* const> bodies,
-                           double friction, std::vector<Sentence>& notes) {
+                           std::vector<Sentence>& notes) {
   double load = 0;
   for (const ForeignBody* body : bodies) load += load_of(*body, joint);
   // The joint stands at the limit that the weight pulls it to.
   const bool stopped =
       load > 0 ? joint.value >= joint.upper - kAtLimit : joint.value <= joint.lower + kAtLimit;
-  if (stopped || !(std::abs(load) > friction + kLeastJointLoad)) return;
+  if (stopped || !(std::abs(load) > joint.friction + kLeastJointLoad)) return;
   note_once(notes,
             joint.kind == ForeignJoint::Kind::Hinge
                 ? say("the link in the joint \"%1\" would swing: its weight turns it with %2 N m",

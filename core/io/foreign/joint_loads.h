@@ -8,8 +8,7 @@
 namespace trivet {
 
 /// Adds a note if the weights of the bodies would slide or turn the joint that moves them.
-/// @param friction  that holds it: newtons or newton metres.
 void note_if_gravity_moves(const ForeignJoint& joint, std::span<const ForeignBody* const> bodies,
-                           double friction, std::vector<Sentence>& notes);
+                           std::vector<Sentence>& notes);
 
 }  // namespace trivet

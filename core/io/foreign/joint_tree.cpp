@@ -154,7 +154,7 @@ class TreeOfJoints {
     out.axis = joint.axis, out.anchor = joint.anchor;
     out.value = unit * joint.value;
     out.lower = unit * joint.lower, out.upper = unit * joint.upper;
-    out.held = m_held[j];
+    out.friction = joint.friction, out.held = m_held[j];
     // Links without a collider are no objects: nothing would be seen to move.
     std::vector<const ForeignBody*> bodies;
     for (const size_t b : subtree(joint.child)) {
@@ -166,8 +166,7 @@ class TreeOfJoints {
       bad_file(m_scene.files.at(0).path, "has too many links in joints of joints");
     if (out.moves.empty()) return;
     if (const auto frame = frame_of(j)) out.frames.push_back(m_scene.bodies[*frame].name);
-    if (!joint.driven && !joint.mimic)
-      note_if_gravity_moves(out, bodies, joint.friction, m_scene.notes);
+    if (!joint.driven && !joint.mimic) note_if_gravity_moves(out, bodies, m_scene.notes);
     out.number = m_scene.joints.size();
     m_scene.joints.push_back(std::move(out));
   }

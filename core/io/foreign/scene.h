@@ -79,6 +79,7 @@ struct ForeignJoint {
   double value = 0;                                  // metres or degrees
   double lower = -kInfinity, upper = kInfinity;      // limits of it
   size_t number = 0;                                 // in ForeignScene::numbers; else of the joint
+  double friction = 0;                               // that holds it: newtons or newton metres
   Sentence held;                                     // why it cannot be moved; empty: it can
 };
 

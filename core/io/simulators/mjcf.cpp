@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/io/simulators/floor_corners.h"
+#include "core/io/simulators/joints.h"
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
@@ -16,7 +17,14 @@ constexpr size_t kContactsOfPair = 5, kRowsOfContact = 4, kMinContacts = 100, kM
 /// Contacts by version: time constant and damping; stiffness near and beyond a depth.
 constexpr const char *kSolref2 = "0.004 1", *kSolimp2 = "0.95 0.99 0.0001";
 constexpr const char *kSolref3 = "0.004 3", *kSolimp3 = "0.995 0.9995 0.0001";
+/// The same where a body carries more than kHeavyLoad of its own masses. Contacts are as stiff as
+/// the lighter of two bodies asks, so that heavy ones sink into what carries them, and slip.
+constexpr const char *kSolrefHeavy = "0.002 3", *kSolimpHeavy = "0.9999 0.9999 0.0001";
+constexpr double kHeavyLoad = 20;
 constexpr double kSag = 5e-7;  // metres, half of what weights press contacts together
+/// The same of limits of joints and of their friction.
+constexpr const char *kSolrefJoint = "0.004 1", *kSolimpLimit = "0.95 0.99 0.0001",
+                     *kSolimpFriction = "0.9999 0.9999 0.001";
 
 std::string quaternion_text(const Rotation& r) { return numbers_text({r.w, r.x, r.y, r.z}); }
 
@@ -33,9 +41,11 @@ class MjcfWriter {
   MjcfWriter(const SimulationScene& scene, const MeshFiles& meshes, const std::string& folder,
              const SimulationFileOptions& options)
       : m_scene(scene),
+        m_joints(scene),
         m_meshes(meshes),
         m_folder(folder),
         m_version(options.mujoco),
+        m_is_heavy(options.mujoco >= 3 && scene.heaviest_load > kHeavyLoad),
         m_asleep(options.asleep) {
     m_frictions.insert(scene.floor_friction);
     for (const SimulationBody& body : scene.bodies) {
@@ -72,7 +82,10 @@ class MjcfWriter {
                             {"friction", friction_text(m_scene.floor_friction)}}),
                  m_scene.floor_gap);
     for (size_t i = 0; i < m_scene.bodies.size(); ++i)
-      add_corners(add_body(world, m_scene.bodies[i]), i);
+      if (!m_joints.of(i) || !m_joints.of(i)->parent)
+        add_tree(world, i, m_scene.bodies[i].world_from_link);
+    add_excludes(root);
+    add_keyframe(root);
     return xml_text(m_document);
   }
 
@@ -81,23 +94,30 @@ class MjcfWriter {
   // drift. Elliptic cones with stiff friction keep objects from creeping down slopes. In MuJoCo 2
   // that takes further iterations and shorter steps, which cost most of the time.
   void add_option(Element* root) const {
-    Element* const option = add_child(root, "option",
-                                      {{"timestep", m_version < 3 ? "0.001" : "0.002"},
-                                       {"gravity", "0 0 " + number_text(-m_scene.gravity)},
-                                       {"cone", "elliptic"},
-                                       {"impratio", m_version < 3 ? "10" : "100"}});
+    Element* const option =
+        add_child(root, "option",
+                  {{"timestep", m_version < 3 || m_is_heavy ? "0.001" : "0.002"},
+                   {"gravity", "0 0 " + number_text(-m_scene.gravity)},
+                   {"cone", "elliptic"},
+                   {"impratio", m_version < 3 ? "10" : "100"}});
     if (m_version < 3) {
       option->SetAttribute("noslip_iterations", "5");
     } else {  // the defaults are as coarse as Trivet's gaps
       option->SetAttribute("ccd_iterations", "100");
       option->SetAttribute("ccd_tolerance", "1e-09");
+      // The solver's tolerance counts in parts of the mean inertia, too coarse for what is light.
+      if (m_is_heavy) option->SetAttribute("tolerance", "1e-14");
     }
     Element* const flag = add_child(option, "flag", {{"multiccd", "enable"}});
     if (m_asleep) flag->SetAttribute("sleep", "enable");
   }
 
-  const char* solref() const { return m_version < 3 ? kSolref2 : kSolref3; }
-  const char* solimp() const { return m_version < 3 ? kSolimp2 : kSolimp3; }
+  const char* solref() const {
+    return m_version < 3 ? kSolref2 : m_is_heavy ? kSolrefHeavy : kSolref3;
+  }
+  const char* solimp() const {
+    return m_version < 3 ? kSolimp2 : m_is_heavy ? kSolimpHeavy : kSolimp3;
+  }
 
   // Bodies rest across gaps, by which they would fall before MuJoCo finds a contact. The margins of
   // two bodies add up to their gap, so that contacts bear from the first step.
@@ -185,14 +205,77 @@ class MjcfWriter {
            " 0.005 0.0001";  // metres: MuJoCo's default torsional and rolling friction
   }
 
-  Element* add_body(Element* world, const SimulationBody& body) {
+  // The body, and in it those that hang in it.
+  void add_tree(Element* parent, size_t index, const Pose& in_parent) {
+    Element* const element = add_body(parent, index, in_parent);
+    add_corners(element, index);
+    const Pose& pose = m_scene.bodies[index].world_from_link;
+    for (const SimulationJoint* joint : m_joints.below(index))
+      add_tree(element, joint->child,
+               relative_pose(pose, m_scene.bodies[joint->child].world_from_link));
+  }
+
+  // Positions of all joints as they are laid out, for programs that reset scenes by it.
+  void add_keyframe(Element* root) const {
+    if (m_positions.empty()) return;
+    std::string text;
+    for (const double value : m_positions) text += (text.empty() ? "" : " ") + number_text(value);
+    add_child(add_child(root, "keyframe"), "key", {{"name", "laid_out"}, {"qpos", text}});
+  }
+
+  void add_free_joint(Element* element, const SimulationBody& body) {
+    add_child(element, "freejoint", {{"name", body.file_name}});
     const Pose& pose = body.world_from_link;
-    Element* const element = add_child(world, "body",
+    const Vec3& p = pose.translation;
+    const Rotation& q = pose.rotation;
+    m_positions.insert(m_positions.end(), {p.x(), p.y(), p.z(), q.w, q.x, q.y, q.z});
+    if (m_asleep) element->SetAttribute("sleep", "init");
+  }
+
+  // The bodies are where `ref` has the joint.
+  void add_joint(Element* body, const SimulationJoint& joint) {
+    if (joint.kind == SimulationJoint::Kind::Fixed) return;
+    m_positions.push_back(joint.value);
+    const bool turns = joint.kind == SimulationJoint::Kind::Hinge;
+    Element* const element = add_child(body, "joint",
+                                       {{"name", joint.file_name},
+                                        {"type", turns ? "hinge" : "slide"},
+                                        {"pos", vector_text(joint.anchor)},
+                                        {"axis", vector_text(joint.axis)},
+                                        {"ref", number_text(joint.value)}});
+    if (joint.friction > 0) {
+      element->SetAttribute("frictionloss", number_text(joint.friction).c_str());
+      element->SetAttribute("solreffriction", kSolrefJoint);  // else it creeps by degrees a second
+      element->SetAttribute("solimpfriction", kSolimpFriction);
+    }
+    if (joint.lower == -kInfinity && joint.upper == kInfinity) return;
+    element->SetAttribute("limited", "true");
+    element->SetAttribute("solreflimit", kSolrefJoint);
+    element->SetAttribute("solimplimit", kSolimpLimit);
+    element->SetAttribute(
+        "range", numbers_text({finite_limit(joint.lower), finite_limit(joint.upper)}).c_str());
+  }
+
+  // MuJoCo keeps a link off what it hangs in, unless that is fixed in the world.
+  void add_excludes(Element* root) const {
+    Element* contact = nullptr;
+    for (const SimulationJoint& joint : m_scene.joints)
+      for (const size_t other : joint.apart) {
+        if (!contact) contact = add_child(root, "contact");
+        add_child(contact, "exclude",
+                  {{"body1", m_scene.bodies[other].file_name},
+                   {"body2", m_scene.bodies[joint.child].file_name}});
+      }
+  }
+
+  Element* add_body(Element* parent, size_t index, const Pose& pose) {
+    const SimulationBody& body = m_scene.bodies[index];
+    Element* const element = add_child(parent, "body",
                                        {{"name", body.file_name},
                                         {"pos", vector_text(pose.translation)},
                                         {"quat", quaternion_text(pose.rotation)}});
-    if (!body.fixed) add_child(element, "freejoint", {{"name", body.file_name}});
-    if (!body.fixed && m_asleep) element->SetAttribute("sleep", "init");
+    if (!body.fixed) add_free_joint(element, body);
+    if (const SimulationJoint* const joint = m_joints.of(index)) add_joint(element, *joint);
     const Mat3& i = body.inertia;
     add_child(
         element, "inertial",
@@ -231,10 +314,13 @@ class MjcfWriter {
   }
 
   const SimulationScene& m_scene;
+  const JointsOfBodies m_joints;
   const MeshFiles& m_meshes;
   const std::string m_folder;
   const int m_version;
+  const bool m_is_heavy;
   const bool m_asleep;
+  std::vector<double> m_positions;  // of the joints, in the order of bodies
   std::set<double> m_frictions;
   std::set<std::string> m_images;            // that are assets already
   std::vector<std::vector<Vec3>> m_corners;  // of the bodies, see floor_corners()

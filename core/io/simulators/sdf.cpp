@@ -1,4 +1,5 @@
 // SDFormat 1.9 worlds, for Gazebo and other SDF readers.
+#include "core/io/simulators/joints.h"
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
@@ -58,15 +59,13 @@ void add_ground(Element* world, const SimulationScene& scene) {
   }
 }
 
-void add_model(Element* world, const SimulationBody& body, const ModelFiles& files,
-               const std::string& folder) {
-  Element* const model = add_child(world, "model", {{"name", body.file_name}});
-  Element* const pose = add_text(
-      model, "pose", pose_text(body.world_from_link.translation, body.world_from_link.rotation));
-  pose->SetAttribute("rotation_format", "quat_xyzw");
-  add_text(model, "static", body.fixed ? "true" : "false");
-  add_text(model, "allow_auto_disable", "true");  // may sleep: at rest
-  Element* const link = add_child(model, "link", {{"name", "link"}});
+/// Links, the first of a model named "link".
+void add_link(Element* model, const std::string& name, const Pose* in_model,
+              const SimulationBody& body, const ModelFiles& files, const std::string& folder) {
+  Element* const link = add_child(model, "link", {{"name", name}});
+  if (in_model)
+    add_text(link, "pose", pose_text(in_model->translation, in_model->rotation))
+        ->SetAttribute("rotation_format", "quat_xyzw");
   add_inertia(link, body);
   int count = 0;
   for (const std::string& part : files.parts) {
@@ -77,6 +76,66 @@ void add_model(Element* world, const SimulationBody& body, const ModelFiles& fil
   }
   Element* const visual = add_child(link, "visual", {{"name", "visual"}});
   add_mesh_shape(visual, folder + files.whole, files.scale);
+}
+
+// Limits count from where the link is: SDF has no other values.
+void add_axis(Element* element, const SimulationJoint& joint) {
+  add_text(element, "pose", vector_text(joint.anchor) + " 0 0 0");
+  Element* const axis = add_child(element, "axis");
+  add_text(axis, "xyz", vector_text(joint.axis));
+  Element* const limit = add_child(axis, "limit");
+  if (joint.lower > -kInfinity) add_text(limit, "lower", number_text(joint.lower - joint.value));
+  if (joint.upper < kInfinity) add_text(limit, "upper", number_text(joint.upper - joint.value));
+  if (joint.friction > 0)
+    add_text(add_child(axis, "dynamics"), "friction", number_text(joint.friction));
+}
+
+void add_joint(Element* model, const std::string& name, const std::string& type,
+               const std::string& parent, const std::string& child, const SimulationJoint* joint) {
+  Element* const element = add_child(model, "joint", {{"name", name}, {"type", type}});
+  add_text(element, "parent", parent);
+  add_text(element, "child", child);
+  if (joint && joint->kind != SimulationJoint::Kind::Fixed) add_axis(element, *joint);
+}
+
+/// A model of several links.
+void add_tree(Element* world, const SimulationScene& scene, const JointsOfBodies& joints,
+              size_t root, const MeshFiles& meshes, const std::string& folder) {
+  const SimulationBody& first = scene.bodies[root];
+  Element* const model = add_child(world, "model", {{"name", first.file_name}});
+  add_text(model, "pose",
+           pose_text(first.world_from_link.translation, first.world_from_link.rotation))
+      ->SetAttribute("rotation_format", "quat_xyzw");
+  const auto name = [&](size_t body) {
+    return body == root ? std::string("link") : scene.bodies[body].file_name;
+  };
+  for (const size_t i : joints.tree(root)) {
+    const SimulationBody& body = scene.bodies[i];
+    const Pose pose = relative_pose(first.world_from_link, body.world_from_link);
+    add_link(model, name(i), i == root ? nullptr : &pose, body, meshes.of_model(body.model),
+             folder);
+    const SimulationJoint* const joint = joints.of(i);
+    if (!joint) {
+      add_joint(model, "to_the_world", "fixed", "world", name(i), nullptr);
+      continue;
+    }
+    const char* const type = joint->kind == SimulationJoint::Kind::Fixed   ? "fixed"
+                             : joint->kind == SimulationJoint::Kind::Slide ? "prismatic"
+                                                                           : "revolute";
+    add_joint(model, joint->file_name, type, joint->parent ? name(*joint->parent) : "world",
+              name(i), joint);
+  }
+}
+
+void add_model(Element* world, const SimulationBody& body, const ModelFiles& files,
+               const std::string& folder) {
+  Element* const model = add_child(world, "model", {{"name", body.file_name}});
+  Element* const pose = add_text(
+      model, "pose", pose_text(body.world_from_link.translation, body.world_from_link.rotation));
+  pose->SetAttribute("rotation_format", "quat_xyzw");
+  add_text(model, "static", body.fixed ? "true" : "false");
+  add_text(model, "allow_auto_disable", "true");  // may sleep: at rest
+  add_link(model, "link", nullptr, body, files, folder);
 }
 
 }  // namespace
@@ -94,8 +153,16 @@ SimulationText write_sdf(const SimulationScene& scene, const std::string& folder
   add_text(light, "pose", "0 0 10 0 0 0");
   add_text(light, "direction", "-0.3 0.2 -0.9");
   if (scene.floor) add_ground(world, scene);
-  for (const SimulationBody& body : scene.bodies)
-    add_model(world, body, meshes.of_model(body.model), options.mesh_prefix + folder);
+  const JointsOfBodies joints(scene);
+  for (size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SimulationBody& body = scene.bodies[i];
+    const SimulationJoint* const joint = joints.of(i);
+    if (joint && joint->parent) continue;
+    if (joint || !joints.below(i).empty())
+      add_tree(world, scene, joints, i, meshes, options.mesh_prefix + folder);
+    else
+      add_model(world, body, meshes.of_model(body.model), options.mesh_prefix + folder);
+  }
   return {meshes.files(), xml_text(document)};
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,6 +42,20 @@ struct SimulationBody {
   double gap = 0;  // metres: the widest of the contacts by which it rests
 };
 
+/// A body that hangs in another. Both are where `value` has them; formats without a place for it
+/// count from there.
+struct SimulationJoint {
+  enum class Kind { Fixed, Slide, Hinge } kind = Kind::Fixed;
+  std::string name;                                         // as given by the user
+  std::string file_name;                                    // as that of bodies
+  size_t child = 0;                                         // a fixed body, in no other joint
+  std::optional<size_t> parent;                             // nothing: the world
+  std::vector<size_t> apart;                                // bodies that the child passes through
+  Vec3 axis = Vec3::UnitX(), anchor = Vec3::Zero();         // link frame of the child; unit axis
+  double value = 0, lower = -kInfinity, upper = kInfinity;  // metres or radians
+  double friction = 0;                                      // newtons or newton metres
+};
+
 struct SimulationScene {
   std::string name;
   bool floor = true;  // at z = 0
@@ -49,6 +64,8 @@ struct SimulationScene {
   double gravity = 9.80665;  // along -z
   std::vector<SimulationModel> models;
   std::vector<SimulationBody> bodies;
+  std::vector<SimulationJoint> joints;  // trees
+  double heaviest_load = 0;             // largest mass that a free body carries, in its own masses
   size_t num_near_parts = 0;  // pairs of parts that may touch, for simulators that want to know
 };
 

@@ -1,7 +1,9 @@
 // URDF: a robot with root link "world" and a child link for each object, attached by a fixed joint
 // or, if the object is free, a floating one.
+#include <algorithm>
 #include <cmath>
 
+#include "core/io/simulators/joints.h"
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
@@ -9,7 +11,9 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
-constexpr double kFloorSize = 100, kFloorThickness = 1;  // metres; URDF has no planes
+constexpr double kOnAxis = 1e-9;                                    // metres
+constexpr const char *kMostEffort = "1000", *kMostVelocity = "10";  // URDF wants some
+constexpr double kFloorSize = 100, kFloorThickness = 1;             // metres; URDF has no planes
 
 /// Roll, pitch and yaw about fixed x, y, z: URDF's only form of rotation. Digits beyond the 15th
 /// may differ between C libraries.
@@ -61,6 +65,54 @@ void add_joint(Element* robot, const std::string& child, bool fixed, const Pose&
   add_origin(joint, pose.translation, rpy_of(pose.rotation));
 }
 
+std::string name_of_hinge(const SimulationScene& scene, const SimulationBody& child) {
+  std::string out = child.file_name + "_hinge";
+  while (std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const SimulationBody& body) { return body.file_name == out; }))
+    out += "_";
+  return out;
+}
+
+// Limits count from where the link is: URDF has no other values. An axis goes through the origin of
+// the link; where it does not, an empty link is between.
+void add_joint(Element* robot, const SimulationScene& scene, const SimulationJoint& joint) {
+  using Kind = SimulationJoint::Kind;
+  const SimulationBody& child = scene.bodies[joint.child];
+  const bool unlimited = joint.lower == -kInfinity && joint.upper == kInfinity;
+  const std::string type = joint.kind == Kind::Fixed   ? "fixed"
+                           : joint.kind == Kind::Slide ? "prismatic"
+                           : unlimited                 ? "continuous"
+                                                       : "revolute";
+  Pose pose = child.world_from_link;
+  if (joint.parent) pose = relative_pose(scene.bodies[*joint.parent].world_from_link, pose);
+  const bool apart = joint.kind == Kind::Hinge && !joint.anchor.isZero(kOnAxis);
+  const std::string link = apart ? name_of_hinge(scene, child) : child.file_name;
+  if (apart) {
+    pose.translation += pose.rotation.matrix() * joint.anchor;
+    add_child(robot, "link", {{"name", link}});
+    Element* const rest =
+        add_child(robot, "joint", {{"name", child.file_name + "_joint"}, {"type", "fixed"}});
+    add_child(rest, "parent", {{"link", link}});
+    add_child(rest, "child", {{"link", child.file_name}});
+    add_origin(rest, -joint.anchor, Vec3::Zero());
+  }
+  Element* const element = add_child(robot, "joint", {{"name", joint.file_name}, {"type", type}});
+  add_child(element, "parent",
+            {{"link", joint.parent ? scene.bodies[*joint.parent].file_name : "world"}});
+  add_child(element, "child", {{"link", link}});
+  add_origin(element, pose.translation, rpy_of(pose.rotation));
+  if (joint.kind == Kind::Fixed) return;
+  add_child(element, "axis", {{"xyz", vector_text(joint.axis)}});
+  Element* const limit =
+      add_child(element, "limit", {{"effort", kMostEffort}, {"velocity", kMostVelocity}});
+  if (!unlimited || joint.kind == Kind::Slide) {
+    limit->SetAttribute("lower", number_text(finite_limit(joint.lower - joint.value)).c_str());
+    limit->SetAttribute("upper", number_text(finite_limit(joint.upper - joint.value)).c_str());
+  }
+  if (joint.friction > 0)
+    add_child(element, "dynamics", {{"friction", number_text(joint.friction)}});
+}
+
 void add_floor(Element* robot, double friction) {
   Element* const link = add_child(robot, "link", {{"name", "floor"}});
   for (const char* tag : {"visual", "collision"})
@@ -78,7 +130,6 @@ void add_body(Element* robot, const SimulationBody& body, const ModelFiles& file
   for (const std::string& part : files.parts)
     add_mesh(add_child(link, "collision"), folder + part, files.scale);
   add_friction(robot, link, body.file_name, body.friction);
-  add_joint(robot, body.file_name, body.fixed, body.world_from_link);
 }
 
 }  // namespace
@@ -92,8 +143,15 @@ SimulationText write_urdf(const SimulationScene& scene, const std::string& folde
   Element* const robot = add_child(&document, "robot", {{"name", scene.name}});
   add_child(robot, "link", {{"name", "world"}});
   if (scene.floor) add_floor(robot, scene.floor_friction);
-  for (const SimulationBody& body : scene.bodies)
+  const JointsOfBodies joints(scene);
+  for (size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SimulationBody& body = scene.bodies[i];
     add_body(robot, body, meshes.of_model(body.model), options.mesh_prefix + folder);
+    if (const SimulationJoint* const joint = joints.of(i))
+      add_joint(robot, scene, *joint);
+    else
+      add_joint(robot, body.file_name, body.fixed, body.world_from_link);
+  }
   return {meshes.files(), xml_text(document)};
 }
 

@@ -3,12 +3,17 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <map>
+#include <numbers>
 
+#include "core/io/foreign/scene.h"
+#include "core/io/simulators/joints.h"
 #include "core/io/simulators/looked_files.h"
 #include "core/io/simulators/usda_text.h"
 
 namespace trivet {
 namespace {
+
+constexpr double kUsdDegrees = 180 / std::numbers::pi;
 
 struct PrincipalInertia {
   Vec3 diagonal;
@@ -78,19 +83,75 @@ void add_shape(UsdaText& text, const UsdaLayers::OfModel& layers, double scale,
 }
 
 // A collider without a rigid body is static.
-std::vector<std::string> body_metadata(const SimulationBody& body) {
-  return {body.fixed ? usda_apis({"MaterialBindingAPI"})
-                     : usda_apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"}),
-          "displayName = " + usda_quoted(body.name)};
+std::vector<std::string> body_metadata(const SimulationBody& body, const SimulationJoint* joint) {
+  std::string apis = usda_apis({"PhysicsRigidBodyAPI", "PhysicsMassAPI", "MaterialBindingAPI"});
+  if (joint)
+    apis = usda_apis(
+        {"PhysicsRigidBodyAPI", "PhysicsMassAPI", "PhysicsFilteredPairsAPI", "MaterialBindingAPI"});
+  else if (body.fixed)
+    apis = usda_apis({"MaterialBindingAPI"});
+  return {apis, "displayName = " + usda_quoted(body.name)};
+}
+
+std::string usda_path(const SimulationBody& body) { return "</World/" + body.file_name + ">"; }
+
+void add_filtered(UsdaText& text, const SimulationScene& scene, const SimulationJoint& joint) {
+  std::string paths;
+  for (const size_t other : joint.apart)
+    paths += (paths.empty() ? "" : ", ") + usda_path(scene.bodies[other]);
+  if (!paths.empty()) text.line("rel physics:filteredPairs = [" + paths + "]");
+}
+
+/// A frame at the joint, its x axis along the joint's.
+void add_frame(UsdaText& text, const char* number, const Pose& frame) {
+  text.line(std::string("point3f physics:localPos") + number + " = " +
+            usda_tuple(frame.translation));
+  text.line(std::string("quatf physics:localRot") + number + " = " + usda_tuple(frame.rotation));
+}
+
+// By how much the value has moved the joint's frame, in that.
+Pose moved_frame(const SimulationJoint& joint) {
+  if (joint.kind == SimulationJoint::Kind::Slide) return {{}, Vec3(joint.value, 0, 0)};
+  if (joint.kind == SimulationJoint::Kind::Hinge)
+    return {turn_about(Vec3::UnitX(), joint.value * kUsdDegrees).normalized(), Vec3::Zero()};
+  return {};
+}
+
+void add_joint(UsdaText& text, const SimulationScene& scene, const SimulationJoint& joint) {
+  using Kind = SimulationJoint::Kind;
+  const bool turns = joint.kind == Kind::Hinge;
+  text.open(joint.kind == Kind::Fixed ? "PhysicsFixedJoint"
+            : turns                   ? "PhysicsRevoluteJoint"
+                                      : "PhysicsPrismaticJoint",
+            joint.file_name, {"displayName = " + usda_quoted(joint.name)});
+  const Pose& child = scene.bodies[joint.child].world_from_link;
+  const Pose on_child{x_to(joint.axis), joint.anchor};
+  Pose on_parent = composed(composed(child, on_child), inverse(moved_frame(joint)));
+  if (joint.parent) {
+    text.line("rel physics:body0 = " + usda_path(scene.bodies[*joint.parent]));
+    on_parent = relative_pose(scene.bodies[*joint.parent].world_from_link, on_parent);
+  }
+  text.line("rel physics:body1 = " + usda_path(scene.bodies[joint.child]));
+  add_frame(text, "0", {on_parent.rotation.normalized(), on_parent.translation});
+  add_frame(text, "1", on_child);
+  if (joint.kind != Kind::Fixed) {
+    const double unit = turns ? kUsdDegrees : 1;
+    text.line("uniform token physics:axis = \"X\"");
+    if (joint.lower > -kInfinity)
+      text.line("float physics:lowerLimit = " + number_text(unit * joint.lower));
+    if (joint.upper < kInfinity)
+      text.line("float physics:upperLimit = " + number_text(unit * joint.upper));
+  }
+  text.close();
 }
 
 /// Opens it.
 void add_body(UsdaText& text, const SimulationBody& body, const std::vector<std::string>& metadata,
-              const Surfaces& surfaces) {
+              const Surfaces& surfaces, bool moves) {
   text.open("Xform", body.file_name, metadata);
   text.line("custom string trivet:name = " + usda_quoted(body.name));
   text.line(surfaces.binding(body.friction, body.restitution));
-  if (!body.fixed) {
+  if (moves) {
     const PrincipalInertia inertia = principal(body.inertia);
     text.line("point3f physics:centerOfMass = " + usda_tuple(body.centre));
     text.line("float3 physics:diagonalInertia = " + usda_tuple(inertia.diagonal));
@@ -118,14 +179,19 @@ std::string world_layer(const SimulationScene& scene, const UsdaLayers& layers, 
     text.line(surfaces.binding(scene.floor_friction, scene.floor_restitution));
     text.close();
   }
-  for (const SimulationBody& body : scene.bodies) {
+  const JointsOfBodies joints(scene);
+  for (size_t i = 0; i < scene.bodies.size(); ++i) {
+    const SimulationBody& body = scene.bodies[i];
+    const SimulationJoint* const joint = joints.of(i);
     const UsdaLayers::OfModel& of_model = layers.of_model[body.model];
-    std::vector<std::string> metadata = body_metadata(body);
+    std::vector<std::string> metadata = body_metadata(body, joint);
     if (!parts_apart) metadata.insert(metadata.begin() + 1, reference_to(folder + of_model.file));
-    add_body(text, body, metadata, surfaces);
+    add_body(text, body, metadata, surfaces, joint || !body.fixed);
+    if (joint) add_filtered(text, scene, *joint);
     if (parts_apart) add_shape(text, of_model, scene.models[body.model].scale, folder);
     text.close();
   }
+  for (const SimulationJoint& joint : scene.joints) add_joint(text, scene, joint);
   text.close();
   return text.take();
 }

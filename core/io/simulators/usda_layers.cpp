@@ -1,4 +1,5 @@
 // Layers of USD, one per model: triangles, looks with images, convex parts; or parts apart.
+#include <algorithm>
 #include <charconv>
 
 #include "core/base/hash.h"
@@ -57,9 +58,12 @@ std::string look_name(size_t index) { return "Material" + std::to_string(index);
 /// A model with the materials of its look, or its own.
 class LayerWriter {
  public:
-  LayerWriter(const SimulationModel& model, const std::vector<std::string>& images, bool with_parts)
+  /// @param moves  a free body has this model.
+  LayerWriter(const SimulationModel& model, const std::vector<std::string>& images, bool with_parts,
+              bool moves)
       : m_model(model),
         m_images(images),
+        m_moves(moves),
         m_with_parts(with_parts && !model.parts.empty()),
         m_groups(model.look ? faces_of_look(*model.look) : faces_by_material(*model.model)),
         m_text(model.name) {}
@@ -94,6 +98,7 @@ class LayerWriter {
 
   const SimulationModel& m_model;
   const std::vector<std::string>& m_images;
+  const bool m_moves;
   const bool m_with_parts;
   std::vector<MaterialFaces> m_groups;
   UsdaText m_text;
@@ -154,7 +159,10 @@ void LayerWriter::add_visual() {
           ? usda_apis({"MaterialBindingAPI", "PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"})
           : usda_apis({"MaterialBindingAPI"});
   open_mesh(m_text, "Visual", {metadata}, points, m_model.model->mesh.triangles);
-  if (m_model.parts.empty()) m_text.line("uniform token physics:approximation = \"none\"");
+  // PhysX takes triangles of fixed bodies alone, and else the hull of all of them.
+  if (m_model.parts.empty())
+    m_text.line("uniform token physics:approximation = " +
+                usda_quoted(m_moves ? "convexDecomposition" : "none"));
   if (m_model.look)
     m_text.line("texCoord2f[] primvars:st = " + coordinates_text(*m_model.look) +
                 " (interpolation = \"faceVarying\")");
@@ -203,7 +211,11 @@ UsdaLayers usda_layers(const SimulationScene& scene, bool parts_apart) {
   for (size_t i = 0; i < scene.models.size(); ++i) {
     const SimulationModel& model = scene.models[i];
     UsdaLayers::OfModel layers;
-    layers.file = add(model.name, LayerWriter(model, images.of_model(i), !parts_apart).text());
+    const bool moves =
+        std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                    [&](const SimulationBody& body) { return body.model == i && !body.fixed; });
+    layers.file =
+        add(model.name, LayerWriter(model, images.of_model(i), !parts_apart, moves).text());
     for (size_t k = 0; parts_apart && k < model.parts.size(); ++k) {
       UsdaText text("part");
       add_part(text, "part", model.parts[k]);

@@ -41,11 +41,27 @@ void set_model_names(SimulationScene& scene) {
         std::find(models.begin(), models.end(), model.model.get()) - models.begin())];
 }
 
+// MJCF and URDF have a joint for each free body: of its name, or with an ending. In SDF and USD no
+// joint has the name of a body.
+void set_joint_names(SimulationScene& scene, const SimulatorFormat& format) {
+  std::set<std::string> taken = format.reserved_names;
+  const bool apart = format.kind == "sdf" || format.kind == "usd";
+  for (const SimulationBody& body : scene.bodies) {
+    if (apart || !body.fixed) taken.insert(body.file_name);
+    taken.insert(body.file_name + "_joint");
+  }
+  std::vector<std::string> names;
+  for (const SimulationJoint& joint : scene.joints) names.push_back(joint.name);
+  names = valid_names(names, format.names, taken);
+  for (size_t i = 0; i < names.size(); ++i) scene.joints[i].file_name = names[i];
+}
+
 void set_names(SimulationScene& scene, const SimulatorFormat& format) {
   std::vector<std::string> names;
   for (const SimulationBody& body : scene.bodies) names.push_back(body.name);
   names = valid_names(names, format.names, format.reserved_names);
   for (size_t i = 0; i < names.size(); ++i) scene.bodies[i].file_name = names[i];
+  set_joint_names(scene, format);
   set_model_names(scene);
   scene.name = valid_names({scene.name}, format.names, {}).front();
 }

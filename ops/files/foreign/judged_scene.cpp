@@ -124,7 +124,7 @@ class Builder {
     auto model = std::make_shared<Model>(model_of_mesh(std::move(mesh)));
     object.shape = make_shape(model->mesh);
     object.model = std::move(model);
-    if (body.mass && !body.fixed) give(*body.mass, object);
+    if (body.mass && (!body.fixed || body.is_link)) give(*body.mass, object);
     return m_out.scene.add(std::move(object));
   }
 

@@ -70,6 +70,9 @@ std::vector<SceneJoint> joints_of(const ForeignScene& foreign, const JudgedScene
     mine.number = joint.number, mine.held = joint.held;
     for (const std::string& name : joint.moves)
       if (const auto id = judged.scene.find(name)) mine.links.push_back(*id);
+    for (const std::string& name : joint.frames)
+      if (const auto id = judged.scene.find(name)) mine.frames.push_back(*id);
+    mine.friction = joint.friction;
     if (!mine.links.empty()) out.push_back(std::move(mine));
   }
   return out;
@@ -148,6 +151,8 @@ OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
   if (!foreign->values_file.empty())
     out.notes.push_back(say("the values of joints are those of %1", foreign->values_file));
   out.num_joints = foreign->num_joints;
+  for (const XmlFile& file : foreign->files) out.files.push_back(file.path);
+  if (!foreign->values_file.empty()) out.files.push_back(foreign->values_file);
   out.judged = judged_scene(*foreign);
   out.joints = joints_of(*foreign, out.judged);
   for (const Sentence& note : out.judged.notes) out.notes.push_back(note);

@@ -33,13 +33,16 @@ using NewPoses = std::map<ObjectId, Pose, SlotOrder>;
 
 /// A joint of a scene: see ForeignJoint.
 struct SceneJoint : JointToMove {
-  size_t number = 0;  // see ForeignJoint
-  Sentence held;      // why it cannot be moved; empty: it can
+  size_t number = 0;             // see ForeignJoint
+  Sentence held;                 // why it cannot be moved; empty: it can
+  std::vector<ObjectId> frames;  // that the first link hangs in; none: the world alone
+  double friction = 0;           // that holds it: newtons or newton metres
 };
 
 /// A scene and the way back into its files.
 struct OpenedScene {
-  std::string path, format;  // "MJCF", "URDF", "SDF", "glTF"
+  std::vector<std::string> files;  // that were read, but for meshes; the main one first
+  std::string path, format;        // "MJCF", "URDF", "SDF", "glTF"
   JudgedScene judged;
   std::vector<Sentence> notes;
   std::vector<Sentence> unread;  // the verdict then holds for a part

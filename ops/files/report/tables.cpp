@@ -3,9 +3,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/error.h"
+#include "core/base/extension.h"
 #include "core/io/atomic_file.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/models_of_shapes.h"
+#include "ops/files/report/npy.h"
 
 namespace trivet {
 namespace {
@@ -13,7 +16,7 @@ namespace {
 constexpr const char* kMatrix[3][4] = {
     {"m00", "m01", "m02", "m03"}, {"m10", "m11", "m12", "m13"}, {"m20", "m21", "m22", "m23"}};
 
-using Rows = std::vector<OrderedJson>;  // objects with the same keys each
+using TableRows = std::vector<OrderedJson>;  // objects with the same keys each
 
 void add_vector(OrderedJson& row, std::initializer_list<const char*> keys, const Vec3* v) {
   int i = 0;
@@ -38,8 +41,8 @@ void add_pose(OrderedJson& row, const Object& object) {
     }
 }
 
-Rows pose_rows(const Scene& scene) {
-  Rows rows;
+TableRows pose_rows(const Scene& scene) {
+  TableRows rows;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     OrderedJson row = {{"name", object.name},
@@ -61,8 +64,8 @@ Rows pose_rows(const Scene& scene) {
   return rows;
 }
 
-Rows contact_rows(const Scene& scene) {
-  Rows rows;
+TableRows contact_rows(const Scene& scene) {
+  TableRows rows;
   for (const ObjectId id : scene.ids()) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
@@ -83,7 +86,7 @@ Rows contact_rows(const Scene& scene) {
   return rows;
 }
 
-Rows rows_of(const Scene& scene, Table table) {
+TableRows rows_of(const Scene& scene, Table table) {
   return table == Table::Poses ? pose_rows(scene) : contact_rows(scene);
 }
 
@@ -161,13 +164,46 @@ std::string table_json_lines(const Scene& scene, Table table) {
   return out;
 }
 
+std::string table_npy(const Scene& scene, Table table) {
+  return npy_records(columns(table), rows_of(scene, table));
+}
+
+std::string arena_line(const Scene& scene, const std::string& id) {
+  OrderedJson poses = OrderedJson::object();
+  for (const ObjectId object_id : scene.ids()) {
+    const Object& object = scene.at(object_id);
+    if (!object.placed || object.fixed) continue;
+    const Vec3& p = object.pose.translation;
+    const Rotation& q = object.pose.rotation;
+    poses[object.name] = {{"position_xyz", {p.x(), p.y(), p.z()}},
+                          {"rotation_xyzw", {q.x, q.y, q.z, q.w}}};
+  }
+  if (poses.empty())
+    throw Error(Error::Kind::BadInput,
+                "no free object is placed; accepted: a scene with one, as a layout of Arena has "
+                "their poses");
+  const OrderedJson line = {{"variations",
+                             {{"scene.relation_placement",
+                               {{"layout_id", id}, {"source", "trivet"}, {"poses", poses}}}}}};
+  return line.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
 bool is_table_extension(const std::string& extension) {
-  return extension == ".csv" || extension == ".jsonl";
+  return extension == ".csv" || extension == ".jsonl" || extension == ".npy";
 }
 
 void write_table(const Scene& scene, Table table, const std::string& path) {
-  const bool csv = std::filesystem::path(path).extension() != ".jsonl";
-  write_file_atomically(path, csv ? table_csv(scene, table) : table_json_lines(scene, table));
+  const std::string extension = lower_extension(path);
+  if (table == Table::Arena) {
+    if (extension != ".jsonl")
+      throw Error(Error::Kind::BadInput,
+                  "%1: a layout of Arena is a line of JSON; accepted: .jsonl", path);
+    return write_file_atomically(path,
+                                 arena_line(scene, std::filesystem::path(path).stem().string()));
+  }
+  write_file_atomically(path, extension == ".npy"     ? table_npy(scene, table)
+                              : extension == ".jsonl" ? table_json_lines(scene, table)
+                                                      : table_csv(scene, table));
 }
 
 }  // namespace trivet

@@ -98,6 +98,9 @@ def prepare(folder, page):
         write_foreign_room(folder / "room.glb")
     if page == "guide/sessions.md":
         shutil.copy(CASES / "drawer.xml", "kitchen.xml")
+    if page == "guide/simulators.md":
+        program("settle", str(CASES / "drawer.xml"), "-o", "kitchen.xml")
+        shutil.copy(CASES / "drawer.urdf", "cabinet.urdf")
     if page == "guide/scenes-of-others.md":
         for name in ("robot.urdf", "world.sdf"):
             program("export", "breakfast.glb", "-o", name)

@@ -80,7 +80,7 @@ TEST(Partings, ThoseThatContradictEachOtherEnd) {
   const std::vector<Parting> between_walls{{0, std::nullopt, Vec2::UnitX(), 0.01},
                                            {0, std::nullopt, -Vec2::UnitX(), 0.02}};
   const double x = least_shifts(between_walls, 1)[0].x();
-  EXPECT_TRUE(x > -0.04 && x < 0.03) << x;
+  EXPECT_TRUE(x > -0.021 && x < 0.011) << x;
 }
 
 std::vector<Vec2> rectangle(const Vec2& half, const Vec2& at, double turn_deg = 0) {

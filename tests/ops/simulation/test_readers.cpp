@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/scene/transaction.h"
 #include "ops/simulation/simulated_scene.h"
 #include "ops/simulation/simulation.h"
 #include "support/temporary_folder.h"
@@ -32,10 +33,19 @@ void expect_same_pose(const Pose& pose, const Vec3& translation, const Rotation&
   EXPECT_LE((pose.rotation.matrix() - rotation.matrix()).norm(), tolerance);
 }
 
-/// A scene with names that are invalid in every format.
+/// A scene with names that are invalid in every format, and with letters of several scripts.
 SimulationExport exported(const TemporaryFolder& folder, const std::string& file) {
-  return export_simulation(convex_objects().scene, folder.file(file));
+  Scene scene = convex_objects().scene;
+  const std::vector<ObjectId> ids = scene.ids();
+  const std::vector<std::string> names = {"gr\u00fcne Tasse", "\u8336\u7897",
+                                          "\u043a\u0443\u0431\u043e\u043a \u2615"};
+  for (size_t i = 0; i < names.size(); ++i)
+    edit_object(scene, ids.at(ids.size() - 1 - i), [&](Object& o) { o.name = names[i]; });
+  return export_simulation(scene, folder.file(file));
 }
+
+const std::vector<std::string> kKeptNames = {"gr\u00fcne_Tasse", "\u8336\u7897",
+                                             "\u043a\u0443\u0431\u043e\u043a_\u2615"};
 
 TEST(Urdf, IsReadByUrdfdom) {
 #ifdef TRIVET_TEST_URDFDOM
@@ -48,6 +58,7 @@ TEST(Urdf, IsReadByUrdfdom) {
   ASSERT_TRUE(robot);
   EXPECT_EQ(robot->getRoot()->name, "world");
   EXPECT_EQ(robot->links_.size(), done.scene.bodies.size() + 2);  // world and floor
+  for (const std::string& name : kKeptNames) EXPECT_TRUE(robot->getLink(name)) << name;
   for (const SimulationBody& body : done.scene.bodies) {
     const auto link = robot->getLink(body.file_name);
     ASSERT_TRUE(link) << body.file_name;
@@ -79,6 +90,7 @@ TEST(Sdf, IsReadBySdformat) {
   ASSERT_EQ(root.WorldCount(), 1u);
   const sdf::World* const world = root.WorldByIndex(0);
   EXPECT_EQ(world->ModelCount(), done.scene.bodies.size() + 1);  // plus the floor
+  for (const std::string& name : kKeptNames) EXPECT_TRUE(world->ModelByName(name)) << name;
   for (const SimulationBody& body : done.scene.bodies) {
     const sdf::Model* const model = world->ModelByName(body.file_name);
     ASSERT_TRUE(model) << body.file_name;

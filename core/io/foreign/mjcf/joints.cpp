@@ -44,7 +44,7 @@ class JointAdder {
         if (out.moves.empty()) continue;
         if (m_tied.count(joint.name)) out.held = Sentence("an equality of the file holds it");
         if (!m_driven.count(joint.name) && !m_tied.count(joint.name))
-          note_if_gravity_moves(out, bodies_of(out), joint.friction, m_scene.notes);
+          note_if_gravity_moves(out, bodies_of(out), m_scene.notes);
         m_scene.joints.push_back(std::move(out));
       }
   }
@@ -56,7 +56,7 @@ class JointAdder {
     out.kind = turns ? ForeignJoint::Kind::Hinge : ForeignJoint::Kind::Slide;
     out.name = joint.name.empty() ? "joint of " + m_names[body] : joint.name;
     out.axis = at.axis, out.anchor = at.anchor;
-    out.lower = joint.lower, out.upper = joint.upper;
+    out.lower = joint.lower, out.upper = joint.upper, out.friction = joint.friction;
     out.number = joint.first_number;
     const double number = numbers[joint.first_number];
     out.value = turns ? number * (180 / std::numbers::pi) : number;
