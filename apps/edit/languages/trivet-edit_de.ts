@@ -3702,6 +3702,38 @@
         <source>the file does not say how it began</source>
         <translation>die Datei sagt nicht, wie es begann</translation>
     </message>
+    <message>
+        <source>it fits nowhere above its place</source>
+        <translation>es passt nirgends über seinen Platz</translation>
+    </message>
+    <message>
+        <source>no place near is free</source>
+        <translation>kein Platz in der Nähe ist frei</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; is not written: its link hangs in another one, too</source>
+        <translation>das Gelenk „%1“ wird nicht geschrieben: sein Glied hängt auch an einem anderen</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; is written as fixed: %2</source>
+        <translation>das Gelenk „%1“ wird als fest geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; would slide: friction of %2 N holds it</source>
+        <translation>das Gelenk „%1“ würde gleiten: Reibung von %2 N hält es</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; would swing: friction of %2 N m holds it</source>
+        <translation>das Gelenk „%1“ würde schwingen: Reibung von %2 N m hält es</translation>
+    </message>
+    <message>
+        <source>the time is over</source>
+        <translation>die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>there is no object %1; accepted: names of objects</source>
+        <translation>es gibt kein Objekt %1; erlaubt: Namen von Objekten</translation>
+    </message>
 </context>
 <context>
     <name>results</name>
@@ -3752,6 +3784,21 @@
     <message>
         <source>stopped at a drop deeper than %1</source>
         <translation>hält vor einer Kante, die tiefer abfällt als %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects moved, by %1 at most</source>
+        <translation>
+            <numerusform>%n Objekt bewegt, um höchstens %1</numerusform>
+            <numerusform>%n Objekte bewegt, um höchstens %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 supports kept</source>
+        <translation>%1 von %2 Auflagen erhalten</translation>
+    </message>
+    <message>
+        <source>%1 stays where it was: %2</source>
+        <translation>%1 bleibt, wo es war: %2</translation>
     </message>
 </context>
 <context>
@@ -4644,6 +4691,10 @@
     <message>
         <source>%1: stopped after %2 of %3, which stay</source>
         <translation>%1: nach %2 von %3 angehalten; diese bleiben</translation>
+    </message>
+    <message>
+        <source>%1: no object passes through another, and all are at rest</source>
+        <translation>%1: kein Objekt durchdringt ein anderes, und alle sind in Ruhe</translation>
     </message>
 </context>
 <context>
@@ -5654,6 +5705,22 @@
     <message>
         <source>Drape: let a cloth, a paper or a cable come down where you click</source>
         <translation>Drapieren: ein Tuch, ein Papier oder ein Kabel herabfallen lassen, wo Sie klicken</translation>
+    </message>
+    <message>
+        <source>&amp;Mend</source>
+        <translation>In &amp;Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>Mend: move what interpenetrates or floats as little as possible, so that everything rests on what it was meant to rest on; of several selected objects, these alone</source>
+        <translation>In Ordnung bringen: was sich durchdringt oder schwebt, so wenig wie möglich bewegen, damit alles auf dem ruht, worauf es gedacht war; sind mehrere Objekte gewählt, nur diese</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttle</source>
+        <translation>Zur &amp;Ruhe bringen</translation>
+    </message>
+    <message>
+        <source>Settle: let what floats or is sunk come to rest; of several selected objects, these alone</source>
+        <translation>Zur Ruhe bringen: was schwebt oder eingesunken ist, zur Ruhe kommen lassen; sind mehrere Objekte gewählt, nur diese</translation>
     </message>
 </context>
 <context>

@@ -248,7 +248,8 @@ void MainWindow::make_menus() {
                 "pick up now", "next contact", "",           "next way", "on its side", "upright",
                 "lean",        "turn left",    "turn right", "",         "snap"});
   object->addMenu(m_snap_menu);
-  add_menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange"});
+  add_menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange", "",
+                         "mend", "settle all"});
   make_view_menu();
   add_menu(tr("&Help"), {"quick actions", "two minutes", "shortcuts", "about"});
   make_context_menu();
