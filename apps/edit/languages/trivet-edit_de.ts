@@ -735,10 +735,6 @@
         <translation>16 hexadezimale Ziffern</translation>
     </message>
     <message>
-        <source>an operation or several</source>
-        <translation>eine Operation oder mehrere</translation>
-    </message>
-    <message>
         <source>%1; BVHs are used instead</source>
         <translation>%1; stattdessen antworten Boxbäume</translation>
     </message>
@@ -4127,6 +4123,13 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::ArrangeDock</name>
+    <message>
+        <source>Arrange</source>
+        <translation>Anordnen</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::ArrangePanel</name>
     <message>
         <source>Swap</source>
@@ -4366,6 +4369,56 @@
     <message>
         <source>Add a folder of models (.glb, .gltf, .obj, .stl, .ply, ...). Then drag them from here into a view, or double click one to take it in hand.</source>
         <translation>Fügen Sie einen Ordner mit Modellen hinzu (.glb, .gltf, .obj, .stl, .ply, ...). Ziehen Sie sie von hier in eine Ansicht, oder nehmen Sie eines mit Doppelklick in die Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::AssetDock</name>
+    <message>
+        <source>Models</source>
+        <translation>Modelle</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::BookmarkMenu</name>
+    <message>
+        <source>&amp;Bookmarks</source>
+        <translation>&amp;Lesezeichen</translation>
+    </message>
+    <message>
+        <source>View &amp;%1</source>
+        <translation>Ansicht &amp;%1</translation>
+    </message>
+    <message>
+        <source>Show the view stored as %1</source>
+        <translation>Die als %1 gemerkte Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Store as view %1</source>
+        <translation>Als Ansicht %1 merken</translation>
+    </message>
+    <message>
+        <source>Store the view under the mouse as %1</source>
+        <translation>Die Ansicht unter der Maus als %1 merken</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Three-view</source>
+        <translation>Dreitafel</translation>
+    </message>
+    <message>
+        <source>Constraint</source>
+        <translation>Zwangsbedingung</translation>
+    </message>
+    <message>
+        <source>View &amp;%1: %2</source>
+        <translation>Ansicht &amp;%1: %2</translation>
     </message>
 </context>
 <context>
@@ -4636,10 +4689,6 @@
 <context>
     <name>trivet::edit::MainWindow</name>
     <message>
-        <source>Models</source>
-        <translation>Modelle</translation>
-    </message>
-    <message>
         <source>New &amp;collection</source>
         <translation>Neue Samm&amp;lung</translation>
     </message>
@@ -4690,38 +4739,6 @@
     <message>
         <source>ungroup</source>
         <translation>Gruppe auflösen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
-        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
-    </message>
-    <message>
-        <source>In hand: %1</source>
-        <translation>In der Hand: %1</translation>
-    </message>
-    <message>
-        <source>Objects: %1</source>
-        <translation>Objekte: %1</translation>
-    </message>
-    <message>
-        <source>, selected: %1</source>
-        <translation>, ausgewählt: %1</translation>
-    </message>
-    <message>
-        <source> (last: %1)</source>
-        <translation> (zuletzt: %1)</translation>
-    </message>
-    <message>
-        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
-        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
-    </message>
-    <message>
-        <source>The scene as a whole, at the friction of the materials: %1</source>
-        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
     </message>
     <message>
         <source>%1, for simulators</source>
@@ -4786,46 +4803,6 @@
     <message>
         <source>None</source>
         <translation>Keine</translation>
-    </message>
-    <message>
-        <source>along the held edge of its contact with %1</source>
-        <translation>entlang der gehaltenen Kante am Kontakt mit %1</translation>
-    </message>
-    <message>
-        <source>along the normal at the held point of its contact with %1</source>
-        <translation>entlang der Normalen im gehaltenen Punkt am Kontakt mit %1</translation>
-    </message>
-    <message>
-        <source>along the normal of its contact with %1</source>
-        <translation>entlang der Normalen des Kontakts mit %1</translation>
-    </message>
-    <message>
-        <source>Control</source>
-        <translation>Steuerung</translation>
-    </message>
-    <message>
-        <source>Perspective</source>
-        <translation>Perspektive</translation>
-    </message>
-    <message>
-        <source>Three-view</source>
-        <translation>Dreitafel</translation>
-    </message>
-    <message>
-        <source>Constraint</source>
-        <translation>Zwangsbedingung</translation>
-    </message>
-    <message>
-        <source>z-lists of the motion</source>
-        <translation>z-Listen der Bewegung</translation>
-    </message>
-    <message>
-        <source>from above</source>
-        <translation>von oben</translation>
-    </message>
-    <message>
-        <source>the floor</source>
-        <translation>dem Boden</translation>
     </message>
     <message>
         <source>%1: there is none to put</source>
@@ -5440,46 +5417,6 @@
         <translation>Der nächste Kontakt des aktiven Objekts: das Zwangsfenster blickt daran entlang, und Schieben folgt ihm, auch an Wänden</translation>
     </message>
     <message>
-        <source>S&amp;nap</source>
-        <translation>&amp;Einrasten</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
-    </message>
-    <message>
-        <source>Snap: to corners, edges, faces, the grid and steps of angles; Control turns it over during a drag</source>
-        <translation>Einrasten: an Ecken, Kanten, Flächen, Gitter und Winkelschritten; Strg kehrt es beim Ziehen um</translation>
-    </message>
-    <message>
-        <source>Sna&amp;p to</source>
-        <translation>Einrasten &amp;an</translation>
-    </message>
-    <message>
-        <source>&amp;Corners</source>
-        <translation>&amp;Ecken</translation>
-    </message>
-    <message>
-        <source>&amp;Edges</source>
-        <translation>&amp;Kanten</translation>
-    </message>
-    <message>
-        <source>&amp;Faces</source>
-        <translation>&amp;Flächen</translation>
-    </message>
-    <message>
-        <source>The &amp;grid</source>
-        <translation>&amp;Gitter</translation>
-    </message>
-    <message>
-        <source>While the magnet or Control is on</source>
-        <translation>Solange der Magnet an oder Strg gedrückt ist</translation>
-    </message>
-    <message>
-        <source>&amp;Steps…</source>
-        <translation>&amp;Schritte…</translation>
-    </message>
-    <message>
         <source>&amp;Section: cut away what is in front</source>
         <translation>&amp;Schnitt: wegschneiden, was davor steht</translation>
     </message>
@@ -5490,54 +5427,6 @@
     <message>
         <source>Section: the window under the mouse cuts away what stands in front of the active object; Control and the wheel move the plane</source>
         <translation>Schnitt: das Fenster unter der Maus schneidet weg, was vor dem aktiven Objekt steht; Strg und das Rad verschieben die Ebene</translation>
-    </message>
-    <message>
-        <source>Section</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Cut away what hides the active object (X); Control and the wheel move the plane</source>
-        <translation>Wegschneiden, was das aktive Objekt verdeckt (X); Strg und das Rad verschieben die Ebene</translation>
-    </message>
-    <message>
-        <source>Cut away what stands in front of the active object (X); Control and the wheel move the plane</source>
-        <translation>Wegschneiden, was vor dem aktiven Objekt steht (X); Strg und das Rad verschieben die Ebene</translation>
-    </message>
-    <message>
-        <source>&amp;Bookmarks</source>
-        <translation>&amp;Lesezeichen</translation>
-    </message>
-    <message>
-        <source>View &amp;%1</source>
-        <translation>Ansicht &amp;%1</translation>
-    </message>
-    <message>
-        <source>Show the view stored as %1</source>
-        <translation>Die als %1 gemerkte Ansicht zeigen</translation>
-    </message>
-    <message>
-        <source>Store as view %1</source>
-        <translation>Als Ansicht %1 merken</translation>
-    </message>
-    <message>
-        <source>Store the view under the mouse as %1</source>
-        <translation>Die Ansicht unter der Maus als %1 merken</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>View &amp;%1: %2</source>
-        <translation>Ansicht &amp;%1: %2</translation>
-    </message>
-    <message>
-        <source>Stored as view %1: Alt+%1 shows it again</source>
-        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
-    </message>
-    <message>
-        <source>Arrange</source>
-        <translation>Anordnen</translation>
     </message>
     <message>
         <source>&amp;Arrange…</source>
@@ -5589,10 +5478,6 @@
     <message>
         <source>colour</source>
         <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Detection: %1</source>
-        <translation>Erkennung: %1</translation>
     </message>
     <message>
         <source>&amp;Quick actions…</source>
@@ -6431,6 +6316,49 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::SnapMenu</name>
+    <message>
+        <source>Sna&amp;p to</source>
+        <translation>Einrasten &amp;an</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>&amp;Einrasten</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Snap: to corners, edges, faces, the grid and steps of angles; Control turns it over during a drag</source>
+        <translation>Einrasten: an Ecken, Kanten, Flächen, Gitter und Winkelschritten; Strg kehrt es beim Ziehen um</translation>
+    </message>
+    <message>
+        <source>&amp;Corners</source>
+        <translation>&amp;Ecken</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>&amp;Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Faces</source>
+        <translation>&amp;Flächen</translation>
+    </message>
+    <message>
+        <source>The &amp;grid</source>
+        <translation>&amp;Gitter</translation>
+    </message>
+    <message>
+        <source>While the magnet or Control is on</source>
+        <translation>Solange der Magnet an oder Strg gedrückt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Steps…</source>
+        <translation>&amp;Schritte…</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::StartPage</name>
     <message>
         <source>A breakfast table of 24 objects</source>
@@ -6545,10 +6473,111 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::StatusLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
+        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
+    </message>
+    <message>
+        <source>Stored as view %1: Alt+%1 shows it again</source>
+        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>In hand: %1</source>
+        <translation>In der Hand: %1</translation>
+    </message>
+    <message>
+        <source>Objects: %1</source>
+        <translation>Objekte: %1</translation>
+    </message>
+    <message>
+        <source>, selected: %1</source>
+        <translation>, ausgewählt: %1</translation>
+    </message>
+    <message>
+        <source> (last: %1)</source>
+        <translation> (zuletzt: %1)</translation>
+    </message>
+    <message>
+        <source>Detection: %1</source>
+        <translation>Erkennung: %1</translation>
+    </message>
+    <message>
+        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
+        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The scene as a whole, at the friction of the materials: %1</source>
+        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::ViewFrame</name>
     <message>
         <source>Double click to maximise this window, and to restore it</source>
         <translation>Doppelklick maximiert dieses Fenster und stellt es wieder her</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::Workspace</name>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Three-view</source>
+        <translation>Dreitafel</translation>
+    </message>
+    <message>
+        <source>Constraint</source>
+        <translation>Zwangsbedingung</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut away what hides the active object (X); Control and the wheel move the plane</source>
+        <translation>Wegschneiden, was das aktive Objekt verdeckt (X); Strg und das Rad verschieben die Ebene</translation>
+    </message>
+    <message>
+        <source>Cut away what stands in front of the active object (X); Control and the wheel move the plane</source>
+        <translation>Wegschneiden, was vor dem aktiven Objekt steht (X); Strg und das Rad verschieben die Ebene</translation>
+    </message>
+    <message>
+        <source>along the held edge of its contact with %1</source>
+        <translation>entlang der gehaltenen Kante am Kontakt mit %1</translation>
+    </message>
+    <message>
+        <source>along the normal at the held point of its contact with %1</source>
+        <translation>entlang der Normalen im gehaltenen Punkt am Kontakt mit %1</translation>
+    </message>
+    <message>
+        <source>along the normal of its contact with %1</source>
+        <translation>entlang der Normalen des Kontakts mit %1</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::ZListDock</name>
+    <message>
+        <source>z-lists of the motion</source>
+        <translation>z-Listen der Bewegung</translation>
     </message>
 </context>
 <context>

@@ -98,7 +98,6 @@ void MainWindow::reset_looks(const QString& name, bool Look::*field) {
 }
 
 void MainWindow::make_many_actions() {
-  make_arrange_action();
   add_action(
       "array", tr("&Array…"), tr("Ctrl+Shift+D"), [this] { make_array(); },
       tr("Array: copies in a line, a grid or a circle"));
