@@ -15,6 +15,7 @@ constexpr int kColumns = 28, kFewColumns = 14;
 constexpr double kFirstTolerance = 0.02, kLeastTolerance = 0.002, kMostTolerance = 0.06;
 constexpr double kGapsToTolerance = 3.5;  // times the median gap
 constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimit = 5;
+constexpr double kNearShare = 0.35;    // of the tolerance: what is hardly off
 constexpr double kLeastShare = 0.12;   // of a support
 constexpr double kInsideShare = 0.45;  // of columns within the container
 
@@ -185,7 +186,8 @@ class IntentFinder {
     const double least =
         std::min(mine.upper.z() - mine.lower.z(), other.upper.z() - other.lower.z());
     // A stack overlaps little in height and much seen from above; neighbours do the opposite.
-    return height > 0.3 * least && common.minCoeff() < height && share < 0.6;
+    const double across = common.minCoeff();
+    return height > 0.3 * least && across < height && (share < 0.6 || across < 0.5 * height);
   }
 
   void find_below(Looked& l) {
@@ -228,23 +230,32 @@ class IntentFinder {
     Support on;
   };
 
-  void find_supports(Looked& l) {
-    std::vector<Gap> gaps;
+  std::vector<Gap> gaps_of(const Looked& l) const {
+    std::vector<Gap> out;
     for (const Column& c : l.columns.columns)
-      if (const auto owner = owner_of(l, c)) gaps.push_back(*owner);
-    l.intent.on.clear();
-    if (gaps.empty()) return;
+      if (const auto owner = owner_of(l, c)) out.push_back(*owner);
+    return out;
+  }
+
+  // The smallest gaps tell where the object touches; a few of the least are noise.
+  static double first_of(const std::vector<Gap>& gaps) {
     std::vector<double> values;
     values.reserve(gaps.size());
     for (const Gap& g : gaps) values.push_back(g.gap);
-    // The smallest gaps tell where the object touches; a few of the least are noise.
-    const double first = at_share(values, 0.03);
+    return at_share(values, 0.03);
+  }
+  // Columns nearly as near share the weight.
+  double near_to(double first) const { return first + std::max(kNearShare * m_tolerance, 0.0015); }
+
+  void find_supports(Looked& l) const {
+    const std::vector<Gap> gaps = gaps_of(l);
+    l.intent.on.clear();
+    if (gaps.empty()) return;
+    const double first = first_of(gaps);
     l.intent.gap = std::min(first, gap_of_feet(l).value_or(first));
-    // Columns nearly as near share the weight.
-    const double near = first + std::max(0.35 * m_tolerance, 0.0015);
     double total = 0;
     for (const Gap& g : gaps) {
-      if (g.gap > near) continue;
+      if (g.gap > near_to(first)) continue;
       total += 1;
       const auto known = std::find_if(l.intent.on.begin(), l.intent.on.end(),
                                       [&](const IntendedSupport& s) { return s.on == g.on; });
@@ -285,16 +296,31 @@ class IntentFinder {
     return Gap{c.low - top, *owner};
   }
 
-  // Feet may be thinner than a column: the lowest vertex over the floor.
+  // Feet, and covers of books, may be thinner than a column: vertices below all columns, over what
+  // the nearest column finds.
   std::optional<double> gap_of_feet(const Looked& l) const {
-    const auto only_floor = [&] {
-      return std::none_of(l.columns.columns.begin(), l.columns.columns.end(), [&](const Column& c) {
-        const auto owner = owner_of(l, c);
-        return owner && owner->on.is_object();
-      });
-    };
-    if (!m_scene.floor || l.intent.inside || !only_floor()) return std::nullopt;
-    return body_of(m_scene.at(l.intent.id), l.intent.level).world_box.lower.z();
+    const double low = lowest(l);
+    const Body body = body_of(m_scene.at(l.intent.id), l.intent.level);
+    std::optional<double> out;
+    for (Index v = 0; v < static_cast<Index>(body.shape->mesh.vertices.size()); ++v) {
+      const Vec3 foot = body.vertex(v);
+      if (foot.z() >= low) continue;
+      const auto top = top_near(l, foot.head<2>());
+      if (top && *top <= foot.z() + m_tolerance)
+        out = std::min(out.value_or(kInfinity), foot.z() - *top);
+    }
+    return out;
+  }
+
+  std::optional<double> top_near(const Looked& l, const Vec2& at) const {
+    std::optional<double> out;
+    double nearest = kInfinity;
+    for (const Column& c : l.columns.columns) {
+      const double apart = (c.at - at).squaredNorm();
+      if (apart >= nearest) continue;
+      if (const auto owner = owner_of(l, c)) nearest = apart, out = c.low - owner->gap;
+    }
+    return out;
   }
 
   const Scene& m_scene;

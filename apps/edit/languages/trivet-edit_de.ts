@@ -3702,6 +3702,38 @@
         <source>the file does not say how it began</source>
         <translation>die Datei sagt nicht, wie es begann</translation>
     </message>
+    <message>
+        <source>it fits nowhere above its place</source>
+        <translation>es passt nirgends über seinen Platz</translation>
+    </message>
+    <message>
+        <source>no place near is free</source>
+        <translation>kein Platz in der Nähe ist frei</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; is not written: its link hangs in another one, too</source>
+        <translation>das Gelenk „%1“ wird nicht geschrieben: sein Glied hängt auch an einem anderen</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; is written as fixed: %2</source>
+        <translation>das Gelenk „%1“ wird als fest geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; would slide: friction of %2 N holds it</source>
+        <translation>das Gelenk „%1“ würde gleiten: Reibung von %2 N hält es</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; would swing: friction of %2 N m holds it</source>
+        <translation>das Gelenk „%1“ würde schwingen: Reibung von %2 N m hält es</translation>
+    </message>
+    <message>
+        <source>the time is over</source>
+        <translation>die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>there is no object %1; accepted: names of objects</source>
+        <translation>es gibt kein Objekt %1; erlaubt: Namen von Objekten</translation>
+    </message>
 </context>
 <context>
     <name>results</name>
@@ -3752,6 +3784,21 @@
     <message>
         <source>stopped at a drop deeper than %1</source>
         <translation>hält vor einer Kante, die tiefer abfällt als %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects moved, by %1 at most</source>
+        <translation>
+            <numerusform>%n Objekt bewegt, um höchstens %1</numerusform>
+            <numerusform>%n Objekte bewegt, um höchstens %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 supports kept</source>
+        <translation>%1 von %2 Auflagen erhalten</translation>
+    </message>
+    <message>
+        <source>%1 stays where it was: %2</source>
+        <translation>%1 bleibt, wo es war: %2</translation>
     </message>
 </context>
 <context>
@@ -4644,6 +4691,10 @@
     <message>
         <source>%1: stopped after %2 of %3, which stay</source>
         <translation>%1: nach %2 von %3 angehalten; diese bleiben</translation>
+    </message>
+    <message>
+        <source>%1: no object passes through another, and all are at rest</source>
+        <translation>%1: kein Objekt durchdringt ein anderes, und alle sind in Ruhe</translation>
     </message>
 </context>
 <context>
@@ -5655,6 +5706,22 @@
         <source>Drape: let a cloth, a paper or a cable come down where you click</source>
         <translation>Drapieren: ein Tuch, ein Papier oder ein Kabel herabfallen lassen, wo Sie klicken</translation>
     </message>
+    <message>
+        <source>&amp;Mend</source>
+        <translation>In &amp;Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>Mend: move what interpenetrates or floats as little as possible, so that everything rests on what it was meant to rest on; of several selected objects, these alone</source>
+        <translation>In Ordnung bringen: was sich durchdringt oder schwebt, so wenig wie möglich bewegen, damit alles auf dem ruht, worauf es gedacht war; sind mehrere Objekte gewählt, nur diese</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttle</source>
+        <translation>Zur &amp;Ruhe bringen</translation>
+    </message>
+    <message>
+        <source>Settle: let what floats or is sunk come to rest; of several selected objects, these alone</source>
+        <translation>Zur Ruhe bringen: was schwebt oder eingesunken ist, zur Ruhe kommen lassen; sind mehrere Objekte gewählt, nur diese</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::MessageBar</name>
@@ -6638,6 +6705,49 @@
     <message>
         <source>A towel on a peg</source>
         <translation>Ein Handtuch an einem Haken</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::StatusLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
+        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
+    </message>
+    <message>
+        <source>Stored as view %1: Alt+%1 shows it again</source>
+        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>In hand: %1</source>
+        <translation>In der Hand: %1</translation>
+    </message>
+    <message>
+        <source>Objects: %1</source>
+        <translation>Objekte: %1</translation>
+    </message>
+    <message>
+        <source>, selected: %1</source>
+        <translation>, ausgewählt: %1</translation>
+    </message>
+    <message>
+        <source> (last: %1)</source>
+        <translation> (zuletzt: %1)</translation>
+    </message>
+    <message>
+        <source>Detection: %1</source>
+        <translation>Erkennung: %1</translation>
+    </message>
+    <message>
+        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
+        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The scene as a whole, at the friction of the materials: %1</source>
+        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
     </message>
 </context>
 <context>
