@@ -237,7 +237,7 @@ std::optional<Rotation> turn_to_parallel(const std::vector<Vec2>& outline,
                                          const std::vector<Vec2>& other, double most_deg) {
   const Side mine = side_of(outline), theirs = side_of(other);
   if (std::min(mine.filled, theirs.filled) < kRectangleShare) return std::nullopt;
-  // Of the four directions of the other's sides the nearest one counts.
+  // The nearest of the four directions of the other's sides counts.
   Vec2 to = theirs.way;
   Vec2 way = to;
   for (int k = 0; k < 3; ++k) {
