@@ -284,6 +284,7 @@ print(json.dumps({"simulator": "Engine of " + seconds + " s", "objects": objects
 
     def test_programs_that_fail(self):
         self.scene()
+        self.trivet("export", "s.glb", "-o", "s.xml")  # the scene is written before a program fails
         command = ("export", "s.glb", "-o", "s.xml", "--simulate", 1, "--simulator")
         self.refused(*command, self.path("none"), says="does not start", status=3)
         self.refused(*command, self.engine("#!/bin/sh\necho no such scene >&2\nexit 3\n"),

@@ -6751,6 +6751,49 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::StatusLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
+        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
+    </message>
+    <message>
+        <source>Stored as view %1: Alt+%1 shows it again</source>
+        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>In hand: %1</source>
+        <translation>In der Hand: %1</translation>
+    </message>
+    <message>
+        <source>Objects: %1</source>
+        <translation>Objekte: %1</translation>
+    </message>
+    <message>
+        <source>, selected: %1</source>
+        <translation>, ausgewählt: %1</translation>
+    </message>
+    <message>
+        <source> (last: %1)</source>
+        <translation> (zuletzt: %1)</translation>
+    </message>
+    <message>
+        <source>Detection: %1</source>
+        <translation>Erkennung: %1</translation>
+    </message>
+    <message>
+        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
+        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The scene as a whole, at the friction of the materials: %1</source>
+        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::ViewFrame</name>
     <message>
         <source>Double click to maximise this window, and to restore it</source>

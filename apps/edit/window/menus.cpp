@@ -243,10 +243,10 @@ void MainWindow::make_menus() {
        "group",       "ungroup", "", "collect",   "uncollect", "",       "preferences"});
   QMenu* const object =
       add_menu(tr("&Object"),
-               {"select",       "put",        "push",     "turn",        "pick up",   "move",
-                "rotate",       "paint",      "",         "put here",    "take next", "pick up now",
-                "next contact", "",           "next way", "on its side", "upright",   "lean",
-                "turn left",    "turn right", "",         "snap"});
+               {"select",      "put",          "push",       "turn",     "pick up",     "move",
+                "rotate",      "paint",        "drape",      "",         "put here",    "take next",
+                "pick up now", "next contact", "",           "next way", "on its side", "upright",
+                "lean",        "turn left",    "turn right", "",         "snap"});
   object->addMenu(m_snap_menu);
   add_menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange", "",
                          "mend", "settle all"});
@@ -261,12 +261,13 @@ void MainWindow::make_tool_bar() {
   bar->setMovable(false);
   bar->setIconSize(QSize(20, 20));
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
-  m_actions.fill(*bar, {"new",    "open", "save", "import", "",         "undo",   "redo",   "",
-                        "select", "put",  "push", "turn",   "pick up",  "move",   "rotate", "paint",
-                        "",       "snap", "",     "frame",  "maximise", "picture"});
+  m_actions.fill(*bar,
+                 {"new",    "open", "save", "import", "",        "undo",     "redo",   "",
+                  "select", "put",  "push", "turn",   "pick up", "move",     "rotate", "paint",
+                  "drape",  "",     "snap", "",       "frame",   "maximise", "picture"});
   m_snap_menu->dress_button(*bar);
   for (const char* const name :
-       {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint"})
+       {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint", "drape"})
     if (auto* const button = qobject_cast<QToolButton*>(bar->widgetForAction(action(name))))
       button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
