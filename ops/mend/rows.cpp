@@ -42,7 +42,7 @@ std::vector<Placement> spread_row(const Scene& scene, std::vector<Placement> row
                                   double tolerance, double most_turn_deg) {
   Spread spread = spread_above(scene, row, tolerance);
   if (!spread.free || spread.farthest > tolerance) {
-    // An object that lacks room may have been turned by the noise.
+    // The noise may have turned what lacks room.
     std::vector<Placement> straight = straightened(scene, row, on, most_turn_deg);
     Spread other = spread_above(scene, straight, tolerance);
     const bool is_better = std::make_pair(!other.free, other.farthest) <

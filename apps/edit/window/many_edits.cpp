@@ -21,7 +21,7 @@ constexpr NamedColour kColours[] = {
     {QT_TR_NOOP("Purple"), {0.80f, 0.47f, 0.65f}}, {QT_TR_NOOP("Grey"), {0.55f, 0.55f, 0.55f}},
 };
 
-// Repairs the selected objects where there are several, else all.
+// The selected objects may move where there are several, else all may.
 Operation repair_of(bool mends, const std::vector<std::string>& selected) {
   RepairOperation out;
   out.mends = mends;

@@ -369,22 +369,5 @@ TEST_F(Many, RepairsOfATrueSceneAreNoStep) {
   }
 }
 
-TEST_F(Many, MendingNamesWhatHasNoPlace) {
-  write_boxes(folder.file("rock.obj"), {{{-0.5, -0.5, 0}, {0.5, 0.5, 1}}});
-  document.import(folder.file("rock.obj"), "rock", true);
-  TranslateOperation under;
-  under.object = "box";
-  under.by = Vec3(0, 0, 0.4);
-  under.free = true;
-  document.done(document->perform(under));
-  RepairOperation mend;
-  mend.mends = true;
-  document.forget();
-  document.done(document->perform(mend));
-  EXPECT_NE(document.last_text().find("\"box\" stays where it was: "), std::string::npos)
-      << document.last_text();
-  EXPECT_EQ(document.messages().back().kind, Message::Kind::Warning);
-}
-
 }  // namespace
 }  // namespace trivet::edit::test
