@@ -244,7 +244,7 @@ Operation Attempt::drawn_move(const RecipeMove& move, const std::string& object,
   return push;
 }
 
-// What lies on what is draped over is covered, too.
+// It covers the things that lie on it, too.
 void Attempt::drape_over_each(const RecipeMove& move, const std::string& name) {
   const std::vector<std::string> objects = movable(move.group);
   for (size_t i = 0; i < objects.size(); ++i) {
