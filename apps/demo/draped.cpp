@@ -47,7 +47,7 @@ DemoLayout make_towel() {
   DrapeOperation towel;
   towel.object = towel.material = "towel";
   towel.size = Vec2(0.45, 0.70);
-  towel.cell = 0.03;
+  towel.cell = 0.029;
   towel.start.rotation = turned(Vec3::UnitY(), -33) * turned(Vec3::UnitX(), 90);
   const Vec3 corner(0, -0.06, shapes::kPegHeight - 0.01);
   towel.start.translation =

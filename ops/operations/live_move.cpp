@@ -113,7 +113,7 @@ class LiveMove::Hand {
   }
 
  private:
-  // The cloths and leads that the object holds come along by DRAPE.
+  // Cables that the object holds come along by DRAPE.
   OperationResult perform_anew(Transaction& transaction) {
     m_push.reset(), m_planner.reset();
     return perform(transaction, m_operation, m_run.options, m_context);

@@ -53,6 +53,17 @@ void add_leg(const SceneSnapshot& scene, const Vec3& to, std::vector<Vec3>& path
   path.push_back(to);
 }
 
+bool is_above(const Vec3& a, const Vec3& b) { return a.head<2>() == b.head<2>(); }
+
+/// A cable that goes down and up in one place would touch itself; it falls there by itself.
+void cut_spikes(std::vector<Vec3>& path) {
+  for (size_t i = 1; i + 1 < path.size();)
+    if (is_above(path[i - 1], path[i]) && is_above(path[i], path[i + 1]))
+      path.erase(path.begin() + static_cast<long>(i));
+    else
+      ++i;
+}
+
 std::array<Vec3, 4> corners_of(const DrapeOperation& o) {
   const Affine world = world_from_object(o.start, UpAxis::Z, 1);
   const Vec2 half = *o.size / 2;
@@ -101,6 +112,7 @@ std::vector<Vec3> DrapeTool::path(const std::vector<Corner>& corners) const {
   std::vector<Vec3> out{corners.front().point};
   for (size_t i = 1; i < corners.size(); ++i)
     add_leg(*m_document.snapshot(), corners[i].point, out);
+  cut_spikes(out);
   if (out.size() > corners.size()) return out;
   return cable_path_of_length(out, (1 + m_options.drape_slack) * length_of(out));
 }

@@ -217,6 +217,15 @@ TEST(Demo, DrapesADesk) {
   EXPECT_GT(paper.upper.z(), shapes::kDeskHeight);
 }
 
+// Flat before the wall it would be 0.76 m wide, and unstable.
+TEST(Demo, HangsATowelInFolds) {
+  const LayoutRun result = run(make_demo("towel"));
+  const ObjectId id = *result.scene.find("towel");
+  EXPECT_TRUE(result.scene.at(id).flexible->certificate.stable);
+  const Aabb box = result.scene.world_box(id);
+  EXPECT_LT(box.upper.x() - box.lower.x(), 0.5);
+}
+
 TEST(Demo, FurnishesOfficeWithAllSixOperations) {
   std::set<std::string> used;
   for (const Operation& op : make_demo("office2").layout.operations) used.insert(op_name(op));

@@ -17,6 +17,7 @@ class Draping : public testing::Test {
     toolbox.take(ToolKind::Drape);
     toolbox.options().drape_width = 0.8;
     toolbox.options().drape_length = 0.6;
+    toolbox.options().drape_cell = 0.05;
     QObject::connect(&*document, &Document::snapshot_changed, [this] {
       const auto& falling = document->snapshot()->falling;
       if (falling) heights.push_back(world_box_of(*falling));
