@@ -1,3 +1,5 @@
+#include "ops/simulation/simulation.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <deque>
@@ -20,7 +22,6 @@
 #include "ops/simulation/overlaps.h"
 #include "ops/simulation/part_cache.h"
 #include "ops/simulation/shells.h"
-#include "ops/simulation/simulation.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
