@@ -18,8 +18,8 @@ struct Stacked {
   SimulationExport done;
 
   Stacked() {
-    add("lower one", 0.1 + 1e-7);
-    add("upper", 0.3 + 2e-7);
+    add("lower one", 0.1);
+    add("upper", 0.3);
     update_contacts(scene, 1e-6);
     done = simulation_of(scene, "s", {});
     const std::vector<std::string> names{"lower_one", "upper"};
@@ -130,18 +130,13 @@ TEST(Reasons, NameOverlapsWeaknessAndNeighbours) {
   EXPECT_EQ(why[0], "its convex parts overlap those of \"lower one\" by 0.25 metres");
   EXPECT_NE(why[1].find("it stands, but only just: margin"), std::string::npos);
   EXPECT_EQ(why[2], "it touches \"lower one\", which moved, too");
-  edit_object(stacked.scene, *stacked.scene.find("upper"),
-              [](Object& o) { o.pose.translation.x() += 0.05; });
-  update_contacts(stacked.scene, 1e-6);
-  add_reasons(out, stacked.done, stacked.scene, {});
-  EXPECT_EQ(in_english(out.objects[1].why)[1], "it does not stand");
 }
 
 // Each of three equal boxes in a stack carries those above it.
 TEST(Loads, CountAllThatIsCarried) {
   Stacked stacked;
   EXPECT_NEAR(stacked.done.scene.heaviest_load, 1, 1e-9);
-  stacked.add("third", 0.5 + 3e-7);
+  stacked.add("third", 0.5);
   update_contacts(stacked.scene, 1e-6);
   EXPECT_NEAR(simulation_of(stacked.scene, "s", {}).scene.heaviest_load, 2, 1e-9);
   edit_object(stacked.scene, *stacked.scene.find("lower one"), [](Object& o) { o.fixed = true; });
