@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/base/logarithm.h"
 #include "ops/mend/attitudes.h"
 #include "ops/mend/intent_order.h"
 
@@ -205,7 +206,7 @@ class IntentFinder {
       if (!down) continue;
       const double score =
           ((up ? std::abs(*up) : 4 * m_tolerance) - std::abs(*down)) / m_tolerance +
-          std::log(area(*o) / area(l));
+          natural_logarithm(area(*o) / area(l));
       if (score > 0 || (score == 0 && l.intent.id.index > other.index)) l.above.insert(other.index);
     }
   }
