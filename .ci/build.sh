@@ -14,7 +14,7 @@ if command -v ccache >/dev/null; then
 fi
 # A whole build is faster as a unity build of large units; folders that are configured keep what they have.
 unity=()
-[ -e "build/$preset/CMakeCache.txt" ] || unity=(-DTRIVET_UNITY=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=24)
+[ -e "build/$preset/CMakeCache.txt" ] || unity=(-DTRIVET_UNITY=ON)
 cmake --preset "$preset" "${unity[@]}" "$@"
 read -ra targets <<<"${TRIVET_TARGET:-all}"
 cmake --build --preset "$preset" --target "${targets[@]}" --parallel "$(nproc)" -- -k 0

@@ -53,6 +53,11 @@ def openings():
     return count
 
 
+def members(path):
+    """Members of the classes in a header, by their names."""
+    return len(set(re.findall(r"\bm_\w+", "\n".join(lines(path)))))
+
+
 def naming(word):
     pattern = re.compile(r"\b%s\b" % word)
     return sum(any(pattern.search(line) for line in lines(p)) for p in files(".h", ".cpp", ".py", ".js", ".json"))
@@ -73,6 +78,7 @@ def main():
     row("the same: bodies", comments_per_hundred(files(".cpp")))
     row("comments that open without a subject", openings())
     row("product files naming step_up", naming("step_up"))
+    row("members of the classes in a header, at most", max(map(members, files(".h"))))
 
 
 main()

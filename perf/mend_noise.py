@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """Mending of perturbed scenes: which share of "rests on" comes back, how far objects move. Markdown.
 
-    perf/mend_noise.py TRIVET [--demos breakfast office1 ...] [--scenes FILE.glb ...] [--noise 1 5 20] [--runs 1] [--node FOLDER]
+    perf/mend_noise.py TRIVET [--demos breakfast bookcase@3 ...] [--heaps 10 20 ...] [--scenes FILE.glb ...] [--noise 1 5 20]
+                       [--runs 1] [--node FOLDER] [--lost]
+
+A demo with a number behind @ is the arrangement by that seed. A heap has so many things of a breakfast in any orientation.
 
 Every free object of a demo is moved by a normal deviate on each axis (mm) and turned about a random axis (1, 3 and 10 degrees at 1, 5
 and 20 mm). Then the scene is mended, judged, and its supports are compared with those that it had. The scenes are driven by
 `trivet mcp`. With --node, a folder with node_modules/@mujoco/mujoco and a copy of rest.mjs, MuJoCo moves the same bad states for 2 s;
-there a support counts as kept if the two touch or are in each other at the end."""
+there a support counts as kept if the two touch or are in each other at the end. "Near" is the share of objects that are moved by
+no more than twice the median length of the noise. --lost names the supports that got lost."""
 import argparse
 import json
 import math
@@ -17,11 +21,15 @@ import re
 import shutil
 import statistics
 import subprocess
+import sys
+import tarfile
 import tempfile
 
 DEGREES = {1: 1, 5: 3, 20: 10}
 SECONDS = 300  # of a mending, at most
 TIPPED = 45  # degrees
+MEDIAN_LENGTH = 1.54  # of a shift whose three parts are normal with a deviation of 1
+IN_HEAPS = ["apple", "banana", "cup", "egg", "egg_cup", "glass", "jug", "loaf", "saucer", "spoon", "toast"]
 
 
 class Agent:
@@ -47,6 +55,28 @@ class Agent:
             data = self.call("list", first=len(out))
             out, count = out + data["objects"], data["count"]
         return {one["object"]: one for one in out}
+
+
+def make_demo(program, name, folder):
+    demo, _, seed = name.partition("@")
+    subprocess.run([program, "demo", demo, *(["--seed", seed] if seed else []), "-o", f"{folder}/{name}.glb", "--quiet"], check=True)
+
+
+def make_heap(program, size, folder):
+    """Things of the demo BREAKFAST, let fall onto the floor and onto each other."""
+    name, models = "heap-%d" % size, pathlib.Path(folder) / "models"
+    subprocess.run([program, "demo", "breakfast", "-o", f"{folder}/export.glb", "--export", str(models), "--quiet"], check=True)
+    found = [{"model": file.name} for file in sorted(models.iterdir()) if file.stem in IN_HEAPS and file.suffix != ".json"]
+    group = {"name": "heap", "models": found, "count": size, "rotation": "any",
+             "heap": {"radius": 0.02 * size ** 0.5, "height": 0.1, "rise": 0.1}}
+    (models / "heap.json").write_text(json.dumps({"trivet_recipe": 1, "groups": [group]}))
+    out = pathlib.Path(folder) / (name + " batch")
+    subprocess.run([program, "batch", str(models / "heap.json"), "--count", "1", "--with", "scene", "--jobs", "1", "--out", str(out)],
+                   check=True, stdout=subprocess.DEVNULL)
+    with tarfile.open(next(out.rglob("*.tar"))) as tar:
+        scene = next(member for member in tar.getmembers() if member.name.endswith(".glb"))
+        (pathlib.Path(folder) / (name + ".glb")).write_bytes(tar.extractfile(scene).read())
+    return name
 
 
 def perturb(agent, free, noise, generator):
@@ -114,12 +144,18 @@ def run(arguments, folder, demo, noise, seed):
     mended = agent.call("mend", seconds=SECONDS)
     seconds = agent.processor_seconds() - begin
     verdict = agent.call("check")
-    kept = edges(before) & edges(agent.objects())
+    after = agent.objects()
+    kept = edges(before) & edges(after)
+    if arguments.lost:
+        for name, below in sorted(edges(before) - kept):
+            print("%s, %d mm, run %d: %s was on %s, is on %s" % (demo, noise, seed, name, below, ", ".join(after[name].get("on", []))),
+                  file=sys.stderr)
     agent.server.stdin.close()
     agent.server.wait()
     ways = [1000 * one["metres"] for one in mended["moved"]]
+    far = sum(way > 2 * MEDIAN_LENGTH * noise for way in ways)
     out = {"kept": len(kept), "edges": len(edges(before)), "free": len(free), "unable": len(mended["unable"]),
-           "tipped": sum(one["degrees"] > TIPPED for one in mended["moved"]), "true": verdict["ok"], "ways": ways, "seconds": seconds}
+           "tipped": sum(one["degrees"] > TIPPED for one in mended["moved"]), "true": verdict["ok"], "far": far, "ways": ways, "seconds": seconds}
     if arguments.node:
         out.update(by_mujoco(program, arguments.node, folder, pathlib.Path(folder) / (demo + ".glb"), bad, edges(before)))
     return out
@@ -133,7 +169,7 @@ def row(arguments, demo, noise, runs):
     total = {key: sum(one[key] for one in runs) for key in runs[0] if not key.endswith("ways")}
     cells = [demo, noise, total["free"], "%d of %d" % (total["kept"], total["edges"]), "%.3f" % (total["kept"] / total["edges"]),
              total["unable"], total["tipped"], "%d of %d" % (total["true"], len(runs)),
-             text_of_ways([way for one in runs for way in one["ways"]]), "%.2f" % (total["seconds"] / total["free"])]
+             text_of_ways([way for one in runs for way in one["ways"]]), "%.2f" % (1 - total["far"] / total["free"]), "%.2f" % (total["seconds"] / total["free"])]
     if arguments.node:
         cells += ["%.3f" % (total["mj kept"] / total["edges"]), total["mj tipped"],
                   text_of_ways([way for one in runs for way in one["mj ways"]])]
@@ -144,21 +180,24 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--demos", nargs="*", default=["breakfast", "office1", "office2"])
+    parser.add_argument("--heaps", nargs="*", default=[], type=int, help="objects in each")
+    parser.add_argument("--lost", action="store_true")
     parser.add_argument("--scenes", nargs="+", default=[], type=pathlib.Path, help=".glb files written by trivet")
     parser.add_argument("--noise", nargs="+", type=int, default=[1, 5, 20])
     parser.add_argument("--runs", type=int, default=1)
     parser.add_argument("--node", help="folder with node_modules/@mujoco/mujoco and a copy of rest.mjs")
     arguments = parser.parse_args()
-    heads = ["scene", "noise, mm", "free", "kept", "share", "no place", "tipped", "true", "moved median, largest, mm", "CPU s an object"]
+    heads = ["scene", "noise, mm", "free", "kept", "share", "no place", "tipped", "true", "moved median, largest, mm", "near", "CPU s an object"]
     if arguments.node:
         heads += ["MuJoCo: share kept", "tipped", "moved median, largest, mm"]
     print("| " + " | ".join(heads) + " |\n|---|" + "--:|" * (len(heads) - 1))
     with tempfile.TemporaryDirectory() as folder:
         for demo in arguments.demos:
-            subprocess.run([arguments.program, "demo", demo, "-o", f"{folder}/{demo}.glb", "--quiet"], check=True)
+            make_demo(arguments.program, demo, folder)
+        heaps = [make_heap(arguments.program, size, folder) for size in arguments.heaps]
         for scene in arguments.scenes:
             shutil.copy(scene, folder)
-        for name in arguments.demos + [scene.stem for scene in arguments.scenes]:
+        for name in arguments.demos + heaps + [scene.stem for scene in arguments.scenes]:
             for noise in arguments.noise:
                 row(arguments, name, noise, [run(arguments, folder, name, noise, seed) for seed in range(1, arguments.runs + 1)])
 

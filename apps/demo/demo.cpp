@@ -15,6 +15,9 @@ constexpr std::pair<const char*, Maker> kMakers[] = {
     {"breakfast", make_breakfast},
     {"office1", make_office1},
     {"office2", make_office2},
+    {"tablecloth", make_tablecloth},
+    {"desk", make_desk_demo},
+    {"towel", make_towel},
 };
 
 }  // namespace

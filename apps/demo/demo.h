@@ -23,7 +23,8 @@ struct DemoView {
 
 /// A layout that `trivet demo` runs and exports: the layout as a file, the models beside it. The
 /// objects' up axis is left to the model, so that made and re-read models stand alike (a glTF file
-/// is y up). Each movable object has just one PUT, which is the first that is done with it.
+/// is y up). Each movable object has just one PUT, which is the first that is done with it; what is
+/// draped has none.
 struct DemoLayout {
   std::string name;
   std::vector<DemoModel> models;
@@ -34,7 +35,8 @@ struct DemoLayout {
   const Model& model(const std::string& file) const;
 };
 
-/// "spoon-saucer", "breakfast", "office1" and "office2": the layouts of [Shinya 1995].
+/// "spoon-saucer", "breakfast", "office1" and "office2": the layouts of [Shinya 1995];
+/// "tablecloth", "desk" and "towel": what bends.
 std::vector<std::string> demo_names();
 
 /// @throws Error (BadInput) naming the demos there are.

@@ -67,4 +67,15 @@ void LayoutWriter::add_object(const std::string& object, const std::string& mode
   m_demo.layout.objects.push_back(std::move(entry));
 }
 
+void LayoutWriter::drape(const std::string& object, const std::string& material, const Vec2& size,
+                         double cell, const Vec3& position, const Rotation& rotation) {
+  DrapeOperation o;
+  o.object = object;
+  o.material = material;
+  o.size = size;
+  o.cell = cell;
+  o.start = {rotation, position};
+  add(o);
+}
+
 }  // namespace trivet

@@ -27,6 +27,9 @@ class LayoutWriter {
   void push_to(const std::string& object, const Vec2& goal);
   void turn(const std::string& object, double angle_deg);  // where it stands
   void add(Operation operation);
+  /// A sheet that starts level, but for its rotation.
+  void drape(const std::string& object, const std::string& material, const Vec2& size, double cell,
+             const Vec3& position, const Rotation& rotation = {});
 
   void look(const DemoView& view) { m_demo.view = view; }
 

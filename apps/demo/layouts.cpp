@@ -35,20 +35,7 @@ void put_drinks(TableWriter* w, const std::string& who, double side) {
   w->put("spoon_" + who, "spoon", x + side * 0.005, y - side * 0.051, turn + 173);
 }
 
-}  // namespace
-
-DemoLayout make_spoon_saucer() {
-  TableWriter w("spoon-saucer", 0);
-  w.put("saucer", "saucer", 0, 0);
-  w.look({Vec3(0.10, -0.27, 0.25), Vec3(0.012, 0, 0.008), 29});
-  w.put("spoon", "spoon", 0.036, 0.014, 29);
-  return w.take();
-}
-
-DemoLayout make_breakfast() {
-  TableWriter w("breakfast", shapes::kClothHeight);
-  w.look({Vec3(0.40, -1.08, 1.34), Vec3(0.005, -0.010, 0.76), 33});
-  w.fix("table", "table");
+void lay_breakfast(TableWriter& w) {
   w.put("plate_front", "plate", -0.13, -0.20);
   w.put("plate_back", "plate", 0.15, 0.205);
   put_drinks(&w, "front", 1);
@@ -68,6 +55,33 @@ DemoLayout make_breakfast() {
   w.put("banana_1", "banana", 0.375, 0.015, 320, -10);
   w.put("banana_2", "banana", 0.380, -0.060, 325, -10);
   w.put("loaf", "loaf", -0.370, 0.040, 310);
+}
+
+}  // namespace
+
+DemoLayout make_spoon_saucer() {
+  TableWriter w("spoon-saucer", 0);
+  w.put("saucer", "saucer", 0, 0);
+  w.look({Vec3(0.10, -0.27, 0.25), Vec3(0.012, 0, 0.008), 29});
+  w.put("spoon", "spoon", 0.036, 0.014, 29);
+  return w.take();
+}
+
+DemoLayout make_breakfast() {
+  TableWriter w("breakfast", shapes::kClothHeight);
+  w.look({Vec3(0.40, -1.08, 1.34), Vec3(0.005, -0.010, 0.76), 33});
+  w.fix("table", "table");
+  lay_breakfast(w);
+  return w.take();
+}
+
+// The cloth comes down before the table is laid.
+DemoLayout make_tablecloth() {
+  TableWriter w("tablecloth", shapes::kClothHeight);
+  w.look({Vec3(1.05, -1.95, 1.75), Vec3(0.0, -0.02, 0.62), 32});
+  w.fix("table", "bare_table");
+  w.drape("cloth", "cotton", {1.6, 1.2}, 0.05, {0, 0, shapes::kTableHeight + 0.01});
+  lay_breakfast(w);
   return w.take();
 }
 

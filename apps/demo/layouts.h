@@ -9,5 +9,8 @@ DemoLayout make_spoon_saucer();
 DemoLayout make_breakfast();
 DemoLayout make_office1();
 DemoLayout make_office2();
+DemoLayout make_tablecloth();
+DemoLayout make_desk_demo();
+DemoLayout make_towel();
 
 }  // namespace trivet

@@ -65,8 +65,9 @@ struct Add {
 
   CLI::Option* operator()(const bool* on) const {
     const std::string name = name_of(field.key);
-    return *on ? app.add_flag("--no-" + name.substr(2), out.flag, field.off)
-               : app.add_flag(name, out.flag, field.help);
+    // A required switch chooses its form of the operation, and is on there.
+    return *on && !field.required ? app.add_flag("--no-" + name.substr(2), out.flag, field.off)
+                                  : app.add_flag(name, out.flag, field.help);
   }
   CLI::Option* operator()(const double* v) const {
     return number(field.accepts.none == *v ? help_of(field) : help({*v}));
@@ -150,7 +151,7 @@ template <class Option>
 struct Set {
   const Option& given;
 
-  void operator()(bool* v) const { *v = !*v; }
+  void operator()(bool* v) const { *v = given.field->required || !*v; }
   void operator()(double* v) const { *v = given.numbers[0]; }
   void operator()(int* v) const { *v = static_cast<int>(given.numbers[0]); }
   void operator()(std::uint64_t* v) const { *v = static_cast<std::uint64_t>(given.numbers[0]); }

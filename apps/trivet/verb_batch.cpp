@@ -214,10 +214,12 @@ std::vector<Verb> add_batch(CLI::App& app, const CommonOptions& common) {
            "trivet batch recipe.json --count 100 --seed 7 --only 17\n"
            "trivet batch status scenes\n",
            true,
-           [audits] {
+           [arguments, audits] {
              for (const Verb& audit : audits)
-               if (audit.app->parsed() && audit.files) return audit.files();
-             return VerbFiles();
+               if (audit.app->parsed()) return audit.files ? audit.files() : VerbFiles();
+             // A plan or a job file may be for another machine.
+             const bool writes = !arguments->dry_run && arguments->engine.empty();
+             return VerbFiles{{}, {}, {}, {writes ? arguments->options.out : ""}};
            }}};
 }
 

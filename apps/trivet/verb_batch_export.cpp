@@ -60,7 +60,10 @@ Verb add_batch_export(CLI::App& batch, const CommonOptions& common) {
   verb->add_option("--per-folder", a->per_unit, "Scenes per folder; default: as the scenes")
       ->check(integer_from(1, 1'000'000));
   add_worker_options(*verb, a->options.jobs, a->options.limits);
-  return {verb, [a, &common] { return make(*a, common); }};
+  return {verb, [a, &common] { return make(*a, common); }, "", true,
+          [a] {
+            return VerbFiles{{}, {}, {}, {a->options.out}};
+          }};
 }
 
 }  // namespace trivet::apps

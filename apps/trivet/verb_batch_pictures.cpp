@@ -135,7 +135,10 @@ Verb add_batch_pictures(CLI::App& batch, const CommonOptions& common) {
       ->check(integer_from(1, 1'000'000));
   a->options.limits.scene_seconds = 600;
   add_worker_options(*verb, a->options.jobs, a->options.limits);
-  return {verb, [a, &common] { return make(*a, common); }};
+  return {verb, [a, &common] { return make(*a, common); }, "", true,
+          [a] {
+            return VerbFiles{{}, {}, {}, {a->options.out, a->bop, a->coco}};
+          }};
 }
 
 }  // namespace trivet::apps

@@ -190,8 +190,10 @@ std::vector<Verb> add_demo(CLI::App& app, const CommonOptions& common) {
            "trivet demo breakfast -o breakfast.glb --export breakfast\n",
            true,
            [arguments] {
-             if (!is_arranged(arguments->name)) return VerbFiles{{arguments->outputs}};
-             return VerbFiles{outputs_of_solutions(arguments->outputs, arguments->arranging)};
+             VerbFiles out{{arguments->outputs}, {}, {}, {arguments->folder}};
+             if (is_arranged(arguments->name))
+               out.scenes = outputs_of_solutions(arguments->outputs, arguments->arranging);
+             return out;
            }}};
 }
 

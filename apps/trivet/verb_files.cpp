@@ -43,7 +43,23 @@ fs::path existing_folder(const fs::path& file) {
   return folder;
 }
 
-// Tries to write, and leaves no file behind.
+// Tries to make a file in a folder, and leaves none behind. @param path  to be named.
+void check_takes_files(const fs::path& folder, const std::string& path) {
+  const fs::path trial = folder / (".trivet_trial_" + std::to_string(getpid()));
+  const int descriptor = open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor < 0) fail_write(path);
+  close(descriptor);
+  unlink(trial.c_str());
+}
+
+void check_folder(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return check_takes_files(path, path);
+  if (fs::exists(path, ignored))
+    throw Error(Error::Kind::BadInput, "%1: is a file; accepted: a folder, there or not", path);
+  check_takes_files(existing_folder(fs::absolute(path)), path);
+}
+
 void check_writable(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
@@ -56,12 +72,7 @@ void check_writable(const std::string& path) {
   }
   // Follows a symbolic link, like the later write.
   const fs::path target = fs::weakly_canonical(fs::absolute(path), ignored);
-  const std::string trial_name = ".trivet_trial_" + std::to_string(getpid());
-  const fs::path trial = existing_folder(ignored ? fs::absolute(path) : target) / trial_name;
-  const int descriptor = open(trial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0) fail_write(path);
-  close(descriptor);
-  unlink(trial.c_str());
+  check_takes_files(existing_folder(ignored ? fs::absolute(path) : target), path);
 }
 
 void check_outputs(const std::vector<std::string>& outputs,
@@ -107,6 +118,8 @@ void check_files(const VerbFiles& files) {
     check_files_beside(paths.scene);
   }
   if (files.scenes.empty()) check_outputs(files.outputs, files.inputs);
+  for (const std::string& folder : files.folders)
+    if (!folder.empty()) check_folder(folder);
 }
 
 void check_not_the_same(const std::vector<std::string>& outputs,

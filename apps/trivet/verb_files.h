@@ -21,10 +21,11 @@ struct VerbFiles {
   std::vector<OutputPaths> scenes = {};   // one after another; their extensions are checked, too
   std::vector<std::string> outputs = {};  // others; empty ones are skipped
   std::vector<std::string> inputs = {};   // must not be overwritten
+  std::vector<std::string> folders = {};  // that the verb fills; missing ones are made
 };
 
 /// @throws Error: BadInput for a wrong extension, two outputs in one file, an output that is an
-/// input; Environment if a file cannot be written.
+/// input, a file where a folder is to be; Environment if one cannot be written.
 void check_files(const VerbFiles& files);
 
 /// For inputs that only another input names, such as the models of a layout, before they are read.

@@ -37,6 +37,7 @@ void render_picture(const RenderArguments& arguments, const CommonOptions& commo
 VerbFiles files_of(const RenderArguments& arguments) {
   VerbFiles out{{{"", "", arguments.picture}}, label_files(arguments.labels), {arguments.scene}};
   out.outputs.push_back(arguments.film.file);
+  out.folders = {arguments.labels.coco, arguments.labels.bop};
   return out;
 }
 

@@ -35,10 +35,6 @@ void decide_pairs(const FirstContactQuery& query, std::span<const FacePair> pair
   }
 }
 
-/// Pairs from which Embree pays: with fewer, the closed form alone is sooner, by a millisecond at
-/// most. Measured, see docs/measurements/zlists.md.
-constexpr std::size_t kFewestFalling = 5000, kFewestTurning = 5000;
-
 double horizon_of(const FirstContactQuery& query, const FirstContact& best) {
   return std::min(best.time, query.motion.limit);
 }
@@ -53,8 +49,7 @@ bool decide_others_by_embree(const FirstContactQuery& query, std::size_t num_fir
   const auto end = std::partition_point(found.pairs.begin(), found.pairs.end(),
                                         [&](const FacePair& p) { return p.not_before <= horizon; });
   const auto num_pairs = static_cast<std::size_t>(end - found.pairs.begin());
-  const std::size_t fewest = confirmation.fewest(query.motion.kind);
-  if (num_pairs < num_first + std::max<std::size_t>(1, fewest)) return false;
+  if (num_pairs < num_first + std::max<std::size_t>(1, confirmation.fewest_pairs)) return false;
   // Embree is asked about the rest at once, and drops the pairs whose swept boxes never overlap.
   std::vector<FacePair> others(found.pairs.begin() + static_cast<std::ptrdiff_t>(num_first), end);
   const std::size_t num_asked = others.size();
@@ -87,10 +82,6 @@ FirstContact decide(const FirstContactQuery& query, FirstContact best, Candidate
 }
 
 }  // namespace
-
-std::size_t Confirmation::fewest(Motion::Kind kind) const {
-  return fewest_pairs.value_or(kind == Motion::Kind::Translation ? kFewestFalling : kFewestTurning);
-}
 
 std::vector<CandidatePairs> CandidateFinder::find_candidates_for_all(
     std::span<const FirstContactQuery> queries, std::span<const double> horizons) {

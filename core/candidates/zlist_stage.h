@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,15 +69,16 @@ class CandidateFinder {
       std::span<const FirstContactQuery> queries, std::span<const double> horizons);
 };
 
+/// Pairs from which Embree pays, of drops and turns alike: with fewer, the closed form alone is
+/// sooner, by a millisecond at most. Measured by trivet_perf --only confirm, see
+/// docs/measurements/zlists.md.
+inline constexpr std::size_t kFewestForEmbree = 5000;
+
 /// Embree on the way from a stage's proposal to the first contact, see decide_by_embree(). The
 /// first pairs are decided at once: they lower the horizon, which leaves fewer pairs to visit.
 struct Confirmation {
   bool enabled = true;
-  /// Visits so many pairs or more: fewer are decided sooner one by one than Embree has built its
-  /// scenes. Nothing: as was measured by trivet_perf --only confirm, see fewest().
-  std::optional<std::size_t> fewest_pairs = {};
-
-  std::size_t fewest(Motion::Kind kind) const;
+  std::size_t fewest_pairs = kFewestForEmbree;  // visits so many pairs or more
 };
 inline constexpr Confirmation kConfirmAll{true, 0}, kConfirmNone{false, 0};
 

@@ -77,6 +77,7 @@ class Level {
     const double weight = m_body.weight();
     out.shares.assign(m_surroundings.obstacles().num_owners(), 0);
     out.touches.assign(out.shares.size(), false);
+    out.pin_shares.assign(m_body.size(), 0);
     for (const ContactPair& p : m_state.pairs)
       if (!p.pair.is_own())
         out.touches[m_surroundings.obstacles().owner_of_vertex(p.points.fixed[0])] = true;
@@ -88,7 +89,9 @@ class Level {
       const auto most = std::max_element(by.begin(), by.end()) - by.begin();
       if (friction != 0) out.shares[most] += friction / weight, up += friction;
       // A pin carries the force that is left at its vertex.
-      if (m_body.pinned[v]) out.pin_share += m_state.gradient[v][2] / weight;
+      if (!m_body.pinned[v]) continue;
+      out.pin_shares[v] = m_state.gradient[v][2] / weight;
+      out.pin_share += out.pin_shares[v];
     }
     out.certificate.balance = up / weight + out.pin_share;
   }

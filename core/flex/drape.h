@@ -35,6 +35,7 @@ struct DrapeResult {
   std::vector<double> shares;  // of the weight, by owners of obstacles
   std::vector<bool> touches;   // the same owners: in its layer
   double pin_share = 0;
+  std::vector<double> pin_shares;  // the same by vertices
 };
 
 /// From coarse to fine: cells are halved exactly, so that no crossing can appear. The same bits for

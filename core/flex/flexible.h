@@ -4,12 +4,13 @@
 #include <optional>
 
 #include "core/flex/body.h"
+#include "core/motion/pose.h"
 
 namespace trivet {
 
-/// Names who touches it: names outlive the objects.
+/// Names who touches it, or holds its pins: names outlive the objects.
 struct FlexSupport {
-  std::string name;  // of an object; "floor"; "pins"
+  std::string name;  // of an object; "floor"; "pins" that nobody holds
   double share = 0;  // of its weight; negative: it presses down
 };
 
@@ -25,6 +26,21 @@ struct RestCertificate {
   int num_contacts = 0, num_own_contacts = 0;
 };
 
+/// An object that holds a pin, and where.
+struct FlexTie {
+  std::string name;
+  int vertex = 0;
+  Vec3 point = Vec3::Zero();  // in the frame of its pose, metres
+};
+
+/// Its beginning, so that it can be draped again. In the world.
+struct FlexStart {
+  std::vector<Vec3> path;  // of a cable
+  Pose pose;               // of a sheet's middle
+  std::vector<Vec3> pins;  // by whose nearest vertices it is held
+  double cell = 0;         // as given
+};
+
 /// Middle surface and line, in the object's frame.
 struct Flexible {
   bool is_cable = false;
@@ -35,6 +51,8 @@ struct Flexible {
   double length = 0;                      // of a cable at rest, m
   flex::Points rest;                      // of a mesh at rest; else empty
   std::vector<int> pins;                  // vertices that are held
+  std::vector<FlexTie> ties;              // those of them that objects hold
+  std::optional<FlexStart> start;         // nullopt: not known
   double layer = 0, pressure = 0;         // of its contact; see flex::ContactOptions
   flex::Points friction;                  // all of it on each vertex, N
   RestCertificate certificate;

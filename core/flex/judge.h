@@ -12,8 +12,9 @@ inline constexpr double kRestingForce = 1e-2;
 struct Judgement {
   bool crosses_itself = false, crosses_itself_in_float32 = false;
   bool is_clear = true;  // no obstacle is nearer than half its thickness
+  bool is_held = true;   // its holders are where its pins are
   double net_force = 0;  // the largest at a vertex that no pin holds, of its weight; if it is clear
-  bool is_at_rest() const { return is_clear && net_force < kRestingForce; }
+  bool is_at_rest() const { return is_clear && is_held && net_force < kRestingForce; }
 };
 
 Points moved(const Points& x, const Affine& by);

@@ -32,8 +32,8 @@ struct [[nodiscard]] Result {
     AtRest,   // it settled
     Reached,  // as far as was asked for
     Blocked,  // by `blocked_by` at `blocked_at`
-    Step,     // by a step higher than step_up
-    Edge,     // before an edge deeper than step_down
+    Step,     // by a step that is too high
+    Edge,     // before an edge that is too deep
   };
 
   Status status = Status::Done;

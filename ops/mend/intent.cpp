@@ -1,13 +1,12 @@
 #include "ops/mend/intent.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "core/motion/motion.h"
-#include "ops/arrange/stable_poses.h"
+#include "ops/mend/attitudes.h"
+#include "ops/mend/intent_order.h"
 
 namespace trivet {
 namespace {
@@ -16,6 +15,7 @@ constexpr int kColumns = 28, kFewColumns = 14;
 constexpr double kFirstTolerance = 0.02, kLeastTolerance = 0.002, kMostTolerance = 0.06;
 constexpr double kGapsToTolerance = 3.5;  // times the median gap
 constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimit = 5;
+constexpr double kNearShare = 0.35;    // of the tolerance: what is hardly off
 constexpr double kLeastShare = 0.12;   // of a support
 constexpr double kInsideShare = 0.45;  // of columns within the container
 
@@ -25,28 +25,6 @@ double at_share(std::vector<double> values, double share) {
   std::nth_element(values.begin(), values.begin() + k, values.end());
   return values[static_cast<size_t>(k)];
 }
-
-double angle_between_deg(const Vec3& a, const Vec3& b) {
-  // The angle is twice the arctangent of the chord over its complement, without libm.
-  const double apart = (a - b).norm(), together = (a + b).norm();
-  return apart <= together ? turned_deg(apart / together) : 180 - turned_deg(together / apart);
-}
-
-// The shortest turn that takes unit `a` to unit `b`.
-Rotation turn_to(const Vec3& a, const Vec3& b) {
-  const Vec3 axis = a.cross(b);
-  const double w = 1 + a.dot(b);
-  if (w < 1e-9) return {0, 1, 0, 0};
-  return Rotation{w, axis.x(), axis.y(), axis.z()}.normalized();
-}
-
-/// An object and what its columns say.
-struct Looked {
-  Placement level;
-  ObjectIntent intent;
-  Columns columns;
-  std::set<std::uint32_t> above;  // slots of what it lies above
-};
 
 class IntentFinder {
  public:
@@ -71,7 +49,7 @@ class IntentFinder {
     look(kColumns);
     Intent out;
     out.tolerance = m_tolerance, out.most_tilt_deg = m_most_tilt;
-    out.objects = in_order();
+    out.objects = in_order(m_looked);
     return out;
   }
 
@@ -108,23 +86,6 @@ class IntentFinder {
         if (l.intent.id == p.id) p.pose = l.intent.level;
   }
 
-  // About the middle of its box.
-  static Pose levelled(const Object& object, const std::vector<Vec3>& downs) {
-    const Rotation& r = object.pose.rotation;
-    const int k = nearest_down(downs, r).first;
-    const Vec3 down = r.matrix() * downs[static_cast<size_t>(k)];
-    // An attitude that is level to rounding stays to the bit.
-    if (angle_between_deg(down, -Vec3::UnitZ()) < 1e-9) return object.pose;
-    Pose out;
-    out.rotation = (turn_to(down, -Vec3::UnitZ()) * r).normalized();
-    // The middle of the box stays where it is, as a turn about the origin would move the object.
-    const Vec3 middle =
-        world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
-    out.translation =
-        object.pose.translation + r.matrix() * middle - out.rotation.matrix() * middle;
-    return out;
-  }
-
   void look(int num) {
     // Each look starts anew, as the tolerance has changed.
     m_index.clear();
@@ -147,12 +108,6 @@ class IntentFinder {
   const Looked* looked(ObjectId id) const {
     const auto it = m_index.find(id.index);
     return it == m_index.end() ? nullptr : &m_looked[it->second];
-  }
-
-  double lowest(const Looked& l) const {
-    double low = kInfinity;
-    for (const Column& c : l.columns.columns) low = std::min(low, c.low);
-    return low;
   }
 
   // A larger object around its lower part, whose rim is above its underside.
@@ -231,7 +186,8 @@ class IntentFinder {
     const double least =
         std::min(mine.upper.z() - mine.lower.z(), other.upper.z() - other.lower.z());
     // A stack overlaps little in height and much seen from above; neighbours do the opposite.
-    return height > 0.3 * least && common.minCoeff() < height && share < 0.6;
+    const double across = common.minCoeff();
+    return height > 0.3 * least && across < height && (share < 0.6 || across < 0.5 * height);
   }
 
   void find_below(Looked& l) {
@@ -274,23 +230,32 @@ class IntentFinder {
     Support on;
   };
 
-  void find_supports(Looked& l) {
-    std::vector<Gap> gaps;
+  std::vector<Gap> gaps_of(const Looked& l) const {
+    std::vector<Gap> out;
     for (const Column& c : l.columns.columns)
-      if (const auto owner = owner_of(l, c)) gaps.push_back(*owner);
-    l.intent.on.clear();
-    if (gaps.empty()) return;
+      if (const auto owner = owner_of(l, c)) out.push_back(*owner);
+    return out;
+  }
+
+  // The smallest gaps tell where the object touches; a few of the least are noise.
+  static double first_of(const std::vector<Gap>& gaps) {
     std::vector<double> values;
     values.reserve(gaps.size());
     for (const Gap& g : gaps) values.push_back(g.gap);
-    // The smallest gaps tell where the object touches; a few of the least are noise.
-    const double first = at_share(values, 0.03);
+    return at_share(values, 0.03);
+  }
+  // Columns nearly as near share the weight.
+  double near_to(double first) const { return first + std::max(kNearShare * m_tolerance, 0.0015); }
+
+  void find_supports(Looked& l) const {
+    const std::vector<Gap> gaps = gaps_of(l);
+    l.intent.on.clear();
+    if (gaps.empty()) return;
+    const double first = first_of(gaps);
     l.intent.gap = std::min(first, gap_of_feet(l).value_or(first));
-    // Columns nearly as near share the weight.
-    const double near = first + std::max(0.35 * m_tolerance, 0.0015);
     double total = 0;
     for (const Gap& g : gaps) {
-      if (g.gap > near) continue;
+      if (g.gap > near_to(first)) continue;
       total += 1;
       const auto known = std::find_if(l.intent.on.begin(), l.intent.on.end(),
                                       [&](const IntendedSupport& s) { return s.on == g.on; });
@@ -331,66 +296,31 @@ class IntentFinder {
     return Gap{c.low - top, *owner};
   }
 
-  // Feet may be thinner than a column: the lowest vertex over the floor.
+  // Feet, and covers of books, may be thinner than a column: vertices below all columns, over what
+  // the nearest column finds.
   std::optional<double> gap_of_feet(const Looked& l) const {
-    const auto only_floor = [&] {
-      return std::none_of(l.columns.columns.begin(), l.columns.columns.end(), [&](const Column& c) {
-        const auto owner = owner_of(l, c);
-        return owner && owner->on.is_object();
-      });
-    };
-    if (!m_scene.floor || l.intent.inside || !only_floor()) return std::nullopt;
-    return body_of(m_scene.at(l.intent.id), l.intent.level).world_box.lower.z();
-  }
-
-  // The lower ones first; a circle loses its weakest support.
-  std::vector<ObjectIntent> in_order() {
-    std::vector<ObjectIntent> out;
-    std::set<std::uint32_t> done;
-    std::vector<Looked*> left;
-    for (Looked& l : m_looked) left.push_back(&l);
-    const auto waits_for = [&](const Support& s) {
-      return s.is_object() && m_index.count(s.object().index) && !done.count(s.object().index);
-    };
-    // Each round takes all whose supports are placed; a circle of supports is cut at its weakest.
-    while (!left.empty()) {
-      std::vector<Looked*> ready;
-      for (Looked* l : left)
-        if (std::none_of(l->intent.on.begin(), l->intent.on.end(),
-                         [&](const IntendedSupport& s) { return waits_for(s.on); }) &&
-            !(l->intent.inside && waits_for(*l->intent.inside)))
-          ready.push_back(l);
-      if (ready.empty()) {
-        cut_weakest(left, waits_for);
-        continue;
-      }
-      // Leaning objects come after standing ones.
-      std::stable_sort(ready.begin(), ready.end(), [&](const Looked* a, const Looked* b) {
-        if (a->intent.is_level != b->intent.is_level) return a->intent.is_level;
-        return lowest(*a) < lowest(*b);
-      });
-      for (Looked* l : ready) {
-        out.push_back(l->intent);
-        done.insert(l->intent.id.index);
-        std::erase(left, l);
-      }
+    const double low = lowest(l);
+    const Body body = body_of(m_scene.at(l.intent.id), l.intent.level);
+    std::optional<double> out;
+    for (Index v = 0; v < static_cast<Index>(body.shape->mesh.vertices.size()); ++v) {
+      const Vec3 foot = body.vertex(v);
+      if (foot.z() >= low) continue;
+      const auto top = top_near(l, foot.head<2>());
+      if (top && *top <= foot.z() + m_tolerance)
+        out = std::min(out.value_or(kInfinity), foot.z() - *top);
     }
     return out;
   }
 
-  template <class Waits>
-  void cut_weakest(const std::vector<Looked*>& left, const Waits& waits_for) {
-    Looked* from = nullptr;
-    size_t which = 0;
-    double least = kInfinity;
-    for (Looked* l : left)
-      for (size_t i = 0; i < l->intent.on.size(); ++i)
-        if (waits_for(l->intent.on[i].on) && l->intent.on[i].share < least)
-          from = l, which = i, least = l->intent.on[i].share;
-    if (from)
-      from->intent.on.erase(from->intent.on.begin() + static_cast<std::ptrdiff_t>(which));
-    else
-      for (Looked* l : left) l->intent.inside.reset();
+  std::optional<double> top_near(const Looked& l, const Vec2& at) const {
+    std::optional<double> out;
+    double nearest = kInfinity;
+    for (const Column& c : l.columns.columns) {
+      const double apart = (c.at - at).squaredNorm();
+      if (apart >= nearest) continue;
+      if (const auto owner = owner_of(l, c)) nearest = apart, out = c.low - owner->gap;
+    }
+    return out;
   }
 
   const Scene& m_scene;
@@ -406,23 +336,6 @@ const ObjectIntent* Intent::find(ObjectId id) const {
   for (const ObjectIntent& o : objects)
     if (o.id == id) return &o;
   return nullptr;
-}
-
-std::vector<Vec3> downs_of(const Object& object) {
-  std::vector<Vec3> out;
-  for (const StablePose& pose : stable_poses(*object.shape, object.up, object.scale))
-    out.push_back(pose.rotation.matrix().transpose() * -Vec3::UnitZ());
-  return out;
-}
-
-std::pair<int, double> nearest_down(const std::vector<Vec3>& downs, const Rotation& rotation) {
-  const Vec3 down = rotation.matrix().transpose() * -Vec3::UnitZ();
-  std::pair<int, double> out{-1, 180};
-  for (size_t k = 0; k < downs.size(); ++k) {
-    const double angle = angle_between_deg(downs[k], down);
-    if (angle < out.second) out = {static_cast<int>(k), angle};
-  }
-  return out;
 }
 
 Intent infer_intent(const Scene& scene, std::optional<double> tolerance) {

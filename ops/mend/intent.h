@@ -35,10 +35,4 @@ struct Intent {
 /// @param tolerance  metres; nothing: found from the gaps.
 Intent infer_intent(const Scene& scene, std::optional<double> tolerance = {});
 
-/// Stable attitudes of an object as the directions, in its own frame (z up, metres), that point
-/// down in them; unit.
-std::vector<Vec3> downs_of(const Object& object);
-/// The nearest of these to the attitude, and degrees to it; -1 without any.
-std::pair<int, double> nearest_down(const std::vector<Vec3>& downs, const Rotation& rotation);
-
 }  // namespace trivet

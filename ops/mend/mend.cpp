@@ -8,6 +8,7 @@
 
 #include "core/io/foreign/scene.h"
 #include "ops/mend/rearrange.h"
+#include "ops/mend/rows.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
 
@@ -22,12 +23,9 @@ constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
 constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
+constexpr int kAims = 3;        // tries to hit the place, from where it came to rest
+constexpr double kAimed = 0.1;  // tolerances: near enough
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
-constexpr double kMostSpread = 2.5;  // tolerances that two side by side may be in each other
-
-Vec3 local_middle(const Object& object) {
-  return world_from_object(Pose{}, object.up, object.scale).apply(object.shape->box.centre());
-}
 
 // Pose `then`, carried along by what moves `from` to `to`.
 Pose carried(const Pose& from, const Pose& to, const Pose& then) {
@@ -52,7 +50,8 @@ struct Start {
 struct Landing {
   double cost = kInfinity;
   Pose start;
-  bool as_meant = false;  // supports and attitude
+  bool as_meant = false;    // supports and attitude
+  Vec2 off = Vec2::Zero();  // metres from the nominal place
 };
 
 class Mender {
@@ -84,18 +83,16 @@ class Mender {
   // Objects that stand level on one thing are moved apart together, when the first of them comes
   // back: a row has no order in which each finds room for itself.
   void spread_row_of(const Rearrangement& scene, const ObjectIntent& first) {
-    if (!first.is_level || first.on.empty() || m_spread.count(first.id.index)) return;
+    if (!first.is_level || first.on.empty() || m_in_row.count(first.id.index)) return;
     std::vector<Placement> row;
     for (const ObjectId id : m_moving) {
       const ObjectIntent& meant = *m_meant.find(id);
       if (!meant.is_level || meant.on.empty() || meant.on[0].on != first.on[0].on) continue;
-      if (m_scene.at(id).placed) continue;
-      Pose pose = pose_meant(scene, meant);
-      pose.translation.z() += kLeastAir;
-      row.push_back({id, pose});
+      if (!m_scene.at(id).placed) row.push_back({id, pose_meant(scene, meant)});
     }
-    const std::vector<Vec3> shifts = spread_shifts(m_scene, row, kMostSpread * m_meant.tolerance);
-    for (size_t i = 0; i < row.size(); ++i) m_spread[row[i].id.index] = shifts[i];
+    for (const Placement& p : spread_row(m_scene, std::move(row), first.on[0].on, m_meant.tolerance,
+                                         m_meant.most_tilt_deg))
+      m_in_row[p.id.index] = p.pose;
   }
 
   std::vector<ObjectId> in_order(const std::vector<ObjectId>& ids) const {
@@ -109,8 +106,10 @@ class Mender {
     // An object that stands well where it is, on supports that did not move, stays; but not where
     // its row needs room.
     spread_row_of(scene, *m_object);
-    const bool in_row = m_spread.count(id.index) && m_spread[id.index] != Vec3::Zero();
-    if (!in_row && !support_moved(scene) && scene.keep(id)) return;
+    const auto in_row = m_in_row.find(id.index);
+    const bool gives_way =
+        in_row != m_in_row.end() && !same_pose(in_row->second, pose_meant(scene, *m_object));
+    if (!gives_way && !support_moved(scene) && scene.keep(id)) return;
     if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
     const Pose nominal = nominal_pose(scene, id);
     Sentence why = "no place near is free";
@@ -133,7 +132,21 @@ class Mender {
       });
       if (result.refusal) why = sentence_of(*result.refusal);
     }
+    aim_again(scene, id, nominal, best);
     if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
+  }
+
+  // A start from as far on the other side of the nominal place as it came to rest from that.
+  void aim_again(Rearrangement& scene, ObjectId id, const Pose& nominal, Landing& best) {
+    for (int k = 0; k < kAims && best.off.norm() > kAimed * m_meant.tolerance; ++k) {
+      const Pose start = shifted(best.start, -best.off.x(), -best.off.y(), 0);
+      if (scene.is_out_of_time() || refuse_interpenetration(m_scene, id, start, false)) return;
+      Landing landing;
+      scene.try_put(id, start,
+                    [&](const Object& there) { landing = judged(id, there, nominal, start); });
+      if (landing.cost >= best.cost) return;
+      best = landing;
+    }
   }
 
   bool support_moved(const Rearrangement& scene) const {
@@ -150,10 +163,8 @@ class Mender {
 
   Pose nominal_pose(const Rearrangement& scene, ObjectId id) {
     m_nominal_given.insert(id.index);
-    Pose pose = pose_meant(scene, *m_object);
-    if (const auto it = m_spread.find(id.index); it != m_spread.end())
-      pose.translation += it->second;
-    return pose;
+    const auto in_row = m_in_row.find(id.index);
+    return in_row != m_in_row.end() ? in_row->second : pose_meant(scene, *m_object);
   }
 
   // Level, lowered or lifted by its gap, and along with its main support.
@@ -175,7 +186,7 @@ class Mender {
   }
 
   Vec3 middle_of(ObjectId id, const Pose& pose) const {
-    return pose.rotation.matrix() * local_middle(m_scene.at(id)) + pose.translation;
+    return middle_of_box(m_scene.at(id), pose);
   }
 
   // The nominal one freed by the shortest shifts, then lifts and rings around both; by cost.
@@ -251,7 +262,7 @@ class Mender {
 
   Landing judged(ObjectId id, const Object& there, const Pose& nominal, const Pose& start) const {
     const double size = size_of(there), tol = m_meant.tolerance;
-    const double moved = (middle_of(id, there.pose) - middle_of(id, nominal)).norm();
+    const Vec3 off = middle_of(id, there.pose) - middle_of(id, nominal);
     const double turn = turn_between_deg(nominal.rotation, there.pose.rotation);
     // The cost is the way that its points have gone; lost relations cost sizes of the object.
     double penalty = 0;
@@ -264,7 +275,8 @@ class Mender {
     else if (std::abs(there.pose.translation.z() - nominal.translation.z()) > 2 * tol + 0.01)
       penalty += kLostTier;
     Landing out;
-    out.cost = moved + 0.5 * size * turn * (3.14159265358979323846 / 180) +
+    out.off = off.head<2>();
+    out.cost = off.norm() + 0.5 * size * turn * (3.14159265358979323846 / 180) +
                penalty * std::max(size, 2 * tol);
     out.start = start;
     out.as_meant = penalty == 0;
@@ -317,7 +329,7 @@ class Mender {
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;  // that is being placed
   std::vector<ObjectId> m_moving;
-  std::map<std::uint32_t, Vec3> m_spread;   // shifts of objects in rows, by slot
+  std::map<std::uint32_t, Pose> m_in_row;   // nominal poses of objects in rows, by slot
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };
 

@@ -4,87 +4,8 @@
 
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
-#include "ops/placement/clearance.h"
-#include "ops/placement/depth.h"
 
 namespace trivet {
-namespace {
-
-constexpr double kSpreadAir = 2e-5;  // metres between them afterwards
-constexpr int kSweeps = 80;          // a row of twelve needs about fifty
-
-class Spreader {
- public:
-  Spreader(const Scene& scene, const std::vector<Placement>& members, double most)
-      : m_scene(scene),
-        m_members(members),
-        m_most(most),
-        m_origin(origin_with(scene, members)),
-        m_shifts(members.size(), Vec3::Zero()) {
-    for (const Placement& p : m_members) m_worlds.push_back(world_of(p));
-  }
-
-  std::vector<Vec3> run() {
-    for (int sweep = 0; sweep < kSweeps; ++sweep)
-      if (!sweep_once()) break;
-    return m_shifts;
-  }
-
- private:
-  ObjectInWorld world_of(const Placement& p) const {
-    return in_world(m_scene.at(p.id), p.pose, m_origin);
-  }
-
-  bool sweep_once() {
-    bool moved = false;
-    for (size_t i = 0; i < m_members.size(); ++i) {
-      for (size_t j = 0; j < i; ++j)
-        if (const Vec3 way = way_out(m_worlds[i], m_worlds[j]); way.norm() > 0) {
-          shift(i, 0.5 * way), shift(j, -0.5 * way);
-          moved = true;
-        }
-      moved |= leave_the_scene(i);
-    }
-    return moved;
-  }
-
-  // The objects of the scene stay.
-  bool leave_the_scene(size_t i) {
-    bool moved = false;
-    for (const Interpenetration& x : interpenetrations(m_scene, {&m_members[i], 1}, false, 8)) {
-      if (x.with.is_floor()) continue;
-      const ObjectId other = x.with.object();
-      const Vec3 way = way_out(m_worlds[i], world_of({other, m_scene.at(other).pose}));
-      if (way.norm() > 0) shift(i, way), moved = true;
-    }
-    return moved;
-  }
-
-  // Zero: they are apart, or not to be parted sideways.
-  Vec3 way_out(const ObjectInWorld& a, const ObjectInWorld& b) const {
-    if (!overlaps(a.box, b.box) || verify_pair(a, b, false, 1).clear()) return Vec3::Zero();
-    const Depth depth = depth_of(a, b);
-    if (depth.metres > m_most || depth.way.head<2>().norm() < std::abs(depth.way.z()))
-      return Vec3::Zero();
-    return (depth.metres + kSpreadAir) * Vec3(depth.way.x(), depth.way.y(), 0);
-  }
-
-  void shift(size_t i, const Vec3& by) {
-    m_shifts[i] += by;
-    m_members[i].pose.translation += by;
-    m_worlds[i] = world_of(m_members[i]);
-  }
-
-  const Scene& m_scene;
-  std::vector<Placement> m_members;
-  double m_most;
-  Vec3 m_origin;
-  std::vector<Vec3> m_shifts;
-  std::vector<ObjectInWorld> m_worlds;
-};
-
-}  // namespace
-
 template <class Target>
 OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& start) {
   PutOperation put;
@@ -108,6 +29,8 @@ Rearrangement::Rearrangement(Scene& scene, const SettleSceneOptions& options,
 }
 
 bool Rearrangement::is_out_of_time() const {
+  // A cancelled one has no time left.
+  if (m_options.context.cancel && *m_options.context.cancel) return true;
   return m_options.seconds > 0 && m_watch.milliseconds() > 1000 * m_options.seconds;
 }
 
@@ -146,11 +69,6 @@ SettledScene Rearrangement::finish() {
       m_out.moved.push_back({id, object.name, it->second, object.pose, moved, turned});
   }
   return std::move(m_out);
-}
-
-std::vector<Vec3> spread_shifts(const Scene& scene, const std::vector<Placement>& members,
-                                double most) {
-  return Spreader(scene, members, most).run();
 }
 
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids) {

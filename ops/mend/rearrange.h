@@ -50,13 +50,6 @@ class Rearrangement {
   SettledScene m_out;
 };
 
-/// Horizontal shifts, metres, by which these objects are free of each other and of what is in the
-/// scene, about: two give way by half each, in turn, so that a row spreads about its middle and
-/// away from walls. Pairs that are more than `most` in each other, or shorter apart upwards, stay.
-/// @param members  none of them in the scene.
-std::vector<Vec3> spread_shifts(const Scene& scene, const std::vector<Placement>& members,
-                                double most);
-
 /// The lowest first.
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids);
 

@@ -6,6 +6,7 @@
 #include "core/flex/drape.h"
 #include "core/flex/presets.h"
 #include "ops/base/refusal.h"
+#include "ops/operations/cable_path.h"
 #include "ops/operations/drape.h"
 
 namespace trivet {
@@ -16,13 +17,26 @@ inline constexpr int kMaxFlexVertices = 40000;
 /// Cells of a sheet, or segments of a cable, so that levels can halve them.
 flex::Grid grid_of(const DrapeOperation& o);
 int num_segments_of(const DrapeOperation& o);
-double length_of(const std::vector<Vec3>& path);
 
 /// The preset with the operation's own numbers.
 flex::FlexMaterial flex_material(const DrapeOperation& o);
 
 std::variant<flex::DrapeProblem, Refusal> drape_problem(const Scene& scene,
                                                         const DrapeOperation& o);
+
+/// A drape once more, with its ends where their holders are now.
+struct DrapedAgain {
+  DrapeOperation operation;
+  flex::DrapeProblem problem;
+};
+std::variant<DrapedAgain, Refusal> problem_again(const Scene& scene, ObjectId draped);
+/// The sheet flat at its start.
+void place_sheet(const DrapeOperation& o, flex::DrapeProblem& out);
+void pin(const DrapeOperation& o, flex::DrapeProblem& out);
+/// Where a holder has a pin now.
+Vec3 pin_at(const Object& holder, const FlexTie& tie);
+/// The vertices that are nearest to the operation's pins, one for each.
+std::vector<int> pinned_vertices(const DrapeOperation& o, const flex::Points& start);
 
 /// Things that may be in its way: by owners, in the scene's order, and the floor.
 struct DrapeSurroundings {

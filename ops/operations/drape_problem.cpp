@@ -32,22 +32,6 @@ double cell_of(const DrapeOperation& o, double length, double by_default) {
   return o.cell > 0 ? o.cell : length / by_default;
 }
 
-flex::Points resampled(const std::vector<Vec3>& path, int num_segments) {
-  // Vertices are spaced evenly along the path, whatever its corners.
-  std::vector<double> at{0};
-  for (size_t i = 1; i < path.size(); ++i) at.push_back(at.back() + (path[i] - path[i - 1]).norm());
-  flex::Points out;
-  size_t k = 0;
-  for (int i = 0; i <= num_segments; ++i) {
-    const double s = at.back() * i / num_segments;
-    while (k + 2 < at.size() && at[k + 1] < s) ++k;
-    const double step = at[k + 1] - at[k];
-    const double share = step > 0 ? std::clamp((s - at[k]) / step, 0.0, 1.0) : 0;
-    out.push_back((1 - share) * path[k] + share * path[k + 1]);
-  }
-  return out;
-}
-
 // Why a mesh is no sheet; empty: it is one.
 Sentence no_sheet(const Mesh& mesh) {
   if (mesh.triangles.empty() || mesh.vertices.size() > static_cast<size_t>(kMaxFlexVertices))
@@ -71,16 +55,6 @@ Sentence no_sheet(const Mesh& mesh) {
   return {};
 }
 
-void place_sheet(const DrapeOperation& o, flex::DrapeProblem& out) {
-  out.grid = grid_of(o);
-  const Affine world = world_from_object(o.start, UpAxis::Z, 1);
-  for (int j = 0; j <= out.grid->num_v; ++j)
-    for (int i = 0; i <= out.grid->num_u; ++i)
-      out.start.push_back(
-          world.apply({out.grid->length_u * i / out.grid->num_u - out.grid->length_u / 2,
-                       out.grid->length_v * j / out.grid->num_v - out.grid->length_v / 2, 0}));
-}
-
 std::optional<Refusal> place_mesh(const Scene& scene, const DrapeOperation& o,
                                   flex::DrapeProblem& out) {
   const auto id = scene.find(*o.of);
@@ -96,18 +70,6 @@ std::optional<Refusal> place_mesh(const Scene& scene, const DrapeOperation& o,
   out.start = world_positions(*object.shape, world_from_object(o.start, object.up, object.scale));
   for (const Index3& t : mesh.triangles) out.faces.push_back({t[0], t[1], t[2]});
   return std::nullopt;
-}
-
-void pin(const DrapeOperation& o, flex::DrapeProblem& out) {
-  out.pinned.assign(out.start.size(), false);
-  for (const Vec3& point : o.pins) {
-    // A pin takes the nearest vertex of the start.
-    size_t nearest = 0;
-    for (size_t v = 1; v < out.start.size(); ++v)
-      if ((out.start[v] - point).squaredNorm() < (out.start[nearest] - point).squaredNorm())
-        nearest = v;
-    out.pinned[nearest] = true;
-  }
 }
 
 // All that a body may reach that comes down from its start.
@@ -144,10 +106,30 @@ void add_floor(double friction, const Aabb& reach, flex::Obstacles& out) {
 
 }  // namespace
 
-double length_of(const std::vector<Vec3>& path) {
-  double sum = 0;
-  for (size_t i = 1; i < path.size(); ++i) sum += (path[i] - path[i - 1]).norm();
-  return sum;
+void place_sheet(const DrapeOperation& o, flex::DrapeProblem& out) {
+  out.grid = grid_of(o);
+  const Affine world = world_from_object(o.start, UpAxis::Z, 1);
+  for (int j = 0; j <= out.grid->num_v; ++j)
+    for (int i = 0; i <= out.grid->num_u; ++i)
+      out.start.push_back(
+          world.apply({out.grid->length_u * i / out.grid->num_u - out.grid->length_u / 2,
+                       out.grid->length_v * j / out.grid->num_v - out.grid->length_v / 2, 0}));
+}
+
+void pin(const DrapeOperation& o, flex::DrapeProblem& out) {
+  out.pinned.assign(out.start.size(), false);
+  for (const int v : pinned_vertices(o, out.start)) out.pinned[v] = true;
+}
+
+std::vector<int> pinned_vertices(const DrapeOperation& o, const flex::Points& start) {
+  std::vector<int> out;
+  for (const Vec3& point : o.pins) {
+    size_t nearest = 0;
+    for (size_t v = 1; v < start.size(); ++v)
+      if ((start[v] - point).squaredNorm() < (start[nearest] - point).squaredNorm()) nearest = v;
+    out.push_back(static_cast<int>(nearest));
+  }
+  return out;
 }
 
 flex::Grid grid_of(const DrapeOperation& o) {

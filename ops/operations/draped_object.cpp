@@ -18,19 +18,49 @@ Vec3 middle_of(const flex::Points& x) {
   return as_float32(box.centre());
 }
 
+void add_share(const std::string& name, double share, std::vector<FlexSupport>& out) {
+  for (FlexSupport& support : out)
+    if (support.name == name) {
+      support.share += share;
+      return;
+    }
+  out.push_back({name, share});
+}
+
+// Pins that nobody holds go by that name.
+void add_pins(const std::vector<FlexTie>& ties, const flex::DrapeResult& result,
+              std::vector<FlexSupport>& out) {
+  for (const FlexTie& tie : ties) add_share(tie.name, result.pin_shares[tie.vertex], out);
+  if (ties.empty() && result.pin_share != 0) out.push_back({"pins", result.pin_share});
+}
+
 std::vector<FlexSupport> supports_of(const Scene& scene, const DrapeSurroundings& around,
+                                     const std::vector<FlexTie>& ties,
                                      const flex::DrapeResult& result) {
   std::vector<FlexSupport> out;
   for (size_t i = 0; i < result.shares.size(); ++i)
     if (result.touches[i]) out.push_back({named(scene, around.owners[i]).name, result.shares[i]});
-  if (result.pin_share != 0) out.push_back({"pins", result.pin_share});
+  add_pins(ties, result, out);
   // The supports are listed by what they carry, the largest share first.
   std::stable_sort(out.begin(), out.end(),
                    [](const FlexSupport& a, const FlexSupport& b) { return a.share > b.share; });
   return out;
 }
 
-std::shared_ptr<const Flexible> flexible_of(const Scene& scene, const flex::DrapeProblem& problem,
+std::vector<FlexTie> ties_of(const Scene& scene, const DrapeOperation& o,
+                             const flex::DrapeProblem& problem, const flex::DrapeResult& result) {
+  std::vector<FlexTie> out;
+  const std::vector<int> pinned = pinned_vertices(o, problem.start);
+  for (size_t i = 0; i < o.held_by.size(); ++i) {
+    const Pose& pose = scene.at(*scene.find(o.held_by[i])).pose;
+    out.push_back({o.held_by[i], pinned[i],
+                   pose.rotation.matrix().transpose() * (result.x[pinned[i]] - pose.translation)});
+  }
+  return out;
+}
+
+std::shared_ptr<const Flexible> flexible_of(const Scene& scene, const DrapeOperation& o,
+                                            const flex::DrapeProblem& problem,
                                             const DrapeSurroundings& around,
                                             const flex::DrapeResult& result, const Vec3& centre) {
   auto out = std::make_shared<Flexible>();
@@ -49,7 +79,9 @@ std::shared_ptr<const Flexible> flexible_of(const Scene& scene, const flex::Drap
   for (const Vec3& p : result.x) out->vertices.push_back(p - centre);
   out->friction = result.friction;
   out->certificate = result.certificate;
-  out->supports = supports_of(scene, around, result);
+  out->ties = ties_of(scene, o, problem, result);
+  out->start = FlexStart{o.path, o.start, o.pins, o.cell};
+  out->supports = supports_of(scene, around, out->ties, result);
   return out;
 }
 
@@ -84,7 +116,7 @@ Object draped_object(const Scene& scene, const DrapeOperation& o, const flex::Dr
   const Vec3 centre = middle_of(result.x);
   Object object;
   object.name = o.object;
-  object.flexible = flexible_of(scene, problem, around, result, centre);
+  object.flexible = flexible_of(scene, o, problem, around, result, centre);
   const Flexible& flexible = *object.flexible;
   const double radius = kInside * problem.material.thickness / 2;
   flex::ThickShape thick = flexible.is_cable

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ops/operations/carried_drapes.h"
 #include "ops/operations/commit_at_rest.h"
+#include "ops/operations/draped_rest.h"
 #include "ops/operations/move_parts.h"
 #include "ops/operations/push_events.h"
 #include "ops/placement/contacts.h"
@@ -41,14 +43,15 @@ class LiveMove::Hand {
  public:
   Hand(const Scene& scene, const Operation& operation, const SettleOptions& options,
        const RunContext& context)
-      : m_operation(operation), m_run(options, without_budget(context)) {
+      : m_operation(operation), m_context(without_budget(context)), m_run(options, m_context) {
     const auto id = scene.find(object_name(m_operation));
     if (!id) {
       m_refused = trivet::refused(unknown_object(scene, object_name(m_operation)));
       return;
     }
-    m_planner.emplace(scene, *id, move_options(m_operation), op_name(m_operation), m_run,
-                      is_free(m_operation));
+    m_without = without_carried(scene, *id);
+    m_planner.emplace(m_without ? *m_without : scene, *id, move_options(m_operation),
+                      op_name(m_operation), m_run, is_free(m_operation));
     if (!m_planner->refused()) std::visit([&](auto& o) { begin(o); }, m_operation);
     m_start = m_planner->group().here();
   }
@@ -101,12 +104,21 @@ class LiveMove::Hand {
   OperationResult finish(Transaction& transaction) {
     // The plan is that of an ordinary operation, and committed like one.
     if (!m_planner) return m_refused;
+    if (m_without) return refused() ? result() : perform_anew(transaction);
     assert(&transaction.scene() == &m_planner->scene());
-    return commit_at_rest(transaction, plan(), m_run,
-                          named(transaction.scene(), object_name(m_operation)));
+    OperationResult out = commit_at_rest(transaction, plan(), m_run,
+                                         named(transaction.scene(), object_name(m_operation)));
+    if (out.ok()) name_disturbed(transaction.scene(), transaction.touched(), out);
+    return out;
   }
 
  private:
+  // What the object holds comes along by DRAPE.
+  OperationResult perform_anew(Transaction& transaction) {
+    m_push.reset(), m_planner.reset();
+    return perform(transaction, m_operation, m_run.options, m_context);
+  }
+
   MovePlan plan() {
     if (!refused()) {
       if (m_push) return m_push->finish();
@@ -151,8 +163,10 @@ class LiveMove::Hand {
   }
 
   Operation m_operation;
+  RunContext m_context;
   OperationRun m_run;
   OperationResult m_refused;
+  std::unique_ptr<const Scene> m_without;  // the scene, but what the object holds; null: the same
   std::optional<MovePlanner> m_planner;
   std::optional<Push> m_push;
   MovingGroup::Place m_start;

@@ -2,6 +2,7 @@
 
 #include "core/contact/contact_memory.h"
 #include "ops/free_places/place_region.h"
+#include "ops/operations/carried_drapes.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/commit_at_rest.h"
 #include "ops/operations/draped_rest.h"
@@ -115,6 +116,16 @@ OperationResult perform_one(Transaction& transaction, ObjectId id, const Any& o,
   }
 }
 
+template <class Any>
+bool moves_its_object(const Any&) {
+  return Plannable<Any> || std::is_same_v<Any, StandOperation>;
+}
+
+std::optional<ObjectId> moved_by(const Operation& operation, std::optional<ObjectId> object) {
+  const bool moves = std::visit([](const auto& o) { return moves_its_object(o); }, operation);
+  return moves ? object : std::nullopt;
+}
+
 // Adds the depth to refusals of poses that a user gave; ours are tried by the hundreds.
 void tell_depth(const Scene& scene, std::optional<ObjectId> id, const Operation& operation,
                 OperationResult& result) {
@@ -152,11 +163,13 @@ OperationResult perform(Transaction& outer, const Operation& operation,
   OperationRun run(options, context);
   // Everything happens in one transaction, which a refusal takes back.
   Transaction inner(outer);
+  const CarriedDrapes carried(inner, moved_by(operation, object));
   OperationResult result = std::visit(
       [&](const auto& o) {
         return perform_one(inner, object.value_or(ObjectId{}), o, run, context);
       },
       operation);
+  if (result.ok()) carried.follow(inner, run, result);
   // Supports that a hand holds, or that are unsupported or invalid, are named: the result stands on
   // them.
   if (result.ok() && object && inner.scene().contains(*object))

@@ -30,13 +30,63 @@ std::optional<InvalidArgument> refuse_tries_of_place(const PutOperation& o) {
   return InvalidArgument{"tries", std::to_string(o.tries), "1 where a place is searched for"};
 }
 
+constexpr unsigned kOn = 0, kFrom = 1;
+
+std::vector<Row<PutOperation>> put_rows() {
+  using P = PutOperation;
+  using R = Row<P>;
+  return {
+      R("position", &P::start, &Pose::translation, kPoint,
+        "Position of the model's origin from which it falls")
+          .in({kFrom})
+          .needed(),
+      R("on", &P::place, &PlaceOptions::on, kSupportName,
+        "Support, an object or \"floor\", on which a free place is searched")
+          .in({kOn})
+          .needed(),
+      R("at", &P::place, &PlaceOptions::near, kAnywhere,
+        "Anywhere, or the free place nearest to a point, by the centre of mass seen from above "
+        "when it is let go. Gaps with less than a few hundredths of the object's width to spare "
+        "may not be found")
+          .in({kOn})
+          .always_written(),
+      R("seed", &P::place, &PlaceOptions::seed, kSeed,
+        "Number that selects the place, for anywhere")
+          .in({kOn}),
+      R("keep", &P::place, &PlaceOptions::keep, kLength,
+        "Distance to everything but what it lies on and the floor")
+          .in({kOn}),
+      R("from", &P::place, &PlaceOptions::from, kHeight,
+        "Height z from which it falls, whatever is above; default: just above its support")
+          .in({kOn}),
+      R("region", &P::place, &PlaceOptions::region, kRegion,
+        "Region that holds its outline at rest, seen from above: two opposite corners of a "
+        "rectangle, or corners of a convex polygon, counter-clockwise")
+          .in({kOn}),
+      R("least_margin", &P::place, &PlaceOptions::least_margin, kLength,
+        "Least distance of its centre of mass from where it would tip, seen from above, at rest; "
+        "other places are tried")
+          .in({kOn}),
+      R("most_friction", &P::place, &PlaceOptions::most_friction, kFriction,
+        "Largest Coulomb coefficient that it may need to stay there; other places are tried; "
+        "default: any")
+          .in({kOn}),
+      R("rotation", &P::start, &Pose::rotation, kRotation, "Rotation at the start, quaternion")
+          .always_written(),
+      R("tries", &P::tries, kTries,
+        "Number of starts to try: where the object would topple or be wedged, it is turned about "
+        "the vertical, moved, and let fall again, in the same container")
+          .in({kFrom}),
+      R("within", &P::within, kSizes,
+        "Largest distance of these starts from the position, as a share of the object's size")
+          .in({kFrom})};
+}
+
 }  // namespace
 
 template <>
 const OperationTable& table<PutOperation>() {
   using P = PutOperation;
-  using R = Row<P>;
-  constexpr unsigned kOn = 0, kFrom = 1;
   static const OperationTable rows = make_table<P>(
       {{"put",
         "Let an object fall where there is room, at a place where it comes to rest on one support "
@@ -48,59 +98,9 @@ const OperationTable& table<PutOperation>() {
        {"put",
         "Let an object fall from a position along gravity to the first contact, then settle",
         {"position"}}},
-      {R("position", &P::start, &Pose::translation, kPoint,
-         "Position of the model's origin from which it falls")
-           .in({kFrom})
-           .needed(),
-       R("on", &P::place, &PlaceOptions::on, kSupportName,
-         "Support, an object or \"floor\", on which a free place is searched")
-           .in({kOn})
-           .needed(),
-       R("at", &P::place, &PlaceOptions::near, kAnywhere,
-         "Anywhere, or the free place nearest to a point, by the centre of mass seen from above "
-         "when "
-         "it is let go. Gaps with less than a few hundredths of the object's width to spare may "
-         "not be "
-         "found")
-           .in({kOn})
-           .always_written(),
-       R("seed", &P::place, &PlaceOptions::seed, kSeed,
-         "Number that selects the place, for anywhere")
-           .in({kOn}),
-       R("keep", &P::place, &PlaceOptions::keep, kLength,
-         "Distance to everything but what it lies on and the floor")
-           .in({kOn}),
-       R("from", &P::place, &PlaceOptions::from, kHeight,
-         "Height z from which it falls, whatever is above; default: just above its support")
-           .in({kOn}),
-       R("region", &P::place, &PlaceOptions::region, kRegion,
-         "Region that holds its outline at rest, seen from above: two opposite corners of a "
-         "rectangle, "
-         "or corners of a convex polygon, counter-clockwise")
-           .in({kOn}),
-       R("least_margin", &P::place, &PlaceOptions::least_margin, kLength,
-         "Least distance of its centre of mass from where it would tip, seen from above, at rest; "
-         "other places are tried")
-           .in({kOn}),
-       R("most_friction", &P::place, &PlaceOptions::most_friction, kFriction,
-         "Largest Coulomb coefficient that it may need to stay there; other places are tried; "
-         "default: "
-         "any")
-           .in({kOn}),
-       R("rotation", &P::start, &Pose::rotation, kRotation, "Rotation at the start, quaternion")
-           .always_written(),
-       R("tries", &P::tries, kTries,
-         "Number of starts to try: where the object would topple or be wedged, it is turned about "
-         "the vertical, moved, and let "
-         "fall again, in the same container")
-           .in({kFrom}),
-       R("within", &P::within, kSizes,
-         "Largest distance of these starts from the position, as a share of the object's size")
-           .in({kFrom})},
-      refuse_tries_of_place,
+      put_rows(), refuse_tries_of_place,
       TRIVET_SENTENCE("a place is missing; accepted: \"position\", from where it falls, or \"on\", "
-                      "an object or "
-                      "\"floor\", on which a place is found"));
+                      "an object or \"floor\", on which a place is found"));
   return rows;
 }
 

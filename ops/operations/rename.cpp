@@ -14,6 +14,8 @@ void rename_support(Transaction& transaction, ObjectId draped, const RenameOpera
   auto renamed = std::make_shared<Flexible>(*transaction.scene().at(draped).flexible);
   for (FlexSupport& support : renamed->supports)
     if (support.name == o.object) support.name = o.to;
+  for (FlexTie& tie : renamed->ties)
+    if (tie.name == o.object) tie.name = o.to;
   transaction.edit(draped, [&](Object& object) { object.flexible = std::move(renamed); });
 }
 

@@ -210,8 +210,7 @@ struct FormRow {
 
 /// The table of `P`: these rows, the object before them, and what all moves have after them.
 template <class P>
-OperationTable make_table(std::initializer_list<FormRow<P>> forms,
-                          std::initializer_list<Row<P>> rows,
+OperationTable make_table(std::initializer_list<FormRow<P>> forms, const std::vector<Row<P>>& rows,
                           std::optional<InvalidArgument> (*rule)(const P&) = nullptr,
                           const char* choice = "") {
   OperationTable out;
@@ -223,7 +222,7 @@ OperationTable make_table(std::initializer_list<FormRow<P>> forms,
       };
     if (form.begin) added.begin = [begin = form.begin](void* o) { begin(*static_cast<P*>(o)); };
   }
-  if (rows.size() == 0 || std::string_view(rows.begin()->key) != "object")
+  if (rows.empty() || std::string_view(rows.front().key) != "object")
     out.fields.push_back(Row<P>("object", &P::object, kObjectName, "Name of the object").needed());
   out.fields.insert(out.fields.end(), rows.begin(), rows.end());
   if constexpr (std::is_base_of_v<JointMoveOptions, P>)

@@ -274,7 +274,7 @@ class Faults(BatchCase):
         if run is None:
             self.skipTest("no file system can be mounted here")
         self.assertIn("status 3", run.stdout.decode())
-        self.assertIn("run.json: cannot be written: Read-only file system", run.stderr.decode())
+        self.assertIn("ro: cannot be written: Read-only file system", run.stderr.decode())
 
     def test_few_descriptors(self):
         self.batch("one")

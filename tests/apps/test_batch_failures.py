@@ -210,7 +210,7 @@ class Folders(BatchCase):
         for folder, mode in (("closed", 0o555), ("begun", 0o777), ("begun/0000", 0o555)):
             os.chmod(self.path(folder), mode)
         before = self.files()
-        for out, named in (("closed", "closed/run.json"), ("closed/new", "closed/new"),
+        for out, named in (("closed", "closed"), ("closed/new", "closed/new"),
                            ("begun", "begun/0000/scenes-000001.tar")):
             run = subprocess.run([PROGRAM, "batch", "recipe.json", "--count", "40", "--per-tar", "5", "--out", out],
                                  cwd=self.folder, capture_output=True, **user)

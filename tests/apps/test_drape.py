@@ -52,6 +52,30 @@ class Drape(SessionCase):
             self.assertIn(says, out)
         self.refused("drape", "s.glb", "x", "--path", 0, 0, 1, "-o", "x.glb", says=["two or more"])
 
+    def test_recipes_drape_and_keep_the_shapes_in_scenes(self):
+        group = {"name": "a", "models": [{"model": "cube.obj", "scale": 0.2}], "count": 1, "on": "block"}
+        self.write("recipe.json", json.dumps({
+            "trivet_recipe": 1, "objects": [BLOCK], "operations": [{**CLOTH, "cell": 0.05}], "groups": [group]}))
+        self.trivet("batch", "recipe.json", "--count", 1, "--out", "b", "--format", "dir", "--with", "scene")
+        self.trivet("check", "b/0000/scenes-000000/000000000.glb")
+        # A napkin on each plate.
+        self.write("plate.obj", box_obj(0.05, 0.05, 0.005))
+        plates = {"name": "plate", "models": [{"model": "plate.obj"}], "count": 2, "on": "floor",
+                  "region": [[-0.4, -0.4], [0.4, 0.4]]}
+        napkin = {"op": "drape", "group": "plate", "name": "napkin", "size": [0.15, 0.15], "cell": 0.025}
+        self.write("napkins.json", json.dumps({"trivet_recipe": 1, "groups": [plates], "then": [napkin]}))
+        self.trivet("batch", "napkins.json", "--count", 1, "--out", "n", "--format", "dir", "--with", "scene")
+        scene = self.read_json("n/0000/scenes-000000/000000000.json")
+        self.assertEqual([o["name"] for o in scene["objects"] if o.get("draped")], ["napkin_0", "napkin_1"])
+        self.trivet("check", "n/0000/scenes-000000/000000000.glb")
+        for key, value, says in (("material", "lead", "cotton, felt"), ("group", "cups", "the name of a group"),
+                                 ("size", [0.3], "size"), ("count", 2, "count")):
+            self.write("bad.json", json.dumps({"trivet_recipe": 1, "groups": [plates], "then": [{**napkin, key: value}]}))
+            self.refused("batch", "bad.json", "--count", 1, "--out", "x", says=says)
+        rows = self.read_json("b/0000/scenes-000000/000000000.json")["objects"]
+        self.assertEqual([o["class"] for o in rows if o.get("draped")], ["cloth"])
+        self.refused("batch", "materialise", "b", 0, "-o", "m.glb", says=['"cloth", which was draped', "--with scene"])
+
     def test_check_sees_what_is_gone(self):
         self.draped()
         live = Live(self.folder, "s.glb")
@@ -80,6 +104,22 @@ class Drape(SessionCase):
         self.trivet("fix", "s.glb", "block", "-o", "t.glb", "--report", "t.json")
         self.assertEqual(self.flexible(self.read_json("t.json")), self.flexible(report))
         self.trivet("check", "t.glb")
+
+    def test_leads_stay_with_their_lamps_in_files_and_are_draped_again(self):
+        socket = {**BLOCK, "name": "socket", "position": [0.7, 0, 0.150001]}
+        path = [[0.09, 0, 0.25], [0.35, 0, 0.5], [0.61, 0, 0.25]]
+        lead = {"op": "drape", "object": "lead", "path": path, "cell": 0.03, "pins": [path[0], path[2]],
+                "held_by": ["block", "socket"]}
+        self.trivet("run", self.layout([BLOCK, socket], [lead]), "-o", "s.glb", "--report", "s.json")
+        names = {s["name"] for s in self.flexible(self.read_json("s.json"), "lead")["supports"]}
+        self.assertLessEqual({"block", "socket"}, names)
+        self.trivet("check", "s.glb")
+        self.trivet("drape", "s.glb", "lead", "--again", "-o", "t.glb", "--report", "t.json")
+        again = self.flexible(self.read_json("t.json"), "lead")
+        self.assertLess(again["net_force"], 1e-3)
+        self.trivet("check", "t.glb")
+        out, _ = self.trivet("drape", "s.glb", "socket", "--again", "-o", "x.glb", status=1)
+        self.assertIn("flexible", out)
 
     def test_spoiled_files_are_refused(self):
         self.draped()

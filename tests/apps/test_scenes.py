@@ -71,6 +71,18 @@ class Outputs(Case):
         self.refused("demo", "spoon-saucer", "-o", "s.glb", "--export", "file/x", status=3,
                      says="file/x")
 
+    def test_folders_are_checked_before_the_work(self):
+        self.write("file", "")
+        for command in (("render", "none.glb", "--coco", "file"), ("render", "none.glb", "--bop", "file"),
+                        ("demo", "spoon-saucer", "-o", "s.glb", "--export", "file"),
+                        ("batch", "none.json", "--count", "1", "--out", "file"),
+                        ("batch", "pictures", "none", "--out", "file"),
+                        ("batch", "export", "none", "--as", "mjcf", "--out", "file")):
+            self.refused(*command, says="file: is a file; accepted: a folder")
+        self.assertEqual(os.listdir(self.folder).count("s.glb"), 0)
+        job = ("batch", "none.json", "--count", "1", "--template", "slurm", "--out")
+        self.assertIn("file", self.trivet(*job, "file")[0])
+
     @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
     def test_a_folder_without_permission(self):
         os.mkdir(self.path("closed"), 0o500)

@@ -220,7 +220,7 @@ class Buttons(unittest.TestCase):
         support.clear()
         one = cube("one", (0, 0, 3))
         support.select([])
-        for name in ("put", "separate", "push", "turn", "move", "scatter", "paint", "put_here"):
+        for name in ("put", "separate", "push", "turn", "move", "scatter", "paint", "put_here", "mend"):
             with self.assertRaisesRegex(RuntimeError, "Select (objects|the active object) first"):
                 getattr(bpy.ops.trivet, name)(*RUN)
         support.select([one])

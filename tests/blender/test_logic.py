@@ -124,6 +124,27 @@ class Names(unittest.TestCase):
                 self.assertEqual(body.name in got, meets)
 
 
+class Mends(unittest.TestCase):
+    def test_both_backends_part_two_and_leave_the_third(self):
+        for kind in ("MODULE", "PROGRAM"):
+            with self.subTest(kind=kind):
+                given = [box("a", (0, 0, .5)), box("b", (.999, 0, .503)), box("c", (5, 0, .5 + 1e-6))]
+                settings = Settings(clearance=1e-5)
+                report = work.Mend(lambda bodies, out: found(kind).layout(bodies, out, settings), given, ["a", "b"]).run()
+                self.assertEqual((sorted(report.motions), report.refused), (["a", "b"], {}))
+                apart = moved(given[1].bounds(), report.motions["b"])[0, 0] - moved(given[0].bounds(), report.motions["a"])[1, 0]
+                self.assertTrue(0 < apart < 1e-3, apart)
+                self.assertLess(moved(given[1].bounds(), report.motions["b"])[0, 2], 1e-4)
+                self.assertTrue(report.verdict.stands)
+
+    def test_what_has_no_place_is_refused(self):
+        for kind in ("MODULE", "PROGRAM"):
+            with self.subTest(kind=kind):
+                given = [box("rock", (0, 0, 2), (4, 4, 4), fixed=True), box("coin", (0, 0, 2), (.1, .1, .02))]
+                report = work.Mend(lambda bodies, out: found(kind).layout(bodies, out, Settings()), given, ["coin"]).run()
+                self.assertEqual((report.motions, list(report.refused)), ({}, ["coin"]))
+
+
 class Stuck(unittest.TestCase):
     def test_is_what_hangs_together_with_what_stays(self):
         pairs = [("a", "wall"), ("b", "a"), ("c", "d"), ("wall", "floor tile"), ("e", "b")]

@@ -247,6 +247,39 @@ class Separates(unittest.TestCase):
         nothing_crosses(self)
 
 
+class Mends(unittest.TestCase):
+    def test_what_interpenetrates_and_hangs_by_little(self):
+        table, plate, cup = table_with_plate_and_cup()
+        jug = cube("jug", (.5, .5, 1.2), (.1, .1, .2))
+        support.select([plate, cup, jug])
+        support.put()
+        stands = jug.matrix_world.copy()
+        plate.location.z += .004  # hangs; the cup is in it
+        bpy.context.view_layer.update()
+        wanted = {one: one.matrix_world.translation.copy() for one in (plate, cup)}
+        support.select([plate, cup, jug])
+        self.assertEqual(bpy.ops.trivet.mend(*RUN), {"FINISHED"})
+        nothing_crosses(self)
+        for one in (plate, cup):
+            self.assertLess((one.matrix_world.translation - wanted[one]).length, .006, one.name)
+        self.assertAlmostEqual(plate.matrix_world.translation.z, 1.025, 3)
+        self.assertEqual(jug.matrix_world, stands)
+        self.assertEqual(memory.status_of(cup).supports, ("plate",))
+        self.assertTrue(memory.last.verdict.stands, memory.last.verdict)
+        before = support.matrices()
+        self.assertEqual(bpy.ops.trivet.mend(*RUN), {"CANCELLED"})
+        self.assertEqual(support.matrices(), before)
+
+    def test_what_has_no_place_is_named_and_stays(self):
+        support.clear()
+        cube("rock", (0, 0, 2), (4, 4, 4))
+        coin = cube("coin", (0, 0, 2), (.1, .1, .02))
+        support.select([coin])
+        self.assertEqual(bpy.ops.trivet.mend(*RUN), {"CANCELLED"})
+        self.assertIn("coin", memory.last.refused)
+        self.assertEqual(tuple(coin.location), (0, 0, 2))
+
+
 class Scatters(unittest.TestCase):
     def scene(self):
         support.clear()

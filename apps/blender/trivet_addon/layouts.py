@@ -84,6 +84,9 @@ class Layout(Protocol):
     def perform(self, operation: Mapping[str, Any]) -> Outcome:
         """An operation as a layout file has it."""
 
+    def mend(self) -> Mapping[str, str]:
+        """Brings free bodies that interpenetrate or hang to rest near where they are. Those that stay, and why."""
+
     def undo(self) -> None:
         """Takes the last operation back."""
 

@@ -90,6 +90,12 @@ class ModuleLayout:
         except self._trivet.BadInputError as error:
             return Outcome(False, "invalid_argument", str(error))
 
+    def mend(self) -> Mapping[str, str]:
+        try:
+            return {one["object"]: one["why"] for one in self._scene.mend()["unable"]}
+        except self._trivet.NotDone as error:
+            raise LayoutError(str(error)) from error
+
     def undo(self) -> None:
         self._scene.undo()
 

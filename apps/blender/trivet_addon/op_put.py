@@ -1,4 +1,4 @@
-"""Operators that put: Put, Put here, Separate."""
+"""Operators that put: Put, Put here, Separate, Mend."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .moves import WAYS_TO_LIE, Separate, laid, put_at, rotation_of
 from .pointing import Pointing, surface_below
 from .running import Working
 from .stage import Stage
-from .work import Put, Report
+from .work import Mend, Put, Report
 
 OBJECT_MODE = "Works in Object Mode"
 _GAP = 8.0  # clearances above the point to which the mouse points
@@ -203,4 +203,25 @@ class TRIVET_OT_separate(Working, bpy.types.Operator):
         return super().summary(stage, report)
 
 
-CLASSES = (TRIVET_OT_put, TRIVET_OT_put_here, TRIVET_OT_separate)
+class TRIVET_OT_mend(Working, bpy.types.Operator):
+    """Moves those of the selected and free objects that interpenetrate or hang, as little as possible; what stood on what still does"""
+
+    bl_idname = "trivet.mend"
+    bl_label = "Mend"
+    bl_options = {"REGISTER", "UNDO"}
+    falls = True
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        return selected_in_object_mode(cls, context)
+
+    def work(self, stage: Stage) -> Mend:
+        return Mend(stage.make, stage.bodies, stage.movers)
+
+    def summary(self, stage: Stage, report: Report) -> str:
+        if not report.done and not report.refused and not report.gave_way:
+            return "No object interpenetrates, and all are at rest"
+        return super().summary(stage, report)
+
+
+CLASSES = (TRIVET_OT_put, TRIVET_OT_put_here, TRIVET_OT_separate, TRIVET_OT_mend)

@@ -37,8 +37,8 @@ def write_ply(path: str, vertices: np.ndarray, faces: np.ndarray) -> None:
         file.write(rows.tobytes())
 
 
-def write_layout(folder: str, bodies: Sequence[Body], out: Sequence[str], floor: bool) -> str:
-    """A layout of these with its models; those of `out` have no position."""
+def write_layout(folder: str, bodies: Sequence[Body], out: Sequence[str], floor: bool, operations: Sequence = ()) -> str:
+    """A layout of these with its models; those of `out` have no position. operations : done as it is opened."""
     objects = []
     for body in bodies:
         vertices, faces = body.arrays()
@@ -54,7 +54,7 @@ def write_layout(folder: str, bodies: Sequence[Body], out: Sequence[str], floor:
         objects.append(entry)
     path = os.path.join(folder, "layout.json")
     with open(path, "w", encoding="utf-8") as file:
-        json.dump({"trivet": 1, "floor": floor, "objects": objects}, file)
+        json.dump({"trivet": 1, "floor": floor, "objects": objects, "operations": list(operations)}, file)
     return path
 
 
@@ -161,6 +161,7 @@ class ProgramLayout:
             raise
 
     def _start(self, bodies: Sequence[Body], out: Sequence[str]) -> None:
+        self._given = bodies, out
         if not bodies:
             return
         self._open(bodies, out)
@@ -182,12 +183,14 @@ class ProgramLayout:
             raise ProgramError(f"{program} is not the program trivet")
         return words[1]
 
-    def _open(self, bodies: Sequence[Body], out: Sequence[str]) -> None:
+    def _open(self, bodies: Sequence[Body], out: Sequence[str], operations: Sequence = ()) -> Sequence[Mapping[str, Any]]:
         self.close_session()
-        layout = write_layout(self._folder.name, bodies, out, self._settings.floor)
+        layout = write_layout(self._folder.name, bodies, out, self._settings.floor, operations)
         self._session = _Session(self._program, layout, self._settings)
         self._poses = {}
-        self._note_poses(self._session.ask({"query": "objects"})["objects"])
+        entries = self._session.ask({"query": "objects"})["objects"]
+        self._note_poses(entries)
+        return entries
 
     def _note_poses(self, entries: Sequence[Mapping[str, Any]]) -> None:
         for entry in entries:
@@ -203,6 +206,11 @@ class ProgramLayout:
 
     def perform(self, operation: Mapping[str, Any]) -> Outcome:
         return outcome_of(self._ask(operation))
+
+    def mend(self) -> Mapping[str, str]:
+        """A layout that begins with it stands as it is given, so all begins again."""
+        entries = self._open(*self._given, [{"op": "mend"}]) if self._given[0] else []
+        return {one["object"]: "no place near is free" for one in entries if one["state"] in ("invalid", "unsupported")}
 
     def undo(self) -> None:
         self._ask({"undo": True})

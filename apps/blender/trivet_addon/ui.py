@@ -12,7 +12,8 @@ from .reading import metres_of_unit
 
 _KEYS: list = []
 ICONS = {"put": "TRIA_DOWN_BAR", "put_here": "PIVOT_CURSOR", "scatter": "STICKY_UVS_DISABLE", "paint": "BRUSH_DATA", "push": "FORWARD",
-         "turn": "FILE_REFRESH", "move": "ORIENTATION_GLOBAL", "separate": "MOD_EXPLODE", "check": "CHECKMARK"}
+         "turn": "FILE_REFRESH", "move": "ORIENTATION_GLOBAL", "separate": "MOD_EXPLODE", "mend": "TOOL_SETTINGS",
+         "check": "CHECKMARK"}
 _CHARACTER = 8.0  # pixels, at a scale of 1
 _BARELY = 2e-4  # of its size: margins below it are told
 
@@ -61,7 +62,9 @@ class TRIVET_PT_main(_Panel, bpy.types.Panel):
             row = layout.row(align=True)
             for name in names:
                 row.operator(f"trivet.{name}", text=name.replace("_", " ").title(), icon=ICONS[name])
-        layout.operator("trivet.check", icon="CHECKMARK")
+        row = layout.row(align=True)
+        row.operator("trivet.check", icon=ICONS["check"])
+        row.operator("trivet.mend", icon=ICONS["mend"])
         layout.operator("trivet.export", text="Export", icon="EXPORT")
         layout.separator()
         layout.prop(context.scene.trivet, "floor")

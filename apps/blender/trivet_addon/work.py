@@ -138,6 +138,35 @@ def stuck_from_the_start(pairs: Sequence, movers: Sequence[str]) -> dict:
     return out
 
 
+class Mend:
+    """Brings bodies that interpenetrate or hang to rest near where they are; all others stay, to the bit."""
+
+    def __init__(self, make: MakeLayout, bodies: Sequence[Body], movers: Sequence[str]) -> None:
+        self._make, self._bodies, self._movers = make, list(bodies), list(movers)
+        self.progress = Progress()
+
+    def run(self) -> Report:
+        """Raises Stopped."""
+        self.progress.at(0, 1, "looking for places")
+        layout = self._make(self._bodies, [])
+        self.progress.watch(layout)
+        try:
+            unable = layout.mend()
+            self.progress.at(1, 1, "the scene as a whole")  # cancelled is not unable
+            return self._report(layout, unable)
+        finally:
+            layout.close()
+
+    def _report(self, layout: Layout, unable: Mapping[str, str]) -> Report:
+        motions = motions_in(layout, self._bodies)
+        report = Report(motions=motions, verdict=layout.verdict())
+        report.done = [name for name in self._movers if name in motions]
+        report.gave_way = [name for name in motions if name not in self._movers]
+        report.refused = {name: Outcome(False, "no_place", f'"{name}": {why}', (name,)) for name, why in unable.items()}
+        report.statuses = {name: layout.status(name) for name in motions}
+        return report
+
+
 class Check:
     """Judges bodies where they are.
 

@@ -1,4 +1,4 @@
-// The table and its cloth.
+// Tables, with and without a cloth, and a wall with pegs.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +11,7 @@ namespace trivet::shapes {
 namespace {
 
 constexpr Index kWood = 0, kLinen = 1, kStripe = 2;
+constexpr Index kPlaster = 1, kPegSteel = 2;
 const Vec2 kHalfTop(0.6, 0.4);
 
 // A leg that gets thinner downwards, 1 mm deep in the top.
@@ -67,9 +68,7 @@ Part cloth() {
   return {std::move(surface), 40};
 }
 
-}  // namespace
-
-Model make_table() {
+std::vector<Part> table_without_cloth() {
   std::vector<Part> parts{{skin(slab(kHalfTop, 0.02, 0.004, 0.710, kTableHeight, 4)), 40}};
   for (const double sx : {-1.0, 1.0})
     for (const double sy : {-1.0, 1.0}) parts.push_back(leg(sx, sy));
@@ -77,10 +76,34 @@ Model make_table() {
     parts.push_back(apron({0.503, 0.010}, {0, s * 0.34}));
     parts.push_back(apron({0.010, 0.303}, {s * 0.54, 0}));
   }
+  return parts;
+}
+
+Material wood() { return make_material("wood", 0.30f, 0.145f, 0.06f, 0.5f); }
+
+}  // namespace
+
+Model make_bare_table() { return assemble("bare_table", table_without_cloth(), {wood()}); }
+
+Model make_pegs() {
+  std::vector<Part> parts{
+      {painted(box({-0.45, 0, 0}, {0.45, 0.04, 1.75}), kPlaster), 40},
+      {painted(box({-0.3, -0.018, 1.46}, {0.3, 0.001, 1.54}, 0.003), kWood), 40}};
+  for (const double x : {-0.2, 0.0, 0.2})
+    parts.push_back(
+        {painted(rod({x, -0.017, kPegHeight}, {x, -0.085, kPegHeight + 0.015}, 0.006, 0.009, 16),
+                 kPegSteel),
+         40});
+  return assemble("pegs", parts,
+                  {wood(), make_material("plaster", 0.72f, 0.70f, 0.64f, 0.9f),
+                   make_material("steel", 0.55f, 0.55f, 0.56f, 0.3f, 1.0f)});
+}
+
+Model make_table() {
+  std::vector<Part> parts = table_without_cloth();
   parts.push_back(cloth());
   return assemble("table", parts,
-                  {make_material("wood", 0.30f, 0.145f, 0.06f, 0.5f),
-                   make_material("linen", 0.78f, 0.75f, 0.68f, 0.9f),
+                  {wood(), make_material("linen", 0.78f, 0.75f, 0.68f, 0.9f),
                    make_material("linen stripe", 0.10f, 0.20f, 0.38f, 0.9f)});
 }
 

@@ -26,6 +26,8 @@ constexpr std::pair<const char*, Maker> kMakers[] = {
     {"toast", make_toast},
     {"loaf", make_loaf},
     {"table", make_table},
+    {"bare_table", make_bare_table},
+    {"pegs", make_pegs},
     {"desk", make_desk},
     {"bookcase", make_bookcase},
     {"chair", make_chair},

@@ -28,7 +28,9 @@ Model make_egg();     // stands on its blunt end
 Model make_toast();   // lies flat
 Model make_loaf();    // lies along x, cut at +x
 
-Model make_table();  // with a cloth; its top face at kTableHeight, the cloth's at kClothHeight
+Model make_table();       // with a cloth; its top face at kTableHeight, the cloth's at kClothHeight
+Model make_bare_table();  // the same without
+Model make_pegs();        // three on a wall, at kPegHeight, towards -y
 
 Model make_desk();      // its top at kDeskHeight; a person sits at -y
 Model make_bookcase();  // open to -y, boards at kBookcaseBoards
@@ -78,6 +80,7 @@ Model make_toolbox();
 
 inline constexpr double kTableHeight = 0.74;
 inline constexpr double kClothHeight = 0.7415;
+inline constexpr double kPegHeight = 1.5;
 inline constexpr double kDeskHeight = 0.73;
 inline constexpr double kBookcaseHeight = 1.19;
 inline constexpr double kBookcaseBoards[] = {0.08, 0.45, 0.82};  // the upper sides

@@ -6,6 +6,8 @@
 #include "apps/edit/document/words.h"
 #include "core/base/error.h"
 #include "core/io/process/sandboxed_import.h"
+#include "ops/mend/settle_free.h"
+#include "ops/operations/drape_watch.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet::edit {
@@ -195,7 +197,24 @@ RunContext Engine::context() const {
   return context;
 }
 
-bool Engine::perform(const Operation& operation) { return perform_all({operation}); }
+bool Engine::perform(const Operation& operation) {
+  const auto* const repair = std::get_if<RepairOperation>(&operation);
+  return (repair && tell_if_true(*repair)) || perform_all({operation});
+}
+
+// True if there is nothing to repair: then it is no step.
+bool Engine::tell_if_true(const RepairOperation& repair) {
+  SettleSceneOptions options;
+  options.settle = settle_options();
+  options.only = repair.only;
+  if (!unsettled_objects(m_opened->session.scene(), options).empty()) return false;
+  tell(Message{Message::Kind::Info,
+               with_name(Document::tr("%1: no object passes through another, and all are at rest"),
+                         in_words(op_name(Operation(repair)))),
+               {},
+               {}});
+  return true;
+}
 
 // Start pose of a motion to be played back; a PUT states it itself.
 std::optional<Pose> Engine::pose_before(const std::vector<Operation>& operations) const {
@@ -211,8 +230,18 @@ bool Engine::perform_all(const std::vector<Operation>& operations,
   if (operations.empty()) return true;
   Session& session = m_opened->session;
   const std::optional<Pose> from = pose_before(operations);
+  bool is_falling_shown = false;
+  const DrapeWatch watch([&](const std::shared_ptr<const Object>& falling, double) {
+    is_falling_shown = true;
+    tell([snapshot = m_snapshots.make_falling(falling)](Document& shown) {
+      shown.show_scene(snapshot);
+    });
+  });
   const OperationResult result = session.perform_all(operations, settle_options(), context());
-  if (result.ok()) show_done(operations, result, from);
+  if (result.ok())
+    show_done(operations, result, from);
+  else if (is_falling_shown)
+    show_again();
   if (result.ok() && !select.empty())
     tell([select](Document& shown) { shown.select_named(select); });
   tell(result, operations.back());

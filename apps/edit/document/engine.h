@@ -107,6 +107,7 @@ class Engine {
   void tell(std::function<void(Document&)> what);
   void tell(Message message);
   void tell(const OperationResult& result, const Operation& operation);
+  bool tell_if_true(const RepairOperation& repair);
 
   /// Thrown when the user has cancelled.
   struct Cancelled {};

@@ -133,6 +133,31 @@ InterferingFaces faces_that_stopped(const Scene& scene, const Operation& operati
                         kContactTolerance * clearance);
 }
 
+// "mend: 3 objects moved, by 2.1 mm at most; 5 of 5 supports kept; "a" stays where it was: ..."
+Message message_of_repair(const Operation& operation, const MendedScene& repaired) {
+  Message message;
+  QStringList what;
+  double farthest = 0;
+  for (const SettledObject& o : repaired.moved) farthest = std::max(farthest, o.moved);
+  const int num_moved = static_cast<int>(repaired.moved.size());
+  what << QCoreApplication::translate("results", "%n objects moved, by %1 at most", nullptr,
+                                      num_moved)
+              .arg(phrase(QT_TRANSLATE_NOOP("results", "%1 mm"))
+                       .arg(QLocale().toString(1000 * farthest, 'f', 1)));
+  if (repaired.num_meant > 0)
+    what << phrase(QT_TRANSLATE_NOOP("results", "%1 of %2 supports kept"))
+                .arg(repaired.num_kept)
+                .arg(repaired.num_meant);
+  for (const UnsettledObject& o : repaired.unable) {
+    message.kind = Message::Kind::Warning;
+    message.objects.push_back(o.id);
+    what << phrase(QT_TRANSLATE_NOOP("results", "%1 stays where it was: %2"))
+                .arg(quoted_names({o.name}), QString::fromStdString(in_words(o.why)));
+  }
+  message.text = in_words(op_name(operation)) + ": " + what.join("; ").toStdString();
+  return message;
+}
+
 }  // namespace
 
 std::optional<Message> message_of(const Scene& scene, const Operation& operation,
@@ -144,6 +169,7 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
     if (result.refusal) add_objects(scene, *result.refusal, message.objects);
     return message;
   }
+  if (result.repaired) return message_of_repair(operation, *result.repaired);
   QStringList what;
   if (const QString why = why_it_ended(operation, result); !why.isEmpty()) {
     what << why;

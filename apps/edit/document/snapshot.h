@@ -49,6 +49,8 @@ struct SceneSnapshot {
   std::vector<std::uint32_t> position_of_slot;  // in `objects`, by ObjectId::index; see find()
   std::shared_ptr<const LoadSupport> support;   // of the committed scene; never null
   std::shared_ptr<const std::vector<InvalidObject>> invalid;  // of the committed scene; null: none
+  std::shared_ptr<const Object> falling;  // cloth or cable that comes down, not in the scene; null:
+                                          // none
   std::shared_ptr<const SettledWay> way;  // path of the last operation; null: none to play back
   std::optional<DragSnapshot> drag;  // if set, poses of moving objects are the dragged ones, and
                                      // their contacts are those before the drag

@@ -101,6 +101,14 @@ std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_drag(const Scene& scene
   return made;
 }
 
+std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_falling(
+    std::shared_ptr<const Object> falling) {
+  auto made = std::make_shared<SceneSnapshot>(*m_last);
+  made->revision = ++m_revision;
+  made->falling = std::move(falling);
+  return made;
+}
+
 std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_again() {
   auto made = std::make_shared<SceneSnapshot>(*m_last);
   made->revision = ++m_revision;

@@ -23,6 +23,8 @@ class SnapshotMaker {
   /// @param motion  that is to follow; nullopt: there is none yet.
   std::shared_ptr<const SceneSnapshot> make_drag(const Scene& scene, const LiveMove& live,
                                                  const std::optional<Motion>& motion);
+  /// The last snapshot, with what comes down.
+  std::shared_ptr<const SceneSnapshot> make_falling(std::shared_ptr<const Object> falling);
   /// The last snapshot, before drags.
   std::shared_ptr<const SceneSnapshot> make_again();
 

@@ -8,7 +8,7 @@ import re
 import sys
 
 kSources = ["apps/demo", "apps/edit", "core", "gpu", "ops", "raster"]
-kNotShown = ["core/io/foreign", "ops/files/foreign", "ops/mend"]  # the editor opens no scenes of other programs
+kNotShown = ["core/io/foreign", "ops/files/foreign"]  # the editor opens no scenes of other programs
 kLiteral = re.compile(r'"((?:[^"\\]|\\.)*)"')
 kParameters = r"\(((?:[^()]|\([^()]*\))*(?:\bSentence(?:&|&&)?\s+\w+|\bSentence>? \w+|const char\* pattern\b)(?:[^()]|\([^()]*\))*)\)"
 kFunction = re.compile(r"^([ \t]*)[^\n;(){}=]*?\b(\w+)" + kParameters, re.M)

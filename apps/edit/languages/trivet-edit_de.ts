@@ -783,10 +783,6 @@
         <translation>16 hexadezimale Ziffern</translation>
     </message>
     <message>
-        <source>an operation or several</source>
-        <translation>eine Operation oder mehrere</translation>
-    </message>
-    <message>
         <source>%1; BVHs are used instead</source>
         <translation>%1; stattdessen antworten Boxbäume</translation>
     </message>
@@ -3571,10 +3567,6 @@
         <translation>zwei oder mehr, über einen Millimeter oder mehr</translation>
     </message>
     <message>
-        <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, or &quot;of&quot; for a mesh</source>
-        <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels oder „of“ für ein Netz</translation>
-    </message>
-    <message>
         <source>cells along both sides that fit the vertices, and their lengths</source>
         <translation>Zellen entlang beider Seiten, die zu den Ecken passen, und deren Längen</translation>
     </message>
@@ -3690,6 +3682,58 @@
         <source>meshes without volume, as their transform flattens them</source>
         <translation>Netze ohne Volumen, da ihre Transformation sie flach macht</translation>
     </message>
+    <message>
+        <source>%1, one for each pin</source>
+        <translation>%1, je Nadel einer</translation>
+    </message>
+    <message>
+        <source>a shape is missing; accepted: &quot;size&quot; of a sheet, &quot;path&quot; of a cable, &quot;of&quot; for a mesh, or &quot;again&quot;</source>
+        <translation>eine Form fehlt; zulässig: „size“ eines Tuchs, „path“ eines Kabels, „of“ für ein Netz oder „again“</translation>
+    </message>
+    <message>
+        <source>it is not flexible</source>
+        <translation>es ist nicht biegsam</translation>
+    </message>
+    <message>
+        <source>its pins have not all moved alike</source>
+        <translation>seine Nadeln haben sich nicht alle gleich bewegt</translation>
+    </message>
+    <message>
+        <source>the file does not say how it began</source>
+        <translation>die Datei sagt nicht, wie es begann</translation>
+    </message>
+    <message>
+        <source>it fits nowhere above its place</source>
+        <translation>es passt nirgends über seinen Platz</translation>
+    </message>
+    <message>
+        <source>no place near is free</source>
+        <translation>kein Platz in der Nähe ist frei</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; is not written: its link hangs in another one, too</source>
+        <translation>das Gelenk „%1“ wird nicht geschrieben: sein Glied hängt auch an einem anderen</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; is written as fixed: %2</source>
+        <translation>das Gelenk „%1“ wird als fest geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; would slide: friction of %2 N holds it</source>
+        <translation>das Gelenk „%1“ würde gleiten: Reibung von %2 N hält es</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; would swing: friction of %2 N m holds it</source>
+        <translation>das Gelenk „%1“ würde schwingen: Reibung von %2 N m hält es</translation>
+    </message>
+    <message>
+        <source>the time is over</source>
+        <translation>die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>there is no object %1; accepted: names of objects</source>
+        <translation>es gibt kein Objekt %1; erlaubt: Namen von Objekten</translation>
+    </message>
 </context>
 <context>
     <name>results</name>
@@ -3740,6 +3784,21 @@
     <message>
         <source>stopped at a drop deeper than %1</source>
         <translation>hält vor einer Kante, die tiefer abfällt als %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects moved, by %1 at most</source>
+        <translation>
+            <numerusform>%n Objekt bewegt, um höchstens %1</numerusform>
+            <numerusform>%n Objekte bewegt, um höchstens %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 supports kept</source>
+        <translation>%1 von %2 Auflagen erhalten</translation>
+    </message>
+    <message>
+        <source>%1 stays where it was: %2</source>
+        <translation>%1 bleibt, wo es war: %2</translation>
     </message>
 </context>
 <context>
@@ -3853,6 +3912,18 @@
     <message>
         <source>%1 is fixed: unfix it to put it elsewhere</source>
         <translation>%1 ist fest: zum Umstellen lösen</translation>
+    </message>
+    <message>
+        <source>Click: the sheet comes down there; wheel: turn; Escape stops it</source>
+        <translation>Klicken: Das Tuch fällt dort herab; Rad: drehen; Escape bricht ab</translation>
+    </message>
+    <message>
+        <source>Click where the cable begins; an object that you click holds its end</source>
+        <translation>Klicken, wo das Kabel beginnt; ein angeklicktes Objekt hält sein Ende</translation>
+    </message>
+    <message>
+        <source>Click where it goes; Return or a double click ends it; Backspace takes the last place back, Escape all</source>
+        <translation>Klicken, wohin es geht; Eingabe oder Doppelklick beendet es; Rücktaste nimmt die letzte Stelle zurück, Escape alle</translation>
     </message>
 </context>
 <context>
@@ -4175,6 +4246,13 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::ArrangeDock</name>
+    <message>
+        <source>Arrange</source>
+        <translation>Anordnen</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::ArrangePanel</name>
     <message>
         <source>Swap</source>
@@ -4417,6 +4495,56 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::AssetDock</name>
+    <message>
+        <source>Models</source>
+        <translation>Modelle</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::BookmarkMenu</name>
+    <message>
+        <source>&amp;Bookmarks</source>
+        <translation>&amp;Lesezeichen</translation>
+    </message>
+    <message>
+        <source>View &amp;%1</source>
+        <translation>Ansicht &amp;%1</translation>
+    </message>
+    <message>
+        <source>Show the view stored as %1</source>
+        <translation>Die als %1 gemerkte Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Store as view %1</source>
+        <translation>Als Ansicht %1 merken</translation>
+    </message>
+    <message>
+        <source>Store the view under the mouse as %1</source>
+        <translation>Die Ansicht unter der Maus als %1 merken</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Three-view</source>
+        <translation>Dreitafel</translation>
+    </message>
+    <message>
+        <source>Constraint</source>
+        <translation>Zwangsbedingung</translation>
+    </message>
+    <message>
+        <source>View &amp;%1: %2</source>
+        <translation>Ansicht &amp;%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::ControlWindow</name>
     <message>
         <source>Properties</source>
@@ -4564,6 +4692,10 @@
         <source>%1: stopped after %2 of %3, which stay</source>
         <translation>%1: nach %2 von %3 angehalten; diese bleiben</translation>
     </message>
+    <message>
+        <source>%1: no object passes through another, and all are at rest</source>
+        <translation>%1: kein Objekt durchdringt ein anderes, und alle sind in Ruhe</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::FormDialog</name>
@@ -4684,10 +4816,6 @@
 <context>
     <name>trivet::edit::MainWindow</name>
     <message>
-        <source>Models</source>
-        <translation>Modelle</translation>
-    </message>
-    <message>
         <source>New &amp;collection</source>
         <translation>Neue Samm&amp;lung</translation>
     </message>
@@ -4738,38 +4866,6 @@
     <message>
         <source>ungroup</source>
         <translation>Gruppe auflösen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
-        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
-    </message>
-    <message>
-        <source>In hand: %1</source>
-        <translation>In der Hand: %1</translation>
-    </message>
-    <message>
-        <source>Objects: %1</source>
-        <translation>Objekte: %1</translation>
-    </message>
-    <message>
-        <source>, selected: %1</source>
-        <translation>, ausgewählt: %1</translation>
-    </message>
-    <message>
-        <source> (last: %1)</source>
-        <translation> (zuletzt: %1)</translation>
-    </message>
-    <message>
-        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
-        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
-    </message>
-    <message>
-        <source>The scene as a whole, at the friction of the materials: %1</source>
-        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
     </message>
     <message>
         <source>%1, for simulators</source>
@@ -4834,46 +4930,6 @@
     <message>
         <source>None</source>
         <translation>Keine</translation>
-    </message>
-    <message>
-        <source>along the held edge of its contact with %1</source>
-        <translation>entlang der gehaltenen Kante am Kontakt mit %1</translation>
-    </message>
-    <message>
-        <source>along the normal at the held point of its contact with %1</source>
-        <translation>entlang der Normalen im gehaltenen Punkt am Kontakt mit %1</translation>
-    </message>
-    <message>
-        <source>along the normal of its contact with %1</source>
-        <translation>entlang der Normalen des Kontakts mit %1</translation>
-    </message>
-    <message>
-        <source>Control</source>
-        <translation>Steuerung</translation>
-    </message>
-    <message>
-        <source>Perspective</source>
-        <translation>Perspektive</translation>
-    </message>
-    <message>
-        <source>Three-view</source>
-        <translation>Dreitafel</translation>
-    </message>
-    <message>
-        <source>Constraint</source>
-        <translation>Zwangsbedingung</translation>
-    </message>
-    <message>
-        <source>z-lists of the motion</source>
-        <translation>z-Listen der Bewegung</translation>
-    </message>
-    <message>
-        <source>from above</source>
-        <translation>von oben</translation>
-    </message>
-    <message>
-        <source>the floor</source>
-        <translation>dem Boden</translation>
     </message>
     <message>
         <source>%1: there is none to put</source>
@@ -5488,46 +5544,6 @@
         <translation>Der nächste Kontakt des aktiven Objekts: das Zwangsfenster blickt daran entlang, und Schieben folgt ihm, auch an Wänden</translation>
     </message>
     <message>
-        <source>S&amp;nap</source>
-        <translation>&amp;Einrasten</translation>
-    </message>
-    <message>
-        <source>S</source>
-        <translation>S</translation>
-    </message>
-    <message>
-        <source>Snap: to corners, edges, faces, the grid and steps of angles; Control turns it over during a drag</source>
-        <translation>Einrasten: an Ecken, Kanten, Flächen, Gitter und Winkelschritten; Strg kehrt es beim Ziehen um</translation>
-    </message>
-    <message>
-        <source>Sna&amp;p to</source>
-        <translation>Einrasten &amp;an</translation>
-    </message>
-    <message>
-        <source>&amp;Corners</source>
-        <translation>&amp;Ecken</translation>
-    </message>
-    <message>
-        <source>&amp;Edges</source>
-        <translation>&amp;Kanten</translation>
-    </message>
-    <message>
-        <source>&amp;Faces</source>
-        <translation>&amp;Flächen</translation>
-    </message>
-    <message>
-        <source>The &amp;grid</source>
-        <translation>&amp;Gitter</translation>
-    </message>
-    <message>
-        <source>While the magnet or Control is on</source>
-        <translation>Solange der Magnet an oder Strg gedrückt ist</translation>
-    </message>
-    <message>
-        <source>&amp;Steps…</source>
-        <translation>&amp;Schritte…</translation>
-    </message>
-    <message>
         <source>&amp;Section: cut away what is in front</source>
         <translation>&amp;Schnitt: wegschneiden, was davor steht</translation>
     </message>
@@ -5538,54 +5554,6 @@
     <message>
         <source>Section: the window under the mouse cuts away what stands in front of the active object; Control and the wheel move the plane</source>
         <translation>Schnitt: das Fenster unter der Maus schneidet weg, was vor dem aktiven Objekt steht; Strg und das Rad verschieben die Ebene</translation>
-    </message>
-    <message>
-        <source>Section</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Cut away what hides the active object (X); Control and the wheel move the plane</source>
-        <translation>Wegschneiden, was das aktive Objekt verdeckt (X); Strg und das Rad verschieben die Ebene</translation>
-    </message>
-    <message>
-        <source>Cut away what stands in front of the active object (X); Control and the wheel move the plane</source>
-        <translation>Wegschneiden, was vor dem aktiven Objekt steht (X); Strg und das Rad verschieben die Ebene</translation>
-    </message>
-    <message>
-        <source>&amp;Bookmarks</source>
-        <translation>&amp;Lesezeichen</translation>
-    </message>
-    <message>
-        <source>View &amp;%1</source>
-        <translation>Ansicht &amp;%1</translation>
-    </message>
-    <message>
-        <source>Show the view stored as %1</source>
-        <translation>Die als %1 gemerkte Ansicht zeigen</translation>
-    </message>
-    <message>
-        <source>Store as view %1</source>
-        <translation>Als Ansicht %1 merken</translation>
-    </message>
-    <message>
-        <source>Store the view under the mouse as %1</source>
-        <translation>Die Ansicht unter der Maus als %1 merken</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>View &amp;%1: %2</source>
-        <translation>Ansicht &amp;%1: %2</translation>
-    </message>
-    <message>
-        <source>Stored as view %1: Alt+%1 shows it again</source>
-        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
-    </message>
-    <message>
-        <source>Arrange</source>
-        <translation>Anordnen</translation>
     </message>
     <message>
         <source>&amp;Arrange…</source>
@@ -5637,10 +5605,6 @@
     <message>
         <source>colour</source>
         <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Detection: %1</source>
-        <translation>Erkennung: %1</translation>
     </message>
     <message>
         <source>&amp;Quick actions…</source>
@@ -5733,6 +5697,30 @@
     <message>
         <source>Alt+U</source>
         <translation>Alt+U</translation>
+    </message>
+    <message>
+        <source>&amp;Drape</source>
+        <translation>&amp;Drapieren</translation>
+    </message>
+    <message>
+        <source>Drape: let a cloth, a paper or a cable come down where you click</source>
+        <translation>Drapieren: ein Tuch, ein Papier oder ein Kabel herabfallen lassen, wo Sie klicken</translation>
+    </message>
+    <message>
+        <source>&amp;Mend</source>
+        <translation>In &amp;Ordnung bringen</translation>
+    </message>
+    <message>
+        <source>Mend: move what interpenetrates or floats as little as possible, so that everything rests on what it was meant to rest on; of several selected objects, these alone</source>
+        <translation>In Ordnung bringen: was sich durchdringt oder schwebt, so wenig wie möglich bewegen, damit alles auf dem ruht, worauf es gedacht war; sind mehrere Objekte gewählt, nur diese</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttle</source>
+        <translation>Zur &amp;Ruhe bringen</translation>
+    </message>
+    <message>
+        <source>Settle: let what floats or is sunk come to rest; of several selected objects, these alone</source>
+        <translation>Zur Ruhe bringen: was schwebt oder eingesunken ist, zur Ruhe kommen lassen; sind mehrere Objekte gewählt, nur diese</translation>
     </message>
 </context>
 <context>
@@ -6059,6 +6047,78 @@
     <message>
         <source>Flow</source>
         <translation>Menge</translation>
+    </message>
+    <message>
+        <source>Cotton</source>
+        <translation>Baumwolle</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Filz</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Towel</source>
+        <translation>Handtuch</translation>
+    </message>
+    <message>
+        <source>Wool</source>
+        <translation>Wolle</translation>
+    </message>
+    <message>
+        <source>Cable</source>
+        <translation>Kabel</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Along the weft</source>
+        <translation>Entlang des Schusses</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Along the warp</source>
+        <translation>Entlang der Kette</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Largest side: small ones show small folds, and take longer</source>
+        <translation>Größte Seite: Kleine Zellen zeigen kleine Falten und dauern länger</translation>
+    </message>
+    <message>
+        <source>a 40th of the length</source>
+        <translation>ein Vierzigstel der Länge</translation>
+    </message>
+    <message>
+        <source>Slack</source>
+        <translation>Durchhang</translation>
+    </message>
+    <message>
+        <source>By how much a cable is longer than its way</source>
+        <translation>Um so viel ist ein Kabel länger als sein Weg</translation>
+    </message>
+    <message>
+        <source>Above the highest point below the sheet</source>
+        <translation>Über dem höchsten Punkt unter dem Tuch</translation>
+    </message>
+    <message>
+        <source>Drape</source>
+        <translation>Drapieren</translation>
     </message>
 </context>
 <context>
@@ -6479,6 +6539,49 @@
     </message>
 </context>
 <context>
+    <name>trivet::edit::SnapMenu</name>
+    <message>
+        <source>Sna&amp;p to</source>
+        <translation>Einrasten &amp;an</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>&amp;Einrasten</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Snap: to corners, edges, faces, the grid and steps of angles; Control turns it over during a drag</source>
+        <translation>Einrasten: an Ecken, Kanten, Flächen, Gitter und Winkelschritten; Strg kehrt es beim Ziehen um</translation>
+    </message>
+    <message>
+        <source>&amp;Corners</source>
+        <translation>&amp;Ecken</translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation>&amp;Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Faces</source>
+        <translation>&amp;Flächen</translation>
+    </message>
+    <message>
+        <source>The &amp;grid</source>
+        <translation>&amp;Gitter</translation>
+    </message>
+    <message>
+        <source>While the magnet or Control is on</source>
+        <translation>Solange der Magnet an oder Strg gedrückt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Steps…</source>
+        <translation>&amp;Schritte…</translation>
+    </message>
+</context>
+<context>
     <name>trivet::edit::StartPage</name>
     <message>
         <source>A breakfast table of 24 objects</source>
@@ -6591,12 +6694,168 @@
         <source>A workbench, tools and parts in their zones</source>
         <translation>Eine Werkbank, Werkzeuge und Teile in ihren Zonen</translation>
     </message>
+    <message>
+        <source>The same table with a cloth that came down</source>
+        <translation>Derselbe Tisch mit einer Decke, die herabfiel</translation>
+    </message>
+    <message>
+        <source>A coat over a chair, a paper at an edge, a lead</source>
+        <translation>Ein Mantel über einem Stuhl, ein Papier an einer Kante, ein Kabel</translation>
+    </message>
+    <message>
+        <source>A towel on a peg</source>
+        <translation>Ein Handtuch an einem Haken</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::StatusLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
+        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
+    </message>
+    <message>
+        <source>Stored as view %1: Alt+%1 shows it again</source>
+        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>In hand: %1</source>
+        <translation>In der Hand: %1</translation>
+    </message>
+    <message>
+        <source>Objects: %1</source>
+        <translation>Objekte: %1</translation>
+    </message>
+    <message>
+        <source>, selected: %1</source>
+        <translation>, ausgewählt: %1</translation>
+    </message>
+    <message>
+        <source> (last: %1)</source>
+        <translation> (zuletzt: %1)</translation>
+    </message>
+    <message>
+        <source>Detection: %1</source>
+        <translation>Erkennung: %1</translation>
+    </message>
+    <message>
+        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
+        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The scene as a whole, at the friction of the materials: %1</source>
+        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::StatusLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
+        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
+    </message>
+    <message>
+        <source>Stored as view %1: Alt+%1 shows it again</source>
+        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>In hand: %1</source>
+        <translation>In der Hand: %1</translation>
+    </message>
+    <message>
+        <source>Objects: %1</source>
+        <translation>Objekte: %1</translation>
+    </message>
+    <message>
+        <source>, selected: %1</source>
+        <translation>, ausgewählt: %1</translation>
+    </message>
+    <message>
+        <source> (last: %1)</source>
+        <translation> (zuletzt: %1)</translation>
+    </message>
+    <message>
+        <source>Detection: %1</source>
+        <translation>Erkennung: %1</translation>
+    </message>
+    <message>
+        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
+        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The scene as a whole, at the friction of the materials: %1</source>
+        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::ViewFrame</name>
     <message>
         <source>Double click to maximise this window, and to restore it</source>
         <translation>Doppelklick maximiert dieses Fenster und stellt es wieder her</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::Workspace</name>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Three-view</source>
+        <translation>Dreitafel</translation>
+    </message>
+    <message>
+        <source>Constraint</source>
+        <translation>Zwangsbedingung</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut away what hides the active object (X); Control and the wheel move the plane</source>
+        <translation>Wegschneiden, was das aktive Objekt verdeckt (X); Strg und das Rad verschieben die Ebene</translation>
+    </message>
+    <message>
+        <source>Cut away what stands in front of the active object (X); Control and the wheel move the plane</source>
+        <translation>Wegschneiden, was vor dem aktiven Objekt steht (X); Strg und das Rad verschieben die Ebene</translation>
+    </message>
+    <message>
+        <source>along the held edge of its contact with %1</source>
+        <translation>entlang der gehaltenen Kante am Kontakt mit %1</translation>
+    </message>
+    <message>
+        <source>along the normal at the held point of its contact with %1</source>
+        <translation>entlang der Normalen im gehaltenen Punkt am Kontakt mit %1</translation>
+    </message>
+    <message>
+        <source>along the normal of its contact with %1</source>
+        <translation>entlang der Normalen des Kontakts mit %1</translation>
+    </message>
+    <message>
+        <source>from above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>the floor</source>
+        <translation>dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>trivet::edit::ZListDock</name>
+    <message>
+        <source>z-lists of the motion</source>
+        <translation>z-Listen der Bewegung</translation>
     </message>
 </context>
 <context>

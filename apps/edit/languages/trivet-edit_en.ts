@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>results</name>
+    <message numerus="yes">
+        <source>%n objects moved, by %1 at most</source>
+        <translation>
+            <numerusform>%n object moved, by %1 at most</numerusform>
+            <numerusform>%n objects moved, by %1 at most</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tools</name>
     <message numerus="yes">
         <source>%n copies</source>

@@ -11,7 +11,7 @@
 
 namespace trivet::edit {
 
-enum class ToolKind { Select, Put, Push, Turn, PickUp, Move, Rotate, Paint };
+enum class ToolKind { Select, Put, Push, Turn, PickUp, Move, Rotate, Paint, Drape };
 
 /// Thresholds and options of the tools, as the operation panel shows them. Metres, degrees.
 struct ToolOptions {
@@ -35,6 +35,10 @@ struct ToolOptions {
   bool paint_pile = false;       // PAINT: pours a pile under the mouse while the button is down
   int paint_flow = 8;            // PAINT: copies of a pile, per second
   std::uint64_t paint_seed = 1;  // PAINT: of the first stroke; each has its own
+  std::string drape_material = "cotton";         // DRAPE: a preset; one of cables lays a cable
+  double drape_width = 0.4, drape_length = 0.4;  // DRAPE: of a sheet
+  double drape_cell = 0;                         // DRAPE: largest cell; 0: by its length
+  double drape_slack = 0.1;                      // DRAPE: of a cable, part of its way
 };
 
 /// Drawing of a tool over the scene.

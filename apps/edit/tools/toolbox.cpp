@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/edit/document/pose_numbers.h"
+#include "apps/edit/tools/drape_tool.h"
 #include "apps/edit/tools/gizmo_tool.h"
 #include "apps/edit/tools/lean.h"
 #include "apps/edit/tools/move_tools.h"
@@ -36,6 +37,8 @@ std::unique_ptr<Tool> make_tool(ToolKind kind, Document& document, const ToolOpt
       return std::make_unique<GizmoTool>(document, options, true);
     case ToolKind::Paint:
       return std::make_unique<PaintTool>(document, options);
+    case ToolKind::Drape:
+      return std::make_unique<DrapeTool>(document, options);
   }
   return std::make_unique<SelectTool>(document, options);
 }
@@ -58,6 +61,8 @@ std::optional<ToolKind> kind_of(char key) {
       return ToolKind::Rotate;
     case 'b':
       return ToolKind::Paint;
+    case 'd':
+      return ToolKind::Drape;
     default:
       return std::nullopt;
   }

@@ -22,7 +22,7 @@ void MainWindow::collect_selected() {
   const std::string name = looks.collections.free_name(tr("collection").toStdString());
   looks.collections.put(m_document.selection().objects, name);
   m_document.set_looks(std::move(looks), tr("new collection").toStdString());
-  m_control->outliner().edit_name_of(name);
+  control().outliner().edit_name_of(name);
 }
 
 }  // namespace trivet::edit

@@ -60,17 +60,12 @@ bool is_scene_or_layout(const QString& file) {
 
 }  // namespace
 
-void MainWindow::when_finished(Document::Job job, std::function<void(bool)> then) {
-  m_waiting[job] = std::move(then);
-}
-
 void MainWindow::say(Message::Kind kind, const QString& text) {
   Message message;
   message.kind = kind;
   message.text = text.toStdString();
   show_workspace();
-  m_message_bar->show_message(message);
-  place_message_bar();
+  m_workspace->show_message(message);
 }
 
 /// @return whether the user was asked, or did not need to be: then() runs, now or later.
@@ -98,7 +93,7 @@ bool MainWindow::may_lose_work(std::function<void()> then) {
 void MainWindow::new_scene() {
   may_lose_work([this] {
     when_finished(m_document.new_scene(), [this](bool) {
-      m_framed_title.reset();
+      m_workspace->frame_next_scene();
       show_workspace();
     });
   });
@@ -193,29 +188,16 @@ void MainWindow::import_files(const QStringList& files) {
   if (dialog.exec() != QDialog::Accepted) return;
   dialog.remember_choices();
   show_workspace();
-  m_not_imported.clear();
-  for (ImportModel& model : dialog.models()) m_imports.push_back(std::move(model));
-  m_num_imports = m_imports.size();
-  import_next();
+  m_imports.add(dialog.models());
 }
 
-void MainWindow::import_next() {
-  if (m_imports.empty()) return show_not_imported();
-  const ImportModel model = std::move(m_imports.front());
-  m_imports.pop_front();
-  when_finished(m_document.import_model(model), [this, file = model.file](bool ok) {
-    if (ok && m_imports.empty()) take_tool(ToolKind::Put);
-    if (!ok) m_not_imported << QFileInfo(QString::fromStdString(file)).fileName();
-    import_next();
-  });
-}
-
-// The reason for one file is shown already; of several files it was shown until the next one began.
-void MainWindow::show_not_imported() {
-  if (m_num_imports > 1 && !m_not_imported.isEmpty())
+void MainWindow::connect_imports() {
+  connect(&m_imports, &ImportQueue::last_imported, this, [this] { take_tool(ToolKind::Put); });
+  connect(&m_imports, &ImportQueue::some_refused, this, [this](const QStringList& files) {
     say(Message::Kind::Error,
-        tr("%n models were not imported: %1", nullptr, static_cast<int>(m_not_imported.size()))
-            .arg(m_not_imported.join(", ")));
+        tr("%n models were not imported: %1", nullptr, static_cast<int>(files.size()))
+            .arg(files.join(", ")));
+  });
 }
 
 void MainWindow::ask_picture() {
@@ -224,18 +206,16 @@ void MainWindow::ask_picture() {
   PictureOptions options;
   options.width = wish->width, options.height = wish->height, options.samples = wish->samples;
   if (wish->transparent) options.background = {1, 1, 1, 0};
-  m_picture =
-      std::make_unique<PictureJob>(m_drawing.scene(m_perspective->view()),
-                                   m_perspective->camera().camera(), options, wish->file, nullptr);
-  m_busy->setText(tr("Picture"));
-  show_busy();
-  connect(m_picture.get(), &PictureJob::progressed, this, [this](int percent) {
-    m_progress->setRange(0, 100);
-    m_progress->setValue(percent);
-  });
+  const SceneView& shown = view(WindowKind::Perspective);
+  m_picture = std::make_unique<PictureJob>(m_drawing.scene(shown.view()), shown.camera().camera(),
+                                           options, wish->file, nullptr);
+  const QString what = tr("Picture");
+  m_status->show_work(what);
+  connect(m_picture.get(), &PictureJob::progressed, this,
+          [this, what](int percent) { m_status->show_progress(what, percent, 100); });
   connect(m_picture.get(), &PictureJob::done, this, [this](bool ok, const QString& text) {
     m_picture.reset();
-    show_busy();
+    m_status->show_work({});
     if (!text.isEmpty()) say(ok ? Message::Kind::Info : Message::Kind::Error, text);
   });
 }
@@ -250,7 +230,7 @@ void MainWindow::remember_file(const QString& file) {
   files.prepend(whole);
   settings.setValue("files/recent", QStringList(files.mid(0, kMostRecent)));
   settings.setValue("files/folder", QFileInfo(whole).path());
-  m_control->show_files(recent_files());
+  control().show_files(recent_files());
 }
 
 QStringList MainWindow::recent_files() const {

@@ -72,6 +72,19 @@ Drawing tool_drawing(Icon icon) {
       d.head_at({13.6, 4.6}, {13.2, 8.4}, {17.2, 5.4});
       d.dot({10, 10}, 1.5);
       break;
+    case Icon::Drape:
+      d.line({{5, 17.5}, {5, 9}, {15, 9}, {15, 17.5}});
+      d.line({{2, 14}, {3.4, 6}, {16.6, 6}, {18, 14}});
+      d.line({{2, 14},
+              {4, 12.4},
+              {6, 14},
+              {8, 12.4},
+              {10, 14},
+              {12, 12.4},
+              {14, 14},
+              {16, 12.4},
+              {18, 14}});
+      break;
     case Icon::Paint:
       d.line({{17, 3}, {9.5, 10.5}});
       d.polygon({{9.4, 9.2}, {11.2, 11}, {8, 14.6}, {4, 15.5}, {6, 12.4}});
@@ -173,7 +186,7 @@ Drawing state_drawing(Icon icon) {
 }  // namespace
 
 QIcon make_icon(Icon icon, const QColor& colour) {
-  const Drawing drawing = icon <= Icon::Paint     ? tool_drawing(icon)
+  const Drawing drawing = icon <= Icon::Drape     ? tool_drawing(icon)
                           : icon <= Icon::Picture ? file_drawing(icon)
                           : icon <= Icon::Snap    ? edit_drawing(icon)
                                                   : state_drawing(icon);

@@ -14,7 +14,8 @@ enum class Icon {
   PickUp,
   Move,
   Rotate,
-  Paint,  // tools, in the order of ToolKind
+  Paint,
+  Drape,  // tools, in the order of ToolKind
   New,
   Open,
   Save,

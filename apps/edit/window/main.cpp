@@ -26,10 +26,11 @@ void add_options(QCommandLineParser& parser) {
   parser.addVersionOption();
   parser.addPositionalArgument("file", "A scene (.glb), a layout (.json), or a model to import",
                                "[FILE]");
-  parser.addOption({"demo",
-                    "Opens a demo: spoon-saucer, breakfast, office1, office2, table-for-six, "
-                    "tight-table, bookcase, market, office3, workshop",
-                    "name"});
+  parser.addOption(
+      {"demo",
+       "Opens a demo: spoon-saucer, breakfast, office1, office2, tablecloth, desk, towel, "
+       "table-for-six, tight-table, bookcase, market, office3, workshop",
+       "name"});
   parser.addOption({{"detector", "backend"},
                     "Detector of candidates for contact: auto, bvh, software, gpu, framebuffer or "
                     "compute; results do not depend on it",

@@ -21,6 +21,14 @@ constexpr NamedColour kColours[] = {
     {QT_TR_NOOP("Purple"), {0.80f, 0.47f, 0.65f}}, {QT_TR_NOOP("Grey"), {0.55f, 0.55f, 0.55f}},
 };
 
+// Of the selected objects where there are several, else of all.
+Operation repair_of(bool mends, const std::vector<std::string>& selected) {
+  RepairOperation out;
+  out.mends = mends;
+  if (selected.size() > 1) out.only = selected;
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> MainWindow::selected_names() const {
@@ -98,7 +106,6 @@ void MainWindow::reset_looks(const QString& name, bool Look::*field) {
 }
 
 void MainWindow::make_many_actions() {
-  make_arrange_action();
   add_action(
       "array", tr("&Array…"), tr("Ctrl+Shift+D"), [this] { make_array(); },
       tr("Array: copies in a line, a grid or a circle"));
@@ -114,6 +121,15 @@ void MainWindow::make_many_actions() {
   add_action(
       "replace", tr("&Replace by the last selected"), {}, [this] { replace_selected(); },
       tr("Replace the selected objects by copies of the one selected last"));
+  add_action(
+      "mend", tr("&Mend"), {}, [this] { m_document.perform(repair_of(true, selected_names())); },
+      tr("Mend: move what interpenetrates or floats as little as possible, so that everything "
+         "rests on what it was meant to rest on; of several selected objects, these alone"));
+  add_action(
+      "settle all", tr("Se&ttle"), {},
+      [this] { m_document.perform(repair_of(false, selected_names())); },
+      tr("Settle: let what floats or is sunk come to rest; of several selected objects, these "
+         "alone"));
 }
 
 void MainWindow::make_look_actions() {

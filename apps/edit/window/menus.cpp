@@ -14,49 +14,27 @@
 #include "apps/edit/window/quick_actions.h"
 
 namespace trivet::edit {
-namespace {
-
-/// Fills a menu or a tool bar. @param names  of actions; "": a separator.
-template <class Bar>
-void fill(Bar& bar, const std::map<QString, QAction*>& actions,
-          std::initializer_list<const char*> names) {
-  for (const char* const name : names) {
-    if (*name == '\0')
-      bar.addSeparator();
-    else
-      bar.addAction(actions.at(name));
-  }
-}
-
-}  // namespace
-
-QAction* MainWindow::add_action(const QString& name, const QString& text, const QKeySequence& keys,
-                                std::function<void()> done, const QString& tip) {
-  auto* const action = new QAction(text, this);
-  action->setObjectName(name);
-  action->setShortcut(keys);
-  QString shown = tip.isEmpty() ? QString(text).remove('&').remove("…") : tip;
-  if (!keys.isEmpty()) shown += "  (" + keys.toString(QKeySequence::NativeText) + ")";
-  action->setToolTip(shown);
-  connect(action, &QAction::triggered, this, [done = std::move(done)] { done(); });
-  addAction(action);
-  m_actions[name] = action;
-  return action;
-}
-
 void MainWindow::make_actions() {
   make_file_actions();
   make_edit_actions();
   make_tool_actions();
   make_hand_actions();
-  make_snap_actions();
+  m_snap_menu = new SnapMenu(m_toolbox, m_actions, this);
+  connect(m_snap_menu, &SnapMenu::steps_wanted, this, &MainWindow::ask_preferences);
   make_view_actions();
   make_many_actions();
   make_look_actions();
   make_collection_actions();
+  make_help_actions();
+  make_menus();
+  make_tool_bar();
+  connect_start_page();
+}
+
+void MainWindow::make_help_actions() {
   add_action("two minutes", tr("A table in &two minutes"), {}, [this] { show_two_minutes(this); });
   add_action("shortcuts", tr("&Mouse and keys"), Qt::Key_F1,
-             [this] { show_shortcuts(this, shortcut_rows()); });
+             [this] { show_shortcuts(this, m_actions.shortcut_rows()); });
   add_action(
       "quick actions", tr("&Quick actions…"), tr("Ctrl+Space"),
       [this] { (new QuickActions(actions(), this))->show(); },
@@ -66,11 +44,8 @@ void MainWindow::make_actions() {
         this, tr("About Trivet"),
         tr("<b>Trivet %1</b><p>Lays out objects with geometric and physical constraints, after "
            "Shinya and Forgue (1995).</p><p>MIT licence. Pictures: %2</p>")
-            .arg(QApplication::applicationVersion(), m_painter.device().toHtmlEscaped()));
+            .arg(QApplication::applicationVersion(), m_workspace->device().toHtmlEscaped()));
   });
-  make_menus();
-  make_tool_bar();
-  connect_start_page();
 }
 
 void MainWindow::connect_start_page() {
@@ -92,39 +67,46 @@ void MainWindow::connect_start_page() {
 }
 
 void MainWindow::make_file_actions() {
-  m_icons[add_action(
-      "new", tr("&New"), QKeySequence::New, [this] { new_scene(); },
-      tr("New scene: an empty floor"))] = Icon::New;
-  m_icons[add_action(
-      "open", tr("&Open…"), QKeySequence::Open, [this] { ask_open(); },
-      tr("Open a scene or a layout"))] = Icon::Open;
-  m_icons[add_action(
-      "import", tr("&Import models…"), tr("Ctrl+I"), [this] { ask_import(); },
-      tr("Import models"))] = Icon::Import;
-  m_icons[add_action("save", tr("&Save"), QKeySequence::Save, [this] { save({}); })] = Icon::Save;
+  m_actions.set_icon(add_action(
+                         "new", tr("&New"), QKeySequence::New, [this] { new_scene(); },
+                         tr("New scene: an empty floor")),
+                     Icon::New);
+  m_actions.set_icon(add_action(
+                         "open", tr("&Open…"), QKeySequence::Open, [this] { ask_open(); },
+                         tr("Open a scene or a layout")),
+                     Icon::Open);
+  m_actions.set_icon(add_action(
+                         "import", tr("&Import models…"), tr("Ctrl+I"), [this] { ask_import(); },
+                         tr("Import models")),
+                     Icon::Import);
+  m_actions.set_icon(add_action("save", tr("&Save"), QKeySequence::Save, [this] { save({}); }),
+                     Icon::Save);
   add_action("save as", tr("Save &as…"), tr("Ctrl+Shift+S"), [this] { save_as({}); });
   add_action(
       "export", tr("&Export…"), tr("Ctrl+E"), [this] { ask_export(); },
       tr("Export for other programs, for simulators, or as a table"));
-  m_icons[add_action(
-      "picture", tr("&Picture…"), tr("Ctrl+P"), [this] { ask_picture(); },
-      tr("Picture of the perspective view"))] = Icon::Picture;
+  m_actions.set_icon(add_action(
+                         "picture", tr("&Picture…"), tr("Ctrl+P"), [this] { ask_picture(); },
+                         tr("Picture of the perspective view")),
+                     Icon::Picture);
   add_action("start page", tr("Start pa&ge"), {}, [this] { show_start_page(); });
   add_action("quit", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
 
 void MainWindow::make_edit_actions() {
-  m_icons[add_action("undo", tr("&Undo"), QKeySequence::Undo, [this] { m_document.undo(); })] =
-      Icon::Undo;
-  m_icons[add_action("redo", tr("&Redo"), tr("Ctrl+Shift+Z"), [this] { m_document.redo(); })] =
-      Icon::Redo;
+  m_actions.set_icon(
+      add_action("undo", tr("&Undo"), QKeySequence::Undo, [this] { m_document.undo(); }),
+      Icon::Undo);
+  m_actions.set_icon(
+      add_action("redo", tr("&Redo"), tr("Ctrl+Shift+Z"), [this] { m_document.redo(); }),
+      Icon::Redo);
   add_action(
       "duplicate", tr("&Duplicate"), tr("Ctrl+D"), [this] { duplicate(); },
       tr("Duplicate: add another object of the same model, not placed yet"));
-  add_action("rename", tr("Rena&me"), tr("F2"), [this] { m_control->outliner().edit_name(); });
+  add_action("rename", tr("Rena&me"), tr("F2"), [this] { control().outliner().edit_name(); });
   add_action("delete", tr("De&lete"), QKeySequence::Delete, [this] { m_toolbox.erase_selected(); });
   add_action("select all", tr("Select &all"), QKeySequence::SelectAll, [this] { select_all(); });
-  add_action("search", tr("Searc&h"), tr("/"), [this] { m_control->search().setFocus(); });
+  add_action("search", tr("Searc&h"), tr("/"), [this] { control().search().setFocus(); });
   add_action("select none", tr("Select &none"), tr("Ctrl+Shift+A"),
              [this] { m_document.select({}); });
   add_action(
@@ -152,7 +134,7 @@ void MainWindow::make_tool_actions() {
         name, text, QKeySequence(key), [this, kind] { take_tool(kind); }, tip);
     action->setCheckable(true);
     group->addAction(action);
-    m_icons[action] = static_cast<Icon>(kind);
+    m_actions.set_icon(action, static_cast<Icon>(kind));
   };
   tool("select", tr("&Select"), "Q", ToolKind::Select,
        tr("Select and move: drag an object, click it, or draw a box"));
@@ -168,6 +150,8 @@ void MainWindow::make_tool_actions() {
   tool("rotate", tr("&Rotate"), "H", ToolKind::Rotate, tr("Rotate: turn the object by handles"));
   tool("paint", tr("P&aint"), "B", ToolKind::Paint,
        tr("Paint: drag over a surface to set down copies along the stroke"));
+  tool("drape", tr("&Drape"), "D", ToolKind::Drape,
+       tr("Drape: let a cloth, a paper or a cable come down where you click"));
 }
 
 void MainWindow::make_hand_actions() {
@@ -211,7 +195,7 @@ void MainWindow::make_hand_actions() {
 
 QMenu* MainWindow::add_menu(const QString& title, std::initializer_list<const char*> names) {
   QMenu* const out = menuBar()->addMenu(title);
-  fill(*out, m_actions, names);
+  m_actions.fill(*out, names);
   return out;
 }
 
@@ -226,27 +210,27 @@ void MainWindow::make_file_menu() {
                        [this, name] { open_demo(QString::fromStdString(name)); });
     demos->addSeparator();
   }
-  fill(*file, m_actions,
-       {"", "import", "", "save", "save as", "", "export", "picture", "", "start page", "quit"});
+  m_actions.fill(*file, {"", "import", "", "save", "save as", "", "export", "picture", "",
+                         "start page", "quit"});
 }
 
 void MainWindow::make_view_menu() {
   QMenu* const view = add_menu(tr("&View"), {"frame", "frame all", ""});
-  fill(*view, m_actions,
-       {"from front", "from side", "from above", "from behind", "follow contact", "section", "",
-        "maximise", "reset layout", ""});
-  fill(*view, m_actions, {"hide", "show all", "not selectable", "all selectable"});
+  m_actions.fill(*view, {"from front", "from side", "from above", "from behind", "follow contact",
+                         "section", "", "maximise", "reset layout", ""});
+  m_actions.fill(*view, {"hide", "show all", "not selectable", "all selectable"});
   view->addMenu(m_colours);
   view->addMenu(m_bookmark_menu);
-  fill(*view, m_actions, {"", "shadows", "contacts", "watch settling", "zlists", "assets", "dark"});
+  m_actions.fill(*view, {"", "shadows", "contacts", "watch settling", "zlists", "assets", "dark"});
 }
 
 void MainWindow::make_context_menu() {
   m_context_menu = new QMenu(this);
-  fill(*m_context_menu, m_actions,
-       {"put",      "push",        "turn",    "pick up", "move",      "rotate", "",
-        "next way", "on its side", "upright", "",        "duplicate", "delete", "lock",
-        "unlock",   "fix",         "unfix",   "",        "frame",     "hide",   "not selectable"});
+  m_actions.fill(
+      *m_context_menu,
+      {"put",      "push",        "turn",    "pick up", "move",      "rotate", "",
+       "next way", "on its side", "upright", "",        "duplicate", "delete", "lock",
+       "unlock",   "fix",         "unfix",   "",        "frame",     "hide",   "not selectable"});
   m_context_menu->addMenu(m_colours);
 }
 
@@ -259,12 +243,13 @@ void MainWindow::make_menus() {
        "group",       "ungroup", "", "collect",   "uncollect", "",       "preferences"});
   QMenu* const object =
       add_menu(tr("&Object"),
-               {"select",       "put",        "push",     "turn",        "pick up",   "move",
-                "rotate",       "paint",      "",         "put here",    "take next", "pick up now",
-                "next contact", "",           "next way", "on its side", "upright",   "lean",
-                "turn left",    "turn right", "",         "snap"});
+               {"select",      "put",          "push",       "turn",     "pick up",     "move",
+                "rotate",      "paint",        "drape",      "",         "put here",    "take next",
+                "pick up now", "next contact", "",           "next way", "on its side", "upright",
+                "lean",        "turn left",    "turn right", "",         "snap"});
   object->addMenu(m_snap_menu);
-  add_menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange"});
+  add_menu(tr("&Many"), {"array", "scatter", "put all", "", "align", "replace", "", "arrange", "",
+                         "mend", "settle all"});
   make_view_menu();
   add_menu(tr("&Help"), {"quick actions", "two minutes", "shortcuts", "about"});
   make_context_menu();
@@ -276,31 +261,15 @@ void MainWindow::make_tool_bar() {
   bar->setMovable(false);
   bar->setIconSize(QSize(20, 20));
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
-  fill(*bar, m_actions,
-       {"new",    "open", "save", "import", "",         "undo",   "redo",   "",
-        "select", "put",  "push", "turn",   "pick up",  "move",   "rotate", "paint",
-        "",       "snap", "",     "frame",  "maximise", "picture"});
-  dress_snap_button(*bar);
+  m_actions.fill(*bar,
+                 {"new",    "open", "save", "import", "",        "undo",     "redo",   "",
+                  "select", "put",  "push", "turn",   "pick up", "move",     "rotate", "paint",
+                  "drape",  "",     "snap", "",       "frame",   "maximise", "picture"});
+  m_snap_menu->dress_button(*bar);
   for (const char* const name :
-       {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint"})
+       {"select", "put", "push", "turn", "pick up", "move", "rotate", "paint", "drape"})
     if (auto* const button = qobject_cast<QToolButton*>(bar->widgetForAction(action(name))))
       button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-}
-
-void MainWindow::dress_actions() {
-  for (const auto& [action, icon] : m_icons)
-    action->setIcon(make_icon(icon, m_drawing.theme().text()));
-}
-
-void MainWindow::show_context_menu(const QPoint& global) { m_context_menu->popup(global); }
-
-std::vector<ShortcutRow> MainWindow::shortcut_rows() const {
-  std::vector<ShortcutRow> rows;
-  for (const QAction* const action : actions())
-    if (!action->shortcut().isEmpty())
-      rows.push_back({action->shortcut().toString(QKeySequence::NativeText),
-                      QString(action->toolTip()).section("  (", 0, 0)});
-  return rows;
 }
 
 }  // namespace trivet::edit

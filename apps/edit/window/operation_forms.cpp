@@ -194,4 +194,32 @@ void OperationPanel::add_paint(QFormLayout& form) {
             tr("Above the surface under the stroke"));
 }
 
+void OperationPanel::add_drape(QFormLayout& form) {
+  auto* const material = new QComboBox;
+  material->setObjectName("drape material");
+  const std::pair<const char*, QString> materials[] = {
+      {"cotton", tr("Cotton")}, {"felt", tr("Felt")}, {"paper", tr("Paper")},
+      {"towel", tr("Towel")},   {"wool", tr("Wool")}, {"lead", tr("Cable")}};
+  for (const auto& [name, shown] : materials) material->addItem(shown, QString(name));
+  form.addRow(tr("Material"), material);
+  auto* const width = threshold(form, tr("Width"), &ToolOptions::drape_width, tr("Along the warp"));
+  auto* const length =
+      threshold(form, tr("Length"), &ToolOptions::drape_length, tr("Along the weft"));
+  auto* const cell = threshold(form, tr("Cells"), &ToolOptions::drape_cell,
+                               tr("Largest side: small ones show small folds, and take longer"));
+  cell->setSpecialValueText(tr("a 40th of the length"));
+  auto* const slack = share(form, tr("Slack"), &ToolOptions::drape_slack,
+                            tr("By how much a cable is longer than its way"));
+  auto* const drop = threshold(form, tr("Drop height"), &ToolOptions::drop_height,
+                               tr("Above the highest point below the sheet"));
+  const auto show = [&form, material, width, length, cell, slack, drop, this] {
+    m_toolbox.options().drape_material = material->currentData().toString().toStdString();
+    const bool is_cable = material->currentData().toString() == "lead";
+    for (QWidget* const row : {width, length, cell, drop}) form.setRowVisible(row, !is_cable);
+    form.setRowVisible(slack, is_cable);
+  };
+  connect(material, &QComboBox::currentIndexChanged, this, show);
+  show();
+}
+
 }  // namespace trivet::edit

@@ -13,10 +13,10 @@ namespace {
 constexpr double kLongest = 1000, kMillimetre = 1e-3;  // metres
 
 QString tool_name(int kind) {
-  const QString names[] = {OperationPanel::tr("Select"),  OperationPanel::tr("Put"),
-                           OperationPanel::tr("Push"),    OperationPanel::tr("Turn"),
-                           OperationPanel::tr("Pick up"), OperationPanel::tr("Move"),
-                           OperationPanel::tr("Rotate"),  OperationPanel::tr("Paint")};
+  const QString names[] = {
+      OperationPanel::tr("Select"), OperationPanel::tr("Put"),     OperationPanel::tr("Push"),
+      OperationPanel::tr("Turn"),   OperationPanel::tr("Pick up"), OperationPanel::tr("Move"),
+      OperationPanel::tr("Rotate"), OperationPanel::tr("Paint"),   OperationPanel::tr("Drape")};
   return names[kind];
 }
 
@@ -31,7 +31,7 @@ OperationPanel::OperationPanel(Document& document, Toolbox& toolbox, QWidget* pa
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 8);
   column->setSpacing(8);
-  for (int kind = 0; kind <= static_cast<int>(ToolKind::Paint); ++kind) {
+  for (int kind = 0; kind <= static_cast<int>(ToolKind::Drape); ++kind) {
     m_tools->addItem(tool_name(kind));
     m_pages->addWidget(make_page(static_cast<ToolKind>(kind)));
   }
@@ -58,12 +58,12 @@ QWidget* OperationPanel::make_page(ToolKind kind) {
   form->setVerticalSpacing(5);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   using AddRows = void (OperationPanel::*)(QFormLayout&);
-  static constexpr AddRows kRows[] = {&OperationPanel::add_select,  &OperationPanel::add_put,
-                                      &OperationPanel::add_push,    &OperationPanel::add_turn,
-                                      &OperationPanel::add_pick_up, &OperationPanel::add_move,
-                                      &OperationPanel::add_rotate,  &OperationPanel::add_paint};
+  static constexpr AddRows kRows[] = {
+      &OperationPanel::add_select, &OperationPanel::add_put,     &OperationPanel::add_push,
+      &OperationPanel::add_turn,   &OperationPanel::add_pick_up, &OperationPanel::add_move,
+      &OperationPanel::add_rotate, &OperationPanel::add_paint,   &OperationPanel::add_drape};
   (this->*kRows[static_cast<size_t>(kind)])(*form);
-  if (kind != ToolKind::Select && kind != ToolKind::Paint)
+  if (kind != ToolKind::Select && kind != ToolKind::Paint && kind != ToolKind::Drape)
     choice(*form, tr("Settle objects left without support"), &ToolOptions::settle_left,
            tr("Objects that lose their support settle too; otherwise they are marked"));
   auto* const scroll = new QScrollArea;

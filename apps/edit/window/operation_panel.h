@@ -38,6 +38,7 @@ class OperationPanel : public QWidget {
   void add_move(QFormLayout& form);
   void add_rotate(QFormLayout& form);
   void add_paint(QFormLayout& form);
+  void add_drape(QFormLayout& form);
   QDoubleSpinBox* length(QFormLayout& form, const QString& name, double value,
                          const QString& tip = {});
   QDoubleSpinBox* angle(QFormLayout& form, const QString& name, double value,

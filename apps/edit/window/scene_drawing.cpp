@@ -138,6 +138,11 @@ LiveScene SceneDrawing::scene(const View& view) const {
     out.objects.push_back(std::move(live));
     add_in_the_way(object, out);
   }
+  if (snapshot->falling) {
+    LiveObject live = live_object(*snapshot->falling, snapshot->falling->pose);
+    live.moving = true;
+    out.objects.push_back(std::move(live));
+  }
   add_ghost(out);
   if (!m_playback.is_on()) add_arrangement(m_document, m_theme, out);
   add_active(out.overlay, view);

@@ -35,6 +35,9 @@ QString description_of(const std::string& demo) {
   if (demo == "breakfast") return StartPage::tr("A breakfast table of 24 objects");
   if (demo == "office1") return StartPage::tr("A tidy office of 16 objects");
   if (demo == "office2") return StartPage::tr("The same office, untidied, with 9 more objects");
+  if (demo == "tablecloth") return StartPage::tr("The same table with a cloth that came down");
+  if (demo == "desk") return StartPage::tr("A coat over a chair, a paper at an edge, a lead");
+  if (demo == "towel") return StartPage::tr("A towel on a peg");
   if (demo == "table-for-six") return StartPage::tr("A table laid for six");
   if (demo == "tight-table") return StartPage::tr("The same on a smaller table");
   if (demo == "bookcase") return StartPage::tr("Books in rows, a plant and a telephone");

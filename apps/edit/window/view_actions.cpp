@@ -9,31 +9,33 @@
 namespace trivet::edit {
 
 void MainWindow::make_view_actions() {
-  m_icons[add_action("frame", tr("&Frame selected"), tr("F"), [this] {
-    active_view()->frame(active_view()->selected_box());
-  })] = Icon::Frame;
+  m_actions.set_icon(add_action("frame", tr("&Frame selected"), tr("F"),
+                                [this] {
+                                  SceneView& view = m_workspace->active_view();
+                                  view.frame(view.selected_box());
+                                }),
+                     Icon::Frame);
   add_action("frame all", tr("Frame &all"), tr("Home"), [this] {
     const Aabb box = m_document.snapshot()->box();
-    box.empty() ? reset_cameras() : active_view()->frame(box);
+    box.empty() ? m_workspace->reset_cameras() : m_workspace->active_view().frame(box);
   });
   make_three_view_actions();
   make_direction_actions();
-  make_section_actions();
-  make_bookmark_actions();
-  add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"), [this] {
-    m_constraint_is_free = false;
-    aim_constraint_window();
-  });
-  m_icons[add_action(
-      "maximise", tr("&Maximise window"), tr("Shift+Space"),
-      [this] {
-        ViewFrame* frame = m_frames[0];
-        for (ViewFrame* const other : m_frames)
-          if (other->content() == active_view()) frame = other;
-        toggle_maximised(m_maximised ? m_maximised : frame);
-      },
-      tr("Maximise the window under the mouse, and restore it"))] = Icon::Maximise;
-  add_action("reset layout", tr("&Reset layout"), {}, [this] { reset_layout(); });
+  add_action(
+      "section", tr("&Section: cut away what is in front"), tr("X"),
+      [this] { m_workspace->toggle_section(m_workspace->active_view()); },
+      tr("Section: the window under the mouse cuts away what stands in front of the active object; "
+         "Control and the wheel move the plane"));
+  m_bookmark_menu = new BookmarkMenu(m_document, *m_workspace, m_actions, this);
+  connect(m_bookmark_menu, &BookmarkMenu::stored, m_status.get(), &StatusLine::show_stored);
+  add_action("follow contact", tr("&Constraint window follows the contact"), tr("C"),
+             [this] { m_workspace->follow_contact(); });
+  m_actions.set_icon(add_action(
+                         "maximise", tr("&Maximise window"), tr("Shift+Space"),
+                         [this] { m_workspace->toggle_maximised(); },
+                         tr("Maximise the window under the mouse, and restore it")),
+                     Icon::Maximise);
+  add_action("reset layout", tr("&Reset layout"), {}, [this] { m_workspace->reset_layout(); });
   make_drawing_actions();
 }
 
@@ -41,7 +43,8 @@ void MainWindow::make_view_actions() {
 void MainWindow::make_direction_actions() {
   const auto direction = [&](const char* name, const QString& text, Qt::Key key, const Vec3& way) {
     add_action(
-        name, text, QKeySequence(Qt::KeypadModifier | key), [this, way] { look_along(way); },
+        name, text, QKeySequence(Qt::KeypadModifier | key),
+        [this, way] { m_workspace->look_along(way); },
         tr("View direction of the window under the mouse"));
   };
   direction("from front", tr("From the front"), Qt::Key_1, Vec3::UnitY());
@@ -58,7 +61,7 @@ void MainWindow::make_three_view_actions() {
                          : name == QString("side") ? tr("&Side")
                                                    : tr("Fr&ont");
     QAction* const action = add_action(
-        name, text, QKeySequence(key++), [this, name] { aim_three_view(name); },
+        name, text, QKeySequence(key++), [this, name] { m_workspace->aim_three_view(name); },
         tr("View direction of the three-view window"));
     action->setCheckable(true);
     group->addAction(action);
@@ -66,35 +69,42 @@ void MainWindow::make_three_view_actions() {
     button->setDefaultAction(action);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::NoFocus);
-    m_frames[2]->add_to_title(button);
+    m_workspace->add_to_three_view_title(button);
   }
+}
+
+/// An action that is on or off.
+QAction* MainWindow::add_switch(const char* name, const QString& text, const QKeySequence& keys,
+                                std::function<void(bool)> change, const QString& tip) {
+  QAction* const action = add_action(
+      name, text, keys,
+      [this, name, change = std::move(change)] { change(m_actions.at(name)->isChecked()); }, tip);
+  action->setCheckable(true);
+  return action;
 }
 
 void MainWindow::make_drawing_actions() {
   const auto option = [&](const char* name, const QString& text, bool DrawingOptions::*field) {
-    QAction* const action = add_action(name, text, {}, [this, name, field] {
+    add_switch(name, text, {}, [this, field](bool on) {
       DrawingOptions options = m_drawing.options();
-      options.*field = m_actions.at(name)->isChecked();
+      options.*field = on;
       m_drawing.set_options(options);
     });
-    action->setCheckable(true);
   };
   option("shadows", tr("S&hadows"), &DrawingOptions::shadows);
   option("contacts", tr("C&ontacts of the active object"), &DrawingOptions::contacts);
   option("watch settling", tr("&Watch settling"), &DrawingOptions::watch_settling);
-  add_action(
+  add_switch(
       "zlists", tr("&z-lists of the motion"), tr("Z"),
-      [this] { m_zlist_dock->setVisible(action("zlists")->isChecked()); },
-      tr("z-lists: depths along the motion of what is dragged or put"))
-      ->setCheckable(true);
-  add_action(
-      "assets", tr("&Models"), tr("M"),
-      [this] { m_asset_dock->setVisible(action("assets")->isChecked()); },
-      tr("Models: folders of models, to drag into the views"))
-      ->setCheckable(true);
-  add_action("dark", tr("&Dark theme"), {}, [this] {
-    set_dark(action("dark")->isChecked());
-  })->setCheckable(true);
+      [this](bool on) { m_zlist_dock->setVisible(on); },
+      tr("z-lists: depths along the motion of what is dragged or put"));
+  add_switch(
+      "assets", tr("&Models"), tr("M"), [this](bool on) { m_asset_dock->setVisible(on); },
+      tr("Models: folders of models, to drag into the views"));
+  add_switch(
+      "arrange", tr("&Arrange…"), tr("Ctrl+R"), [this](bool on) { m_arrange_dock->setVisible(on); },
+      tr("Arrange: constraints between objects, and scenes that meet them"));
+  add_switch("dark", tr("&Dark theme"), {}, [this](bool on) { set_dark(on); });
 }
 
 }  // namespace trivet::edit

@@ -5,7 +5,6 @@
 #include <QDropEvent>
 #include <QKeyEvent>
 #include <QMimeData>
-#include <QResizeEvent>
 #include <QStringList>
 #include <QTimer>
 #include <QUrl>
@@ -17,8 +16,8 @@ namespace trivet::edit {
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
-    if (m_message_bar->isVisible())
-      m_message_bar->dismiss();
+    if (message_bar().isVisible())
+      message_bar().dismiss();
     else if (m_document.is_busy())
       m_document.cancel();
     else
@@ -34,14 +33,9 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress && takes_text(field) && field->window() == this) {
     const int key = static_cast<const QKeyEvent*>(event)->key();
     if (key == Qt::Key_Return || key == Qt::Key_Enter)
-      QTimer::singleShot(0, this, [this] { active_view()->setFocus(); });
+      QTimer::singleShot(0, this, [this] { m_workspace->active_view().setFocus(); });
   }
   return QMainWindow::eventFilter(watched, event);
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-  QMainWindow::resizeEvent(event);
-  place_message_bar();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -61,16 +55,23 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dragMoveEvent(QDragMoveEvent* event) {
-  if (event->mimeData()->hasFormat(kAssetsMime))
-    hover_assets(event->mimeData()->urls(), event->position().toPoint());
+  const QPoint at = event->position().toPoint();
+  SceneView* const view = m_workspace->view_at(at);
+  if (view && event->mimeData()->hasFormat(kAssetsMime))
+    m_asset_dock->hover(event->mimeData()->urls(), *view, view->mapFrom(this, at));
   QMainWindow::dragMoveEvent(event);
 }
 
-void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { end_asset_drag(); }
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { m_asset_dock->end_drag(); }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  if (event->mimeData()->hasFormat(kAssetsMime))
-    return drop_assets(event->mimeData()->urls(), event->position().toPoint());
+  if (event->mimeData()->hasFormat(kAssetsMime)) {
+    show_workspace();
+    const QPoint at = event->position().toPoint();
+    SceneView* const view = m_workspace->view_at(at);
+    return m_asset_dock->drop(event->mimeData()->urls(), view,
+                              view ? view->mapFrom(this, at) : QPoint());
+  }
   QStringList models;
   for (const QUrl& url : event->mimeData()->urls()) {
     const QString file = url.toLocalFile();

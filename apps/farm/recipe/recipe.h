@@ -10,6 +10,7 @@
 #include "apps/farm/recipe/decisions.h"
 #include "apps/farm/recipe/look.h"
 #include "ops/files/layout/layout.h"
+#include "ops/operations/drape.h"
 #include "ops/operations/put.h"
 
 namespace trivet::farm {
@@ -66,12 +67,13 @@ struct RecipeGroup {
 
 /// Random operations at the end.
 struct RecipeMove {
-  enum class Kind { Push, Turn };
+  enum class Kind { Push, Turn, Drape };
   Kind kind = Kind::Push;
   std::string group;  // empty: of all objects that are not fixed
   Counts count{1, 1};
-  Interval distance;   // of pushes, metres, in any direction
-  Interval angle_deg;  // of turns about the contact's normal
+  Interval distance;     // of pushes, metres, in any direction
+  Interval angle_deg;    // of turns about the contact's normal
+  DrapeOperation sheet;  // over each object of the group, at a random angle: NAME_0, NAME_1, ...
 };
 
 /// Conditions on a scene beside the exact check (no interpenetration, all at rest).

@@ -4,6 +4,7 @@
 
 #include "apps/farm/recipe/set_labels.h"
 #include "core/base/limits.h"
+#include "core/flex/presets.h"
 #include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
@@ -155,6 +156,30 @@ void read_rotation_rule(const JsonPlace& place, RecipeGroup& group) {
   group.given = *rotation;
 }
 
+// Names of the materials of sheets.
+std::string sheet_materials() {
+  std::string out;
+  for (const flex::FlexPreset& preset : flex::flex_presets())
+    if (!preset.is_cable) out += (out.empty() ? "" : ", ") + preset.material.name;
+  return out;
+}
+
+RecipeMove read_drape(const JsonPlace& place) {
+  place.expect_object({"op", "group", "name", "size"}, {"material", "cell"});
+  RecipeMove out;
+  out.kind = RecipeMove::Kind::Drape;
+  out.sheet.object = read_plain_name(place.at("name"));
+  const std::vector<double> size = place.at("size").numbers(2, 1e-3, 1e3);
+  out.sheet.size = Vec2(size[0], size[1]);
+  if (const auto cell = place.find("cell")) out.sheet.cell = cell->number(1e-4, 1e3);
+  if (const auto material = place.find("material")) {
+    const flex::FlexPreset* const preset = flex::flex_preset(material->text());
+    if (!preset || preset->is_cable) material->refuse(sheet_materials());
+    out.sheet.material = material->text();
+  }
+  return out;
+}
+
 }  // namespace
 
 int read_integer(const JsonPlace& place, int lower, int upper) {
@@ -217,8 +242,10 @@ RecipeMove read_move(const JsonPlace& place) {
     place.expect_object({"op", "angle_deg"}, {"group", "count"});
     move.kind = RecipeMove::Kind::Turn;
     move.angle_deg = read_interval(place.at("angle_deg"), -kMaxAngleDeg, kMaxAngleDeg);
+  } else if (op.value() == "drape") {
+    move = read_drape(place);
   } else {
-    op.refuse("\"push\" or \"turn\"");
+    op.refuse("\"push\", \"turn\" or \"drape\"");
   }
   if (const auto group = place.find("group")) move.group = group->text();
   if (const auto count = place.find("count"))

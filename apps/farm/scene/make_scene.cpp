@@ -75,6 +75,7 @@ class Attempt {
   bool put_member(const RecipeGroup& group, const std::string& name);
   PutResult try_to_put(const RecipeGroup& group, const std::string& name, int number);
   void move(const RecipeMove& move, size_t number);
+  void drape_over_each(const RecipeMove& move, const std::string& name);
   std::vector<std::string> movable(const std::string& group) const;
   Operation drawn_move(const RecipeMove& move, const std::string& object, Decision& decision) const;
   OperationResult perform(const Operation& operation);
@@ -243,8 +244,22 @@ Operation Attempt::drawn_move(const RecipeMove& move, const std::string& object,
   return push;
 }
 
+// What lies on what is draped over is covered, too.
+void Attempt::drape_over_each(const RecipeMove& move, const std::string& name) {
+  const std::vector<std::string> objects = movable(move.group);
+  for (size_t i = 0; i < objects.size(); ++i) {
+    const Scene& scene = m_out.run.scene;
+    DrapeOperation sheet = move.sheet;
+    sheet.object += "_" + std::to_string(i);
+    sheet.start = {decide(name + "/" + std::to_string(i)).yaw(),
+                   start_over(scene, objects[i], sheet.size->norm() / 2)};
+    record(sheet, perform(sheet));
+  }
+}
+
 void Attempt::move(const RecipeMove& move, size_t number) {
   const std::string name = "then " + std::to_string(number);
+  if (move.kind == RecipeMove::Kind::Drape) return drape_over_each(move, name);
   const int count = decide(name + "/count").count(move.count);
   for (int i = 0; i < count; ++i) {
     const std::vector<std::string> objects = movable(move.group);

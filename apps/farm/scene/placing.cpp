@@ -10,6 +10,8 @@
 namespace trivet::farm {
 namespace {
 
+constexpr double kSheetAbove = 0.01;  // metres
+
 // In parts of the object's size: farther starts come to rest sooner, and none leaves the container.
 constexpr double kWithinContainer = 2;
 
@@ -136,6 +138,19 @@ PutResult put_by(Scene& scene, const Placing& placing, const SettleOptions& sett
   }
   transaction.commit();
   return {std::move(result), ""};
+}
+
+Vec3 start_over(const Scene& scene, const std::string& name, double radius) {
+  Aabb reach = scene.world_box(*scene.find(name));
+  Vec3 out = reach.centre();
+  const Vec3 around(radius, radius, 0);
+  reach.lower = out - around, reach.upper = out + around;
+  reach.lower.z() = scene.box().lower.z(), reach.upper.z() = scene.box().upper.z();
+  out.z() = reach.lower.z();
+  for (const ObjectId id : scene.near(reach))
+    out.z() = std::max(out.z(), scene.world_box(id).upper.z());
+  out.z() += kSheetAbove;
+  return out;
 }
 
 std::string support_names(const RecipeGroup& group) {

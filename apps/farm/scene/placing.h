@@ -37,6 +37,9 @@ PutResult put_by(Scene& scene, const Placing& placing, const SettleOptions& sett
                  const RunContext& context);
 
 /// Names of what the rule puts objects on or in, for messages.
+/// Over the middle of an object, clear of all that a sheet of this radius could begin in.
+Vec3 start_over(const Scene& scene, const std::string& name, double radius);
+
 std::string support_names(const RecipeGroup& group);
 
 }  // namespace trivet::farm

@@ -24,6 +24,12 @@ void add_pose(const Object& object, Json& json) {
   json["rotation"] = {r.w, r.x, r.y, r.z};
 }
 
+std::string class_of(const Object& object, const LayoutObject& wanted) {
+  if (!wanted.class_name.empty()) return wanted.class_name;
+  const std::string stem = class_of_model(object.model->path);
+  return stem.empty() ? object.name : stem;  // as in labelled images
+}
+
 Json object_of_scene(const Object& object, const LayoutObject& wanted, const std::string& reason) {
   Json json = {{"name", object.name}, {"model", object.model->path}, {"scale", object.scale}};
   if (!wanted.collision.empty()) json["collision"] = wanted.collision;
@@ -32,8 +38,8 @@ Json object_of_scene(const Object& object, const LayoutObject& wanted, const std
   json["material"] = material_json(object.material);
   if (object.given_mass) json["mass"] = mass_json(*object.given_mass);
   json["kilograms"] = weight_of(object) / kGravity;
-  json["class"] =
-      wanted.class_name.empty() ? class_of_model(object.model->path) : wanted.class_name;
+  json["class"] = class_of(object, wanted);
+  if (object.flexible) json["draped"] = true;
   if (!wanted.attributes.empty()) json["attributes"] = Json::parse(wanted.attributes);
   if (object.fixed) json["fixed"] = true;
   if (object.placed) {
@@ -143,12 +149,25 @@ Json placed_objects(const Json& scene) {
   return out;
 }
 
+// Poses alone do not tell their shapes.
+void refuse_draped(const Json& scene, const std::string& where) {
+  for (const Json& object : scene.at("objects"))
+    if (object.value("draped", false))
+      bad_file(where,
+               say("has \"%1\", which was draped, and keeps poses alone; accepted: its .glb, "
+                   "which --with scene writes",
+                   object.at("name").get<std::string>()));
+}
+
 }  // namespace
 
 Layout layout_of_poses(const Recipe& recipe, const Json& scene, const std::string& where) {
-  const Json json = {{"trivet", 1},
-                     {"floor", recipe.base.floor},
-                     {"objects", read_undamaged(where, [&] { return placed_objects(scene); })}};
+  const auto read = [&] {
+    refuse_draped(scene, where);
+    return placed_objects(scene);
+  };
+  const Json json = {
+      {"trivet", 1}, {"floor", recipe.base.floor}, {"objects", read_undamaged(where, read)}};
   Layout layout = parse_layout(json.dump(), where);
   layout.settle = recipe.base.settle;
   layout.material = recipe.base.material;

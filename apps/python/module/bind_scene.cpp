@@ -141,11 +141,7 @@ void bind_settle_options(py::module_& m) {
   m.def("settle_options", [] { return SettleOptions(); });
 }
 
-}  // namespace
-
-void bind_scene(py::module_& m) {
-  bind_settle_options(m);
-  SceneClass scene(m, "Scene", made_by_functions());
+void bind_makers_and_settings(SceneClass& scene) {
   scene.def_static("empty", &make, "floor"_a, "floor_material"_a, "settle"_a)
       .def_static("standing", &standing, "objects"_a, "floor"_a, "floor_material"_a, "settle"_a)
       .def_readwrite("settle", &SharedScene::settle)
@@ -164,12 +160,14 @@ void bind_scene(py::module_& m) {
       .def_property_readonly("floor", [](const SharedScene& s) { return s.scene().floor; })
       .def_property_readonly("floor_material",
                              [](const SharedScene& s) { return dict_of(s.scene().floor_material); })
-      .def_property_readonly("notes",
-                             [](SharedScene& s) {
-                               const SceneGuard guard(s);
-                               return in_english(s.opened().notes);
-                             })
-      .def("entries", &entries)
+      .def_property_readonly("notes", [](SharedScene& s) {
+        const SceneGuard guard(s);
+        return in_english(s.opened().notes);
+      });
+}
+
+void bind_entries_and_history(SceneClass& scene) {
+  scene.def("entries", &entries)
       .def("find", &find, "name"_a)
       .def("__len__",
            [](SharedScene& s) {
@@ -187,6 +185,15 @@ void bind_scene(py::module_& m) {
       .def_property_readonly("can_redo", &SharedScene::can_redo)
       .def("steps", &steps)
       .def("cancel", [](SharedScene& s) { s.cancel() = true; });
+}
+
+}  // namespace
+
+void bind_scene(py::module_& m) {
+  bind_settle_options(m);
+  SceneClass scene(m, "Scene", made_by_functions());
+  bind_makers_and_settings(scene);
+  bind_entries_and_history(scene);
   bind_transaction(m, scene);
   bind_drag(m, scene);
   bind_objects(scene);

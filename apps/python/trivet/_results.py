@@ -253,6 +253,9 @@ class Check:
     force_point: Floats = field(repr=False)
     force: Floats = field(repr=False)
 
+    def __bool__(self) -> bool:
+        return self.ok
+
 
 def check_of(values: dict[str, Any]) -> Check:
     for key in ("crossings", "float32_crossings", "contained"):

@@ -17,6 +17,7 @@ from ._pictures import Pictures
 from ._pour import Pours
 from ._properties import Material, material_of
 from ._questions import Questions
+from ._repairs import Repairs
 from ._results import Result, done
 from ._settle import Settle, detection, settings
 from ._shape import Shape
@@ -24,7 +25,7 @@ from ._snapshot import Snapshot
 from ._transaction import Transaction
 
 
-class Scene(Files, History, Pictures, Pours, Questions):
+class Scene(Files, History, Pictures, Pours, Questions, Repairs):
     """Objects that never interpenetrate and lie at rest; gravity along -z.
 
     A mapping of names to objects, in the order of their addition. Any number of threads may use one scene: one at a time
@@ -213,76 +214,6 @@ class Scene(Files, History, Pictures, Pours, Questions):
     def _name_of(self, what: str, value: Any) -> Any:
         return name_of(what, value, self) if isinstance(value, Object) else value
 
-    def arrange(self, problem: Mapping[str, Any], *, budget: float = 0.0) -> Result:
-        """Places for several objects at once, by relations between them; one step of history.
-
-        Parameters
-        ----------
-        problem : mapping
-            As ``trivet schema arrange`` has it: ``{"seed": 7, "things": [{"objects": "cup_*"}], "relations": [{"is": "on",
-            "a": "*", "b": "table"}]}``. Without ``"things"``: all objects that are out of the scene.
-        budget : float
-            Seconds; 0: those of `time_budget`.
-
-        Returns
-        -------
-        Result
-            `settled` has the things in the order in which they were put.
-
-        Raises
-        ------
-        Refused
-            Not all can be met: ``"no_arrangement"``, with the objects of the conflict and the metres that are ``"missing"``.
-        """
-        given = _arrays.mapping("problem", problem, "a dict, as trivet schema arrange has it")
-        return self.perform([{"op": "arrange", **given}], budget=budget)
-
-    def mend(self, only: Iterable[Union[Object, str]] = (), tolerance: float = 0.0, *,
-             budget: float = 0.0) -> dict[str, Any]:
-        """Finds the nearest scene in which nothing interpenetrates, everything rests, and what stood on what still does.
-
-        One step of history. What is at rest stays, to the bit; what finds no place stays where it was, and is named.
-
-        Parameters
-        ----------
-        only : objects or names
-            Objects that may move; none: all that are free.
-        tolerance : float
-            Metres by which poses may be off; 0: found from the poses.
-        budget : float
-            Seconds for all; 0: those of `time_budget`. What is left then stays where it was.
-
-        Returns
-        -------
-        dict
-            "moved", each with "object", "from", "to" (metres), "metres", "degrees"; "unable", each with "object" and
-            "why"; "tolerance", "supports_meant", "supports_kept", "relations" (names lost and gained).
-        """
-        return self._repaired({"op": "mend", "only": only, "tolerance": tolerance}, budget)
-
-    def settle_all(self, only: Iterable[Union[Object, str]] = (), lift: float = 0.2, *,
-                   budget: float = 0.0) -> dict[str, Any]:
-        """Lets what floats or is sunk come to rest, the lowest first; one step of history.
-
-        Parameters
-        ----------
-        only, budget
-            As for `mend`.
-        lift : float
-            Largest height, metres, to lift an object before it is let go.
-
-        Returns
-        -------
-        dict
-            "moved" and "unable", as of `mend`.
-        """
-        return self._repaired({"op": "settle", "only": only, "lift": lift}, budget)
-
-    def _repaired(self, operation: dict[str, Any], budget: float) -> dict[str, Any]:
-        only = [operation["only"]] if isinstance(operation["only"], (str, Object)) else list(operation["only"])
-        result = self.perform([{**operation, "only": only}], budget=budget)
-        return result.repaired or {}
-
     def drape(self, name: str, *, size: Optional[ArrayLike] = None, path: Optional[ArrayLike] = None,
               of: Optional[Union[Object, str]] = None, position: Optional[ArrayLike] = None,
               wxyz: Optional[ArrayLike] = None, pins: Optional[ArrayLike] = None, budget: float = 0.0,
@@ -310,7 +241,9 @@ class Scene(Files, History, Pictures, Pours, Questions):
         **options
             `material` ("cotton", "felt", "paper", "towel", "wool", of cables "lead"); `cell`, `thickness` (metres),
             `density` (kg/m2, of cables kg/m), `bending` (N m, of cables N m2) and `friction` instead of the
-            material's; `net_force` and `steps`, by which it is at rest.
+            material's; `held_by` (names of objects, one for each pin: when they move, it is draped again with its ends
+            there); `again=True` (alone: `name` was draped before, and is once more from its first start); `net_force` and
+            `steps`, by which it is at rest.
 
         Returns
         -------

@@ -106,8 +106,8 @@ Operation read_known(const JsonPlace& place, NamedObjects& objects) {
   const auto refuse = [&](const JsonPlace& where, const Sentence& accepted) {
     where.refuse(say("%1%2", accepted, did_you_mean(where.text(), objects.names())));
   };
-  if (!std::holds_alternative<AppendOperation>(operation) &&
-      !std::holds_alternative<DrapeOperation>(operation) &&
+  const auto* const drape = std::get_if<DrapeOperation>(&operation);
+  if (!std::holds_alternative<AppendOperation>(operation) && !(drape && !drape->again) &&
       !std::holds_alternative<RepairOperation>(operation) &&
       !objects.contains(object_name(operation)))
     refuse(place.at("object"), "the name of one of /objects");
@@ -116,9 +116,8 @@ Operation read_known(const JsonPlace& place, NamedObjects& objects) {
   if (const auto* put = std::get_if<PutOperation>(&operation))
     if (put->place && put->place->on != "floor" && !objects.contains(put->place->on))
       refuse(place.at("on"), "\"floor\" or the name of one of /objects");
-  if (const auto* drape = std::get_if<DrapeOperation>(&operation))
-    if (drape->of && !objects.contains(*drape->of))
-      refuse(place.at("of"), "the name of one of /objects");
+  if (drape && drape->of && !objects.contains(*drape->of))
+    refuse(place.at("of"), "the name of one of /objects");
   for (const char* const key : {"together", "only"})
     if (const auto names = place.find(key))
       for (const JsonPlace& other : names->items())

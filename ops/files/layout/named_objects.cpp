@@ -44,7 +44,7 @@ bool step_back(const Operation& operation, std::set<std::string>& names) {
 std::optional<GivenName> given_name(const Operation& operation) {
   if (const auto* o = std::get_if<AppendOperation>(&operation))
     return GivenName{"object", &o->object};
-  if (const auto* o = std::get_if<DrapeOperation>(&operation))
+  if (const auto* o = std::get_if<DrapeOperation>(&operation); o && !o->again)
     return GivenName{"object", &o->object};
   if (const auto* o = std::get_if<DuplicateOperation>(&operation)) return GivenName{"as", &o->as};
   if (const auto* o = std::get_if<RenameOperation>(&operation)) return GivenName{"to", &o->to};
@@ -66,7 +66,8 @@ bool NamedObjects::follow(const Operation& operation) {
       std::holds_alternative<RepairOperation>(operation))
     return true;
   const auto* const append = std::get_if<AppendOperation>(&operation);
-  const auto* const drape = std::get_if<DrapeOperation>(&operation);
+  const auto* drape = std::get_if<DrapeOperation>(&operation);
+  if (drape && drape->again) drape = nullptr;
   const auto found = m_index.find(object_name(operation));
   if (!append && !drape && found == m_index.end()) return false;
   if (const auto given = given_name(operation); given && contains(*given->name)) return false;

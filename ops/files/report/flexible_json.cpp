@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/limits.h"
 #include "ops/files/report/array_text.h"
 
 namespace trivet {
@@ -53,6 +54,58 @@ std::vector<FlexSupport> read_supports(const JsonPlace& place) {
     item.expect_object({"name", "share"}, {});
     out.push_back({item.at("name").text(), item.at("share").number(-kLargest, kLargest)});
   }
+  return out;
+}
+
+FlexStart read_start(const JsonPlace& place) {
+  place.expect_object({"path", "position", "rotation", "pins", "cell"}, {});
+  const auto points = [](const JsonPlace& list) {
+    std::vector<Vec3> out;
+    for (const JsonPlace& item : list.items()) {
+      const auto p = item.numbers(3, -kMaxLength, kMaxLength);
+      out.emplace_back(p[0], p[1], p[2]);
+    }
+    return out;
+  };
+  FlexStart out;
+  out.path = points(place.at("path")), out.pins = points(place.at("pins"));
+  const auto at = place.at("position").numbers(3, -kMaxLength, kMaxLength);
+  const auto turn = place.at("rotation").numbers(4, -1, 1);
+  out.pose = {{turn[0], turn[1], turn[2], turn[3]}, {at[0], at[1], at[2]}};
+  out.cell = place.at("cell").number(0, kMaxLength);
+  return out;
+}
+
+std::vector<FlexTie> read_ties(const JsonPlace& place, size_t count) {
+  std::vector<FlexTie> out;
+  for (const JsonPlace& item : place.items()) {
+    item.expect_object({"name", "vertex", "point"}, {});
+    const auto p = item.at("point").numbers(3, -kLargest, kLargest);
+    out.push_back({item.at("name").text(),
+                   static_cast<int>(item.at("vertex").number(0, static_cast<double>(count) - 1)),
+                   {p[0], p[1], p[2]}});
+  }
+  return out;
+}
+
+OrderedJson start_json(const FlexStart& start) {
+  const auto points = [](const std::vector<Vec3>& list) {
+    OrderedJson out = OrderedJson::array();
+    for (const Vec3& p : list) out.push_back(to_json(p));
+    return out;
+  };
+  const Rotation& r = start.pose.rotation;
+  return {{"path", points(start.path)},
+          {"position", to_json(start.pose.translation)},
+          {"rotation", {r.w, r.x, r.y, r.z}},
+          {"pins", points(start.pins)},
+          {"cell", start.cell}};
+}
+
+OrderedJson ties_json(const std::vector<FlexTie>& ties) {
+  OrderedJson out = OrderedJson::array();
+  for (const FlexTie& tie : ties)
+    out.push_back({{"name", tie.name}, {"vertex", tie.vertex}, {"point", to_json(tie.point)}});
   return out;
 }
 
@@ -127,13 +180,15 @@ OrderedJson stored_flexible_json(const Flexible& flexible) {
   if (flexible.is_cable) json["length"] = flexible.length;
   if (!flexible.rest.empty()) json["rest_vertices"] = text_of(flexible.rest);
   if (!flexible.pins.empty()) json["pins"] = flexible.pins;
+  if (flexible.start) json["start"] = start_json(*flexible.start);
+  if (!flexible.ties.empty()) json["ties"] = ties_json(flexible.ties);
   return json;
 }
 
 Flexible read_stored_flexible(const JsonPlace& place) {
   place.expect_object(
       {"cable", "material", "vertices", "faces", "forces", "layer", "pressure", "rest"},
-      {"grid", "length", "rest_vertices", "pins"});
+      {"grid", "length", "rest_vertices", "pins", "start", "ties"});
   Flexible out;
   out.is_cable = place.at("cable").boolean();
   out.material = read_flex_material(place.at("material"));
@@ -147,6 +202,8 @@ Flexible read_stored_flexible(const JsonPlace& place) {
   out.layer = place.at("layer").number(kLeastLength, kLargest);
   out.pressure = place.at("pressure").number(0, kLargest);
   read_rest_shape(place, out);
+  if (const auto start = place.find("start")) out.start = read_start(*start);
+  if (const auto ties = place.find("ties")) out.ties = read_ties(*ties, count);
   out.certificate = read_certificate(place.at("rest"));
   out.supports = read_supports(place.at("rest").at("supports"));
   return out;

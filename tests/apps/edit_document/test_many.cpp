@@ -50,6 +50,15 @@ class Many : public testing::Test {
     EXPECT_EQ(fingerprint(*document->snapshot()), after);
   }
 
+  /// By numbers, into whatever is there.
+  void shift(const std::string& name, const Vec3& by) {
+    TranslateOperation operation;
+    operation.object = name;
+    operation.by = by;
+    operation.free = true;
+    ASSERT_TRUE(document.done(document->perform(operation))) << document.last_text();
+  }
+
   const Vec3& at(const std::string& name) { return document.object(name).pose.translation; }
   const SceneSnapshot& scene() { return *document->snapshot(); }
   std::vector<Vec3> positions() {
@@ -312,6 +321,69 @@ TEST_F(Many, NewNamesAreThoseOfASearchFromTwo) {
   }
   EXPECT_EQ(names.like("box "), "box  2");
   EXPECT_EQ(names.like("12"), "12 2");
+}
+
+TEST_F(Many, MendsAsOneStep) {
+  put("other", Vec3(-0.1, 0, 0.03));
+  shift("other", Vec3(-0.0605, 0, 0.001));  // half a millimetre in "box", and in the air
+  const std::uint64_t before = fingerprint(*document->snapshot());
+  const size_t steps = document->history().num_done;
+  EXPECT_NE(wrong_with(*document->snapshot()), "");
+  RepairOperation mend;
+  mend.mends = true;
+  document.forget();
+  ASSERT_TRUE(document.done(document->perform(mend))) << document.last_text();
+  EXPECT_EQ(document->history().num_done, steps + 1);
+  EXPECT_EQ(document->history().steps.back(), "mend");
+  EXPECT_NE(document.last_text().find("objects moved, by "), std::string::npos)
+      << document.last_text();
+  EXPECT_NE(document.last_text().find("2 of 2 supports kept"), std::string::npos);
+  EXPECT_EQ(wrong_with(*document->snapshot()), "");
+  EXPECT_GE(at("other").x() - at("box").x(), 0.04);
+  EXPECT_LT(at("other").x() - at("box").x(), 0.0402);
+  ASSERT_TRUE(document.done(document->undo()));
+  EXPECT_EQ(fingerprint(*document->snapshot()), before);
+}
+
+TEST_F(Many, SettlesWhatFloatsAlone) {
+  put("other", Vec3(0.1, 0, 0.03));
+  shift("other", Vec3(0, 0, 0.01));
+  const Vec3 box = at("box");
+  RepairOperation settle;
+  settle.only = {"other", "tray"};
+  ASSERT_TRUE(document.done(document->perform(settle))) << document.last_text();
+  EXPECT_NEAR(at("other").z(), at("box").z(), 1e-5);
+  EXPECT_EQ(at("box"), box);
+  EXPECT_NE(document.last_text().find("moved, by 10.0 mm at most"), std::string::npos);
+}
+
+TEST_F(Many, RepairsOfATrueSceneAreNoStep) {
+  const size_t steps = document->history().num_done;
+  for (const bool mends : {true, false}) {
+    RepairOperation repair;
+    repair.mends = mends;
+    document.forget();
+    ASSERT_TRUE(document.done(document->perform(repair)));
+    EXPECT_EQ(document->history().num_done, steps);
+    EXPECT_NE(document.last_text().find("no object passes through another"), std::string::npos);
+  }
+}
+
+TEST_F(Many, MendingNamesWhatHasNoPlace) {
+  write_boxes(folder.file("rock.obj"), {{{-0.5, -0.5, 0}, {0.5, 0.5, 1}}});
+  document.import(folder.file("rock.obj"), "rock", true);
+  TranslateOperation under;
+  under.object = "box";
+  under.by = Vec3(0, 0, 0.4);
+  under.free = true;
+  document.done(document->perform(under));
+  RepairOperation mend;
+  mend.mends = true;
+  document.forget();
+  document.done(document->perform(mend));
+  EXPECT_NE(document.last_text().find("\"box\" stays where it was: "), std::string::npos)
+      << document.last_text();
+  EXPECT_EQ(document.messages().back().kind, Message::Kind::Warning);
 }
 
 }  // namespace

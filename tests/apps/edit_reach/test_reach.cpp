@@ -15,7 +15,8 @@ namespace {
 constexpr int kLayoutMs = 60;  // until a dock or a tab has its place
 
 const QStringList kDocks{"zlists", "assets", "arrange"};  // actions
-const QStringList kTools{"select", "put", "push", "turn", "pick up", "move", "rotate", "paint"};
+const QStringList kTools{"select", "put",    "push",  "turn", "pick up",
+                         "move",   "rotate", "paint", "drape"};
 const QStringList kDialogs{"preferences", "shortcuts", "two minutes", "quick actions", "about",
                            "picture",     "array",     "scatter",     "align",         "open",
                            "import",      "save as",   "export"};

@@ -106,6 +106,35 @@ void accept(QWidget& dialog) {
                     Qt::LeftButton);
 }
 
+// One apple hangs in another; the menu brings both to rest as one step, and Undo brings them back.
+void mend_by_menu(Document& document, User& user) {
+  const std::string name = document.snapshot()->objects.back()->name;
+  const Vec3 stood = user.object(name).pose.translation;
+  TranslateOperation lift;
+  lift.object = name;
+  lift.by = Vec3(0, 0, 0.002);
+  lift.free = true;
+  document.perform(lift);
+  QVERIFY(user.wait());
+  const size_t steps = document.history().num_done;
+  user.look("mend_before");
+  user.choose("mend");
+  QVERIFY(user.wait());
+  QCOMPARE(document.history().num_done, steps + 1);
+  QVERIFY((user.object(name).pose.translation - stood).norm() < 1e-4);
+  user.look("mend_done");
+  document.undo();
+  QVERIFY(user.wait());
+  QVERIFY(std::abs(user.object(name).pose.translation.z() - stood.z() - 0.002) < 1e-6);
+  user.choose("settle all");
+  QVERIFY(user.wait());
+  QVERIFY((user.object(name).pose.translation - stood).norm() < 1e-4);
+  document.undo();
+  document.undo();
+  QVERIFY(user.wait());
+  QVERIFY(user.object(name).pose.translation == stood);
+}
+
 }  // namespace
 
 void work_by_numbers(Document& document, MainWindow& window, User& user, const QString& folder) {
@@ -158,6 +187,7 @@ void lay_out_many(Document& document, MainWindow& window, User& user) {
   for (const ObjectSnapshot& object : document.snapshot()->objects)
     QVERIFY2(object->fixed || object->state == ObjectState::Stable, object->name.c_str());
   user.look("scattered");
+  mend_by_menu(document, user);
 }
 
 void show_and_hide(Document& document, MainWindow& window, User& user) {

@@ -17,6 +17,7 @@
 #include "apps/edit_window/breakfast_table.h"
 #include "apps/edit_window/by_numbers.h"
 #include "apps/edit_window/detection_chosen.h"
+#include "apps/edit_window/draping.h"
 #include "apps/edit_window/large_scene.h"
 #include "apps/edit_window/lit_and_watched.h"
 #include "apps/edit_window/monkey.h"
@@ -87,6 +88,8 @@ class TestWindow : public QObject {
   void keeps_views();
   void snaps_and_paints();
   void pushes_along_a_wall();
+  void drapes_a_napkin();
+  void lays_a_lead();
   void works_by_numbers();
   void lays_out_many();
   void shows_and_hides();
@@ -409,6 +412,12 @@ void TestWindow::snaps_and_paints() {
 
 void TestWindow::pushes_along_a_wall() {
   push_along_a_wall(*m_document, *m_window, *m_user, m_folder.filePath("wall"));
+}
+
+void TestWindow::drapes_a_napkin() { drape_a_napkin(*m_document, *m_window, *m_user); }
+
+void TestWindow::lays_a_lead() {
+  lay_a_lead(*m_document, *m_window, *m_user, m_folder.filePath("lead"));
 }
 
 void TestWindow::works_by_numbers() {

@@ -3,39 +3,12 @@
 
 #include "core/flex/flexible.h"
 #include "core/scene/fingerprint.h"
+#include "draping.h"
 #include "ops/base/interrupt.h"
-#include "stage.h"
+#include "ops/operations/drape_watch.h"
 
 namespace trivet::test {
 namespace {
-
-DrapeOperation cloth(double size = 0.36, double height = 0.42) {
-  DrapeOperation o;
-  o.object = "cloth";
-  o.size = Vec2(size, size);
-  o.cell = size / 16;
-  o.start.translation = Vec3(0, 0, height);
-  return o;
-}
-
-DrapeOperation lead(const std::vector<Vec3>& path) {
-  DrapeOperation o;
-  o.object = "lead";
-  o.path = path;
-  o.cell = 0.02;
-  return o;
-}
-
-// A fixed block of 0.2 x 0.2 x 0.4 on the floor.
-Stage with_block() {
-  Stage s;
-  s.fix("block", box_triangles(Vec3(0.1, 0.1, 0.2)), {0, 0, 0.2 + 1e-5});
-  return s;
-}
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 TEST(Drape, ClothComesToRestOnABlock) {
   Stage s = with_block();
@@ -241,6 +214,58 @@ TEST(Drape, RestsOnTheFloorForTheCheckToo) {
     ASSERT_TRUE(result.ok()) << result.reason();
     EXPECT_TRUE(check_scene(s.scene, 1, 0, s.options).ok()) << i;
   }
+}
+
+TEST(Drape, HoldersAreAsManyAsPinsAndKnown) {
+  Stage s = with_block();
+  DrapeOperation o = lead({{-0.5, 0, 1}, {0, 0, 0.7}, {0.5, 0, 1}});
+  o.pins = {{-0.5, 0, 1}, {0.5, 0, 1}};
+  o.held_by = {"block"};
+  s.refused(o, "held_by");
+  o.held_by = {"block", "blok"};
+  s.refused(o, "blok");
+}
+
+TEST(Drape, IsDoneAgainWhenWhatIsBelowMoved) {
+  Stage s = with_block();
+  ASSERT_TRUE(s.run(cloth()).ok());
+  const double before = s.scene.world_box(*s.scene.find("cloth")).lower.z();
+  DeleteOperation away;
+  away.object = "block";
+  EXPECT_TRUE(has(s.run(away).unsupported, "cloth"));
+  s.fix("low", box_triangles(Vec3(0.1, 0.1, 0.1)), {0, 0, 0.1 + 1e-5});
+  DrapeOperation again;
+  again.object = "cloth";
+  again.again = true;
+  const OperationResult result = s.run(again);
+  ASSERT_TRUE(result.ok()) << result.reason();
+  EXPECT_TRUE(check_scene(s.scene, 1, 0, s.options).ok());
+  EXPECT_EQ(s.at("cloth").flexible->grid->num_u, 16);
+  EXPECT_LT(s.scene.world_box(*s.scene.find("cloth")).lower.z(), before - 0.15);
+  again.object = "low";
+  s.refused(again, "it is not flexible");
+  again.object = "clothe";
+  s.refused(again, "clothe");
+}
+
+TEST(Drape, WatchersSeeItComeDownFromCoarseToFine) {
+  Stage s = with_block();
+  std::vector<size_t> sizes;
+  {
+    const DrapeWatch watch(
+        [&](const std::shared_ptr<const Object>& object, double) {
+          EXPECT_EQ(object->name, "cloth");
+          sizes.push_back(object->model->mesh.triangles.size());
+        },
+        1e9);
+    DrapeOperation o = cloth();
+    o.material = "paper";
+    o.cell = o.size->x() / 32;
+    ASSERT_TRUE(s.run(o).ok());
+  }
+  EXPECT_GT(sizes.size(), 10u);
+  EXPECT_LT(sizes.front(), sizes.back());
+  EXPECT_TRUE(std::is_sorted(sizes.begin(), sizes.end()));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 struct Fill {
   const Field& field;
 
-  void operator()(bool* v) const { *v = !*v; }
+  void operator()(bool* v) const { *v = field.required || !*v; }
   void operator()(int* v) const { *v = static_cast<int>(number()); }
   void operator()(std::uint64_t* v) const { *v = static_cast<std::uint64_t>(number()); }
   void operator()(double* v) const { *v = number(); }
@@ -120,6 +120,7 @@ TEST(Tables, EveryArgumentIsReadAsItIsWritten) {
       if (auto* const drape = std::get_if<DrapeOperation>(&filled)) {
         if (!drape->material.empty()) drape->material = drape->path.empty() ? "wool" : "lead";
         if (drape->thickness) drape->thickness = 1e-3;  // thicker than cells is refused
+        drape->pins.resize(std::max(drape->pins.size(), drape->held_by.size()), Vec3::Zero());
       }
       const Json json = operation_json(filled);
       EXPECT_TRUE(json.contains(field.key)) << field.key;

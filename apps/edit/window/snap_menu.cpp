@@ -1,13 +1,7 @@
-// Snapping in the main window: the magnet of the tool bar, what it takes, its steps.
-#include <QAction>
-#include <QKeySequence>
-#include <QMenu>
-#include <QSettings>
-#include <QToolBar>
-#include <QToolButton>
+#include "apps/edit/window/snap_menu.h"
 
-#include "apps/edit/window/main_window.h"
-#include "apps/edit/window/preferences_dialog.h"
+#include <QSettings>
+#include <QToolButton>
 
 namespace trivet::edit {
 namespace {
@@ -27,43 +21,54 @@ QString key_of(const SnapTarget& target) { return QString("snap/") + target.name
 
 }  // namespace
 
-void MainWindow::make_snap_actions() {
-  const auto option = [this](const char* name, const QString& text, const QKeySequence& keys,
-                             bool SnapOptions::*field, const QString& tip) {
-    QAction* const action = add_action(
-        name, text, keys,
-        [this, name, field] {
-          m_toolbox.options().snap.*field = m_actions.at(name)->isChecked();
-          save_snapping();
-        },
-        tip);
-    action->setCheckable(true);
-    return action;
-  };
-  m_icons[option(
-      "snap", tr("S&nap"), tr("S"), &SnapOptions::on,
-      tr("Snap: to corners, edges, faces, the grid and steps of angles; Control turns it "
-         "over during a drag"))] = Icon::Snap;
-  m_snap_menu = new QMenu(tr("Sna&p to"), this);
-  m_snap_menu->setObjectName("snap to");
+SnapMenu::SnapMenu(Toolbox& toolbox, ActionSet& actions, QWidget* parent)
+    : QMenu(tr("Sna&p to"), parent), m_toolbox(toolbox), m_actions(actions) {
+  setObjectName("snap to");
+  m_actions.set_icon(
+      option("snap", tr("S&nap"), tr("S"), &SnapOptions::on,
+             tr("Snap: to corners, edges, faces, the grid and steps of angles; Control turns it "
+                "over during a drag")),
+      Icon::Snap);
   const QString texts[] = {tr("&Corners"), tr("&Edges"), tr("&Faces"), tr("The &grid")};
   for (size_t i = 0; i < std::size(kTargets); ++i)
-    m_snap_menu->addAction(option(kTargets[i].name, texts[i], {}, kTargets[i].field,
-                                  tr("While the magnet or Control is on")));
-  m_snap_menu->addSeparator();
-  m_snap_menu->addAction(tr("&Steps…"), this, &MainWindow::ask_preferences);
-  restore_snapping();
+    addAction(option(kTargets[i].name, texts[i], {}, kTargets[i].field,
+                     tr("While the magnet or Control is on")));
+  addSeparator();
+  addAction(tr("&Steps…"), this, &SnapMenu::steps_wanted);
+  restore();
 }
 
-// The magnet's button opens what it takes.
-void MainWindow::dress_snap_button(QToolBar& bar) {
-  auto* const button = qobject_cast<QToolButton*>(bar.widgetForAction(action("snap")));
+QAction* SnapMenu::option(const char* name, const QString& text, const QKeySequence& keys,
+                          bool SnapOptions::*field, const QString& tip) {
+  QAction* const action = m_actions.add(
+      name, text, keys,
+      [this, name, field] {
+        m_toolbox.options().snap.*field = m_actions.at(name)->isChecked();
+        save();
+      },
+      tip);
+  action->setCheckable(true);
+  return action;
+}
+
+void SnapMenu::dress_button(QToolBar& bar) {
+  auto* const button = qobject_cast<QToolButton*>(bar.widgetForAction(m_actions.at("snap")));
   if (!button) return;
-  button->setMenu(m_snap_menu);
+  button->setMenu(this);
   button->setPopupMode(QToolButton::MenuButtonPopup);
 }
 
-void MainWindow::restore_snapping() {
+SnapSteps SnapMenu::steps() const {
+  return {m_toolbox.options().snap.grid_step, m_toolbox.options().angle_step_deg};
+}
+
+void SnapMenu::set_steps(const SnapSteps& steps) {
+  m_toolbox.options().snap.grid_step = steps.grid;
+  m_toolbox.options().angle_step_deg = steps.angle_deg;
+  save();
+}
+
+void SnapMenu::restore() {
   const QSettings settings;
   ToolOptions& options = m_toolbox.options();
   options.snap.on = settings.value(kOnKey, false).toBool();
@@ -73,12 +78,12 @@ void MainWindow::restore_snapping() {
   const double angle = settings.value(kAngleKey, options.angle_step_deg).toDouble();
   if (grid >= kLeastGrid && grid <= kLargestGrid) options.snap.grid_step = grid;
   if (angle >= kLeastAngle && angle <= kLargestAngle) options.angle_step_deg = angle;
-  action("snap")->setChecked(options.snap.on);
+  m_actions.at("snap")->setChecked(options.snap.on);
   for (const SnapTarget& target : kTargets)
-    action(target.name)->setChecked(options.snap.*target.field);
+    m_actions.at(target.name)->setChecked(options.snap.*target.field);
 }
 
-void MainWindow::save_snapping() const {
+void SnapMenu::save() const {
   QSettings settings;
   const ToolOptions& options = m_toolbox.options();
   settings.setValue(kOnKey, options.snap.on);

@@ -1,0 +1,29 @@
+// Findings on each object while the intent is inferred, and the order to put them in.
+// Private.
+// Private.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "ops/mend/columns.h"
+#include "ops/mend/intent.h"
+
+namespace trivet {
+
+/// An object and what its columns say.
+struct Looked {
+  Placement level;
+  ObjectIntent intent;
+  Columns columns;
+  std::set<std::uint32_t> above;  // slots of what it lies above
+};
+
+/// The lowest z of its columns, metres.
+double lowest(const Looked& l);
+
+/// The lower ones first; a circle loses its weakest support.
+std::vector<ObjectIntent> in_order(std::vector<Looked>& looked);
+
+}  // namespace trivet
