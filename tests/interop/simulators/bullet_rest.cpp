@@ -94,6 +94,9 @@ class World {
     // With one direction of friction, the default, things creep across it.
     m_dynamics.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
     m_dynamics.getSolverInfo().m_numIterations = kIterations;
+    // By default a hull on a plane gets one contact a step, and narrow feet tip: see
+    // bullet_foot.cpp.
+    m_configuration.setPlaneConvexMultipointIterations();
     for_each(root->FirstChildElement("asset"), "mesh", [this](Element* mesh) {
       m_files[mesh->Attribute("name")] = (m_folder / mesh->Attribute("file")).string();
     });

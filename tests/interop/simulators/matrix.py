@@ -2,12 +2,14 @@
 """Tells which scenes rest in which simulator: exported scenes, for some seconds, in each engine.
 
     matrix.py --trivet TRIVET --work DIR --engines mujoco2,mujoco,rapier,jolt,bullet
-              [--programs DIR] [--scenes DIR | --demos NAME,...] [--seconds 5] [--csv FILE] [--bars]
+              [--programs DIR] [--scenes DIR | --demos NAME,...] [--seconds 5] [--csv FILE] [--bars] [--settled 8]
 
 The folder of --work has the modules of ../package.json, that of --programs bullet_rest and
 mujoco2_rest, which is Debian's MuJoCo. --scenes takes all scenes (*.glb) of a folder instead of the demos. A row says how many
 objects stayed within 1 mm, within 2 mm and 2 degrees, and within 1 cm, by the farthest corner of
-their parts; how deep parts overlap at the start; and steps per CPU second, of the engine alone.
+their parts; how deep parts overlap at the start; and steps per CPU second, of the engine alone. A scene that is not exported
+counts with its objects, none of which stays. --settled: beside them the same objects, lifted by LIFT and settled by the engine
+itself for so many seconds first. The last lines are sums, a table in Markdown.
 --bars: exit status 1 if an engine does not start from given poses (test_starts.py), warns, or keeps fewer than it must (BARS), over all scenes.
 """
 import argparse
@@ -17,6 +19,7 @@ import os
 import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DEMOS = ("spoon-saucer,breakfast,office1,office2,office3,table-for-six,tight-table,bookcase,market,"
@@ -25,6 +28,7 @@ DEMOS = ("spoon-saucer,breakfast,office1,office2,office3,table-for-six,tight-tab
 # (prism.mjs), so that one plant with a round foot tips.
 BARS = {"mujoco2": (98, 100), "mujoco": (98, 100), "jolt": (98, 100), "bullet": (98, 100), "rapier": (98, 99)}
 IN_CPP = ("bullet", "mujoco2")
+LIFT = 0.005  # metres
 COLUMNS = ("simulator", "scene", "objects", "parts", "within_1mm", "within_2mm_2deg", "within_1cm", "farthest_mm",
            "farthest", "penetration_um", "steps_per_cpu_second", "warnings")
 
@@ -59,10 +63,45 @@ def program_of(arguments, engine):
 
 
 def in_engine(arguments, engine, glb, name):
-    """The line of an engine's program, which rest.mjs describes."""
-    file = (exported(arguments, glb, name + ".mujoco2.xml", "--mujoco", "2") if engine == "mujoco2"
-            else exported(arguments, glb, name + ".xml"))
-    return dict(json.loads(run(*program_of(arguments, engine), arguments.seconds, file, cwd=arguments.work)), scene=name)
+    """Lines of an engine's program, which rest.mjs describes."""
+    try:
+        file = (exported(arguments, glb, name + ".mujoco2.xml", "--mujoco", "2") if engine == "mujoco2"
+                else exported(arguments, glb, name + ".xml"))
+    except SystemExit as refused:
+        print(refused, file=sys.stderr)
+        rows = list(csv.DictReader(open(exported(arguments, glb, name + ".csv"), newline="")))
+        lost = [{"name": r["name"], "moved": float("inf"), "turned_deg": 180} for r in rows if r["fixed"] == "false" and r["x"]]
+        return [{"simulator": engine, "scene": name + ", not exported", "objects": lost, "hulls": 0, "penetration": 0,
+                 "steps_per_cpu_second": 0, "warnings": 0}]
+    lines = [in_program(arguments, engine, file, arguments.seconds)]
+    if arguments.settled:
+        lifted = starts_file(arguments, [lifted_starts(file)])
+        rest = in_program(arguments, engine, file, arguments.settled, "--starts", lifted)["objects"]
+        own = starts_file(arguments, [{o["name"]: {"position": o["position"], "rotation": o["rotation"]} for o in rest}])
+        line = in_program(arguments, engine, file, arguments.seconds, "--starts", own)
+        lines.append(dict(line, simulator=line["simulator"] + ", settled by itself"))
+    return [dict(line, scene=name) for line in lines]
+
+
+def in_program(arguments, engine, file, seconds, *starts):
+    return json.loads(run(*program_of(arguments, engine), seconds, *starts, file, cwd=arguments.work))
+
+
+def starts_file(arguments, worlds):
+    path = os.path.join(arguments.work, "starts.jsonl")
+    with open(path, "w") as file:
+        file.writelines(json.dumps(world) + "\n" for world in worlds)
+    return path
+
+
+def lifted_starts(file):
+    """Poses of free bodies of an exported scene, all higher."""
+    out = {}
+    for body in ElementTree.parse(file).getroot().find("worldbody").findall("body"):
+        if body.find("freejoint") is not None:
+            x, y, z = map(float, body.get("pos").split())
+            out[body.get("name")] = {"position": [x, y, z + LIFT], "rotation": list(map(float, body.get("quat").split()))}
+    return out
 
 
 def check_starts(arguments):
@@ -83,6 +122,19 @@ def row_of(line):
             "farthest_mm": "%.3f" % (1e3 * farthest["moved"]), "farthest": farthest["name"],
             "penetration_um": "%.2f" % (1e6 * line["penetration"]),
             "steps_per_cpu_second": line["steps_per_cpu_second"], "warnings": line["warnings"]}
+
+
+def print_sums(rows):
+    """A table in Markdown, a row for each simulator; steps are the median of the scenes."""
+    print("| engine | scenes | objects | within 1 mm | within 2 mm and 2 degrees | within 1 cm | deepest, um | steps per CPU s |\n"
+          "|---|--:|--:|--:|--:|--:|--:|--:|")
+    for simulator in dict.fromkeys(row["simulator"] for row in rows):
+        of = [row for row in rows if row["simulator"] == simulator]
+        steps = sorted(row["steps_per_cpu_second"] for row in of)
+        print("| %s | %d | %s | %.1f | %d |" % (
+            simulator, len(of),
+            " | ".join(str(sum(row[c] for row in of)) for c in ("objects", "within_1mm", "within_2mm_2deg", "within_1cm")),
+            max(float(row["penetration_um"]) for row in of), steps[len(steps) // 2]))
 
 
 def missed_bars(by_engine):
@@ -107,21 +159,28 @@ def main():
     parser.add_argument("--demos", default=",".join(DEMOS))
     parser.add_argument("--seconds", default="5")
     parser.add_argument("--csv")
+    parser.add_argument("--settled", help="seconds")
     parser.add_argument("--bars", action="store_true")
     arguments = parser.parse_args()
     for name in os.listdir(HERE):
         if name.endswith(".mjs"):  # modules are resolved relative to scripts
             shutil.copy(os.path.join(HERE, name), arguments.work)
-    by_engine, rows = {}, []
+    by_engine, rows, names = {}, [], {}
     for name, glb in scenes_of(arguments).items():
         for engine in arguments.engines.split(","):
-            row = row_of(in_engine(arguments, engine, glb, name))
-            print("%(simulator)s: %(scene)s: of %(objects)d objects %(within_1mm)d within 1 mm, %(within_2mm_2deg)d "
-                  "within 2 mm and 2 degrees, %(within_1cm)d within 1 cm; farthest %(farthest)s %(farthest_mm)s mm; "
-                  "%(parts)d parts, %(penetration_um)s um deep, %(steps_per_cpu_second)d steps per CPU second" % row,
-                  flush=True)
-            by_engine.setdefault(engine, []).append(row)
-            rows.append(row)
+            for row in map(row_of, in_engine(arguments, engine, glb, name)):
+                print("%(simulator)s: %(scene)s: of %(objects)d objects %(within_1mm)d within 1 mm, %(within_2mm_2deg)d "
+                      "within 2 mm and 2 degrees, %(within_1cm)d within 1 cm; farthest %(farthest)s %(farthest_mm)s mm; "
+                      "%(parts)d parts, %(penetration_um)s um deep, %(steps_per_cpu_second)d steps per CPU second" % row,
+                      flush=True)
+                if "settled by itself" not in row["simulator"]:
+                    by_engine.setdefault(engine, []).append(row)
+                if row["parts"]:
+                    names.setdefault(engine, row["simulator"])
+                rows.append(row)
+    for row in rows:  # of scenes that were not exported
+        row["simulator"] = names.get(row["simulator"], row["simulator"])
+    print_sums(rows)
     if arguments.csv:
         with open(arguments.csv, "w", newline="") as file:
             writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
