@@ -85,6 +85,15 @@ def small_recipe():
     return {**json.loads(text), "views": SMALL_VIEWS}
 
 
+# A simulator in which nothing moves.
+ENGINE = """#!/usr/bin/env python3
+import json
+rows = [json.loads(line) for line in open("still.jsonl")]
+print(json.dumps({"objects": [{"name": r["name"], "position": [r["x"], r["y"], r["z"]],
+                               "rotation": [r["qw"], r["qx"], r["qy"], r["qz"]]} for r in rows if not r["fixed"]]}))
+"""
+
+
 def prepare(folder, page):
     """Writes the files that pages presuppose: the models of BREAKFAST in models and here, and files that they name."""
     program("demo", "breakfast", "-o", "breakfast.glb", "--export", "models", "--quiet")
@@ -101,6 +110,9 @@ def prepare(folder, page):
     if page == "guide/simulators.md":
         program("settle", str(CASES / "drawer.xml"), "-o", "kitchen.xml")
         shutil.copy(CASES / "drawer.urdf", "cabinet.urdf")
+        program("export", "breakfast.glb", "-o", "still.jsonl")
+        (folder / "engine").write_text(ENGINE)
+        (folder / "engine").chmod(0o755)
     if page == "guide/scenes-of-others.md":
         for name in ("robot.urdf", "world.sdf"):
             program("export", "breakfast.glb", "-o", name)
