@@ -1,3 +1,5 @@
+#include "ops/simulation/simulation.h"
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <deque>
@@ -20,7 +22,6 @@
 #include "ops/simulation/overlaps.h"
 #include "ops/simulation/part_cache.h"
 #include "ops/simulation/shells.h"
-#include "ops/simulation/simulation.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -136,7 +137,8 @@ class SceneMaker {
   }
 
   void add_joints() {
-    SimulationJoints made = simulation_joints(*m_options.joints, m_body_of, m_out.scene.bodies);
+    SimulationJoints made =
+        simulation_joints(m_scene, *m_options.joints, m_body_of, m_out.scene.bodies);
     m_out.scene.joints = std::move(made.joints);
     m_out.notes.insert(m_out.notes.end(), made.notes.begin(), made.notes.end());
   }
