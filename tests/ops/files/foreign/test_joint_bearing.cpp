@@ -1,4 +1,4 @@
-// What lies on links weighs on their joints, and pieces that stand free may tip: known answers.
+// Weights of what lies on links at their joints; pieces that stand free and tip: known answers.
 #include <gtest/gtest.h>
 
 #include "core/io/foreign/foreign_testing.h"
