@@ -36,7 +36,7 @@ std::string trapdoor(const std::string& hinge, bool cube) {
 
 TEST(JointBearing, ATrapdoorFallsByWhatLiesOnIt) {
   const std::string told =
-      "the link in the joint \"flap\" would swing: with what lies on it 9.807 N m turn it";
+      "the link in the joint \"flap\" would swing: with what lies on it 9.80665 N m turn it";
   const auto notes = [](const std::string& hinge, bool cube) {
     return notes_of(verdict_on(trapdoor(hinge, cube)));
   };
