@@ -60,6 +60,7 @@ SceneVerdict Dialogue::verdict() const {
     const OpenedScene& opened = m_opened.others->opened();
     out.format = opened.format, out.key = opened.key, out.num_joints = opened.num_joints;
     out.notes = opened.notes, out.unread = opened.unread;
+    add_what_joints_bear(opened, joints(), options, run, out);
   }
   return out;
 }

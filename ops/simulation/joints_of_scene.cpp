@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ops/operations/moving_group.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -17,10 +18,14 @@ constexpr double kRadiansOfDegree = std::numbers::pi / 180;
 
 class JointMaker {
  public:
-  JointMaker(const std::vector<SceneJoint>& joints,
+  JointMaker(const Scene& scene, const std::vector<SceneJoint>& joints,
              const std::map<ObjectId, size_t, SlotOrder>& body_of,
              const std::vector<SimulationBody>& bodies)
-      : m_joints(joints), m_body_of(body_of), m_bodies(bodies), m_hangs(bodies.size()) {}
+      : m_scene(scene),
+        m_joints(joints),
+        m_body_of(body_of),
+        m_bodies(bodies),
+        m_hangs(bodies.size()) {}
 
   SimulationJoints make() {
     for (const SceneJoint& joint : m_joints)
@@ -62,10 +67,11 @@ class JointMaker {
     m_out.joints.push_back(std::move(out));
   }
 
-  // Force along the axis, or torque about it, of the weights of all links.
+  // Force along the axis, or torque about it, of the weights of all links and their contents.
   double load_on(const SceneJoint& joint) const {
     double out = 0;
-    for (const ObjectId id : joint.links) {
+    for (const ObjectId id :
+         carried_with(m_scene, joint.links[0], std::span(joint.links).subspan(1))) {
       if (!has(id)) continue;
       const SimulationBody& body = m_bodies[m_body_of.at(id)];
       const Vec3 weight(0, 0, -kGravity * body.mass);
@@ -113,6 +119,7 @@ class JointMaker {
     }
   }
 
+  const Scene& m_scene;
   const std::vector<SceneJoint>& m_joints;
   const std::map<ObjectId, size_t, SlotOrder>& m_body_of;
   const std::vector<SimulationBody>& m_bodies;
@@ -122,10 +129,10 @@ class JointMaker {
 
 }  // namespace
 
-SimulationJoints simulation_joints(const std::vector<SceneJoint>& joints,
+SimulationJoints simulation_joints(const Scene& scene, const std::vector<SceneJoint>& joints,
                                    const std::map<ObjectId, size_t, SlotOrder>& body_of,
                                    const std::vector<SimulationBody>& bodies) {
-  return JointMaker(joints, body_of, bodies).make();
+  return JointMaker(scene, joints, body_of, bodies).make();
 }
 
 }  // namespace trivet

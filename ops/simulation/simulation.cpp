@@ -137,7 +137,8 @@ class SceneMaker {
   }
 
   void add_joints() {
-    SimulationJoints made = simulation_joints(*m_options.joints, m_body_of, m_out.scene.bodies);
+    SimulationJoints made =
+        simulation_joints(m_scene, *m_options.joints, m_body_of, m_out.scene.bodies);
     m_out.scene.joints = std::move(made.joints);
     m_out.notes.insert(m_out.notes.end(), made.notes.begin(), made.notes.end());
   }

@@ -41,6 +41,7 @@ class TreeOfJoints {
     check_given();
     hang_bodies();
     for (const size_t j : m_order) move_to_value(j);
+    mark_bases();
     hold_what_mimics();
     for (size_t j = 0; j < m_joints.size(); ++j)
       if (m_joints[j].kind) add(j);
@@ -89,6 +90,13 @@ class TreeOfJoints {
       if (!reached.count(j)) hold(j);
     for (const size_t j : m_order)
       if (m_joints[j].parent) m_below[*m_joints[j].parent].push_back(j);
+  }
+
+  // With a closed chain it is not known what hangs in what.
+  void mark_bases() {
+    if (m_order.size() != m_joints.size()) return;
+    for (size_t b = 0; b < m_scene.bodies.size(); ++b)
+      m_scene.bodies[b].is_base = m_scene.bodies[b].is_link && !m_of_child.count(b);
   }
 
   void hold(size_t j) { m_held[j] = Sentence("it closes a chain of joints"); }

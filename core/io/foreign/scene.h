@@ -60,7 +60,8 @@ struct PosePlace {
 struct ForeignBody {
   std::string name;  // unique
   bool fixed = false;
-  bool is_link = false;  // fixed only because it hangs in a joint
+  bool is_link = false;  // fixed only because it hangs in a joint, or others hang in it
+  bool is_base = false;  // a link that hangs in nothing, and that nothing holds in the world
   Pose pose;             // of its frame, world
   std::vector<ForeignCollider> colliders;
   std::optional<GivenMass> mass;

@@ -17,19 +17,22 @@ class SdfJointReader {
 
   void add(const XmlNode& node, std::vector<TreeJoint>& joints) {
     const std::string* const type = node.find("type");
-    if (type && *type == "fixed") return;
+    if (type && *type == "fixed") return add_fixed(node, joints);
     ++m_scene.num_joints;
     TreeJoint joint;
     joint.name = m_links.model + "::" + sdf_name(node);
     // A joint to a link of another model, or to none, is told and left out.
     const std::optional<size_t> child = body(node, "child");
     joint.parent = body(node, "parent");
-    if (!child || (!joint.parent && child_text(node, "parent", "") != "world"))
-      return note_once(m_scene.notes,
-                       say("the joint \"%1\" is not read: it is not between links of one model; "
-                           "they stay where they are",
-                           joint.name));
+    const bool is_outside = !joint.parent && child_text(node, "parent", "") != "world";
+    if (!child || is_outside)
+      note_once(m_scene.notes,
+                say("the joint \"%1\" is not read: it is not between links of one model; "
+                    "they stay where they are",
+                    joint.name));
+    if (!child) return;
     joint.child = *child;
+    if (is_outside) return joints.push_back(std::move(joint));  // it holds the link, no more
     if (type) joint.kind = kind_of(*type);
     if (!joint.kind)
       note_once(m_scene.notes, say("the joint \"%1\" is of type %2: its link stays where it is",
@@ -43,6 +46,16 @@ class SdfJointReader {
   }
 
  private:
+  // Links fixed to each other are one body already.
+  void add_fixed(const XmlNode& node, std::vector<TreeJoint>& joints) const {
+    const std::optional<size_t> child = body(node, "child");
+    if (!child || child_text(node, "parent", "") != "world") return;
+    TreeJoint joint;
+    joint.name = m_links.model + "::" + sdf_name(node);
+    joint.child = *child;
+    joints.push_back(std::move(joint));
+  }
+
   XmlPlace place(const XmlNode& node) const { return {m_scene.files, node}; }
 
   std::optional<size_t> body(const XmlNode& joint, const char* tag) const {

@@ -148,7 +148,7 @@ class UrdfReader {
     const bool hangs = m_hangs.count(m_scene.bodies.size()) != 0;
     const bool floats = root ? !m_options.fixed_base && name != "world" : !hangs;
     out.fixed = !floats || hangs_joints(name);
-    out.is_link = out.fixed && !root;
+    out.is_link = out.fixed && (!root || floats);
     out.pose = pose;
     out.place = where;
     if (out.place.kind == PosePlace::Kind::Nowhere)

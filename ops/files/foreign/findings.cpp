@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <set>
 
+#include "core/io/mesh_model.h"
+#include "core/scene/given_mass.h"
 #include "ops/base/stopwatch.h"
+#include "ops/files/foreign/joint_moves.h"
 #include "ops/files/report/verdict.h"
 #include "ops/placement/clearance.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
@@ -83,6 +87,70 @@ class FindingCollector {
   std::set<std::string> m_told;
 };
 
+// All objects of a piece as a free one, with their mass.
+Object as_one(const Scene& scene, const std::vector<ObjectId>& ids) {
+  Object out = scene.at(ids[0]);
+  out.pose = {{}, out.pose.translation};
+  out.fixed = false;
+  out.contacts.clear();
+  Mesh mesh;
+  double newtons = 0;
+  Vec3 moment = Vec3::Zero();
+  for (const ObjectId id : ids) {
+    const Object& object = scene.at(id);
+    const Affine world = object.world_from_object();
+    const auto first = static_cast<Index>(mesh.vertices.size());
+    for (const Vec3& v : object.shape->mesh.vertices)
+      mesh.vertices.push_back(world.apply(v) - out.pose.translation);
+    for (const Index3& t : object.shape->mesh.triangles)
+      mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    const double weight = weight_of(object);
+    newtons += weight;
+    moment += weight * (object.centre_of_mass() - out.pose.translation);
+  }
+  auto model = std::make_shared<Model>(model_of_mesh(std::move(mesh)));
+  out.up = UpAxis::Z, out.scale = 1;
+  out.shape = make_shape(model->mesh);
+  out.model = std::move(model);
+  give_mass({newtons / kGravity, Vec3(moment / newtons), std::nullopt}, out);
+  return out;
+}
+
+bool weighs(const Scene& scene, const std::vector<ObjectId>& ids) {
+  return std::all_of(ids.begin(), ids.end(), [&](ObjectId id) {
+    return scene.contains(id) && weight_of(scene.at(id)) > 0;
+  });
+}
+
+// Pieces that stand free and tip over, slide or sink with their joints as they are. Costs a check
+// where there are such pieces.
+std::vector<SceneFinding> tipping_pieces(const OpenedScene& opened, const RunOptions& options,
+                                         const LayoutRun& run) {
+  std::vector<SceneFinding> out;
+  if (opened.standing.empty() || !opened.judged.moving_links) return out;
+  LayoutRun whole;
+  whole.scene = with_moving_links(opened.judged, run.scene);
+  whole.settle = run.settle;
+  std::vector<std::string> names;
+  for (const std::vector<ObjectId>& ids : opened.standing) {
+    if (!weighs(whole.scene, ids)) continue;
+    Object piece = as_one(whole.scene, ids);
+    for (const ObjectId id : ids) whole.scene.remove(id);
+    names.push_back(piece.name);
+    whole.scene.add(std::move(piece));
+  }
+  if (names.empty()) return out;
+  finish_run(options, whole);
+  SceneVerdict verdict = verdict_of(whole, opened.judged.lift);
+  for (SceneFinding& f : verdict.findings) {
+    const bool moves = f.kind == Kind::NotAtRest || f.kind == Kind::Unstable;
+    if (!moves || std::find(names.begin(), names.end(), f.object) == names.end()) continue;
+    f.kind = Kind::Unstable;
+    out.push_back(std::move(f));
+  }
+  return out;
+}
+
 }  // namespace
 
 const char* to_string(SceneFinding::Kind kind) {
@@ -122,6 +190,14 @@ SceneVerdict verdict_of(const LayoutRun& run, double lift) {
   return out;
 }
 
+void add_what_joints_bear(const OpenedScene& opened, const std::vector<SceneJoint>& joints,
+                          const RunOptions& options, const LayoutRun& run, SceneVerdict& out) {
+  for (Sentence& note : joints_moved_by_contents(run.scene, joints))
+    out.notes.push_back(std::move(note));
+  for (SceneFinding& piece : tipping_pieces(opened, options, run))
+    out.findings.push_back(std::move(piece));
+}
+
 SceneVerdict judge(OpenedScene& opened, const RunOptions& given, LayoutRun* run) {
   const Stopwatch watch;
   RunOptions options = given;
@@ -136,6 +212,7 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& given, LayoutRun* run)
   out.path = opened.path, out.format = opened.format, out.key = opened.key;
   out.num_joints = opened.num_joints;
   out.notes = opened.notes, out.unread = opened.unread;
+  add_what_joints_bear(opened, opened.joints, options, result, out);
   out.milliseconds = watch.milliseconds();
   return out;
 }

@@ -47,6 +47,11 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& options, LayoutRun* ru
 /// The same of a scene that was checked already. @param lift  as JudgedScene has it.
 SceneVerdict verdict_of(const LayoutRun& run, double lift);
 
+/// Adds what the joints bear as they are: notes of those that their contents would move, and pieces
+/// that stand free and tip over as Unstable. @param run  a run of the opened scene, finished.
+void add_what_joints_bear(const OpenedScene& opened, const std::vector<SceneJoint>& joints,
+                          const RunOptions& options, const LayoutRun& run, SceneVerdict& out);
+
 /// "pairs: 1 passes through, 8 touch or are closer than 3.8 um, 27 are apart".
 std::string pairs_text(const PairClasses& pairs, double clearance);
 /// "\"cup\" and \"table\", 1.9 um apart", or flush, or so deep in each other.

@@ -1,5 +1,6 @@
 #include "ops/files/foreign/joint_moves.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -7,20 +8,26 @@
 #include "core/base/quoted.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
+#include "ops/operations/moving_group.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
 
-// The scene by the rules for moving links.
-Scene with_moving_links(const JudgedScene& judged) {
-  Scene out = judged.scene;
-  const PairTable& table = *judged.moving_links;
-  out.pair_rules = table.rules;
-  out.floor_kind = table.floor_kind;
-  for (size_t i = 0; i < judged.ids.size(); ++i)
-    if (judged.ids[i])
-      edit_object(out, *judged.ids[i], [&](Object& o) { o.pair_kind = table.kinds[i]; });
-  return out;
+constexpr double kLeastBearing = 1e-6;  // newtons or newton metres that count
+constexpr double kAtStop = 1e-9;        // metres or degrees
+
+// Force along the axis of a joint, or torque about it.
+double bearing_of(const Object& object, const SceneJoint& joint) {
+  const Vec3 weight(0, 0, -weight_of(object));
+  return joint.turns ? joint.axis.dot((object.centre_of_mass() - joint.anchor).cross(weight))
+                     : joint.axis.dot(weight);
+}
+
+bool is_moved(const SceneJoint& joint, double load) {
+  const bool stopped =
+      load > 0 ? joint.value >= joint.upper - kAtStop : joint.value <= joint.lower + kAtStop;
+  return !stopped && std::abs(load) > joint.friction + kLeastBearing;
 }
 
 Rotation inverse_of(const Rotation& r) { return {r.w, -r.x, -r.y, -r.z}; }
@@ -43,6 +50,16 @@ void carry(const JointToMove& moved, const Pose& from, const Pose& to, OpenedSce
 }
 
 }  // namespace
+
+Scene with_moving_links(const JudgedScene& judged, Scene scene) {
+  const PairTable& table = *judged.moving_links;
+  scene.pair_rules = table.rules;
+  scene.floor_kind = table.floor_kind;
+  for (size_t i = 0; i < judged.ids.size(); ++i)
+    if (judged.ids[i] && scene.contains(*judged.ids[i]))
+      edit_object(scene, *judged.ids[i], [&](Object& o) { o.pair_kind = table.kinds[i]; });
+  return scene;
+}
 
 SceneJoint& joint_named(OpenedScene& opened, const std::string& name) {
   std::string known;
@@ -67,7 +84,7 @@ JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const
     bad_file(opened.path, "the joint %1 cannot be moved: %2", trivet::quoted(joint.name),
              joint.held);
   // The links move in a copy, whose rules let neighbours pass as in the other program.
-  Scene driven = with_moving_links(opened.judged);
+  Scene driven = with_moving_links(opened.judged, opened.judged.scene);
   update_contacts(driven, run.options.clearance, run.options);
   const Pose from = driven.at(joint.links[0]).pose;
   JointMove out = move_joint(driven, joint, to, run);
@@ -80,6 +97,34 @@ JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const
     }
   joint.value = out.value;
   carry(joint, from, driven.at(joint.links[0]).pose, opened);
+  return out;
+}
+
+std::vector<Sentence> joints_moved_by_contents(const Scene& scene,
+                                               const std::vector<SceneJoint>& joints) {
+  std::vector<Sentence> out;
+  for (const SceneJoint& joint : joints) {
+    double links = 0, all = 0;
+    for (const ObjectId id :
+         carried_with(scene, joint.links[0], std::span(joint.links).subspan(1))) {
+      const bool is_link =
+          std::find(joint.links.begin(), joint.links.end(), id) != joint.links.end();
+      // Links without a mass of the file's have none for its engine.
+      if (is_link && !scene.at(id).given_mass) continue;
+      const double load = bearing_of(scene.at(id), joint);
+      all += load;
+      if (is_link) links += load;
+    }
+    // Readers have told of joints that their links move alone.
+    if (is_moved(joint, links) || !is_moved(joint, all)) continue;
+    out.push_back(joint.turns
+                      ? say("the link in the joint \"%1\" would swing: with what lies on it "
+                            "%2 N m turn it",
+                            joint.name, figure(all))
+                      : say("the link in the joint \"%1\" would slide: with what lies on it "
+                            "%2 N pull it",
+                            joint.name, figure(all)));
+  }
   return out;
 }
 

@@ -58,6 +58,35 @@ bool is_named_from(const ForeignScene& scene, const std::string& out) {
   return fs::equivalent(from, fs::absolute(out).parent_path(), error);
 }
 
+// Bases that collide, each with all that hangs in it.
+std::vector<std::vector<ObjectId>> standing_of(const ForeignScene& foreign,
+                                               const JudgedScene& judged) {
+  std::map<int, int> parent;  // of welds
+  for (const ForeignBody& body : foreign.bodies) parent[body.weld] = body.parent_weld;
+  const auto root_of = [&](int weld) {
+    // Files may close circles: the way up ends by its length.
+    for (size_t steps = 0; steps < parent.size() && parent.count(weld); ++steps) {
+      const int above = parent.at(weld);
+      if (above < 0) return weld;
+      weld = above;
+    }
+    return -1;
+  };
+  std::map<int, std::vector<ObjectId>> by_root;
+  for (size_t i = 0; i < foreign.bodies.size(); ++i)
+    if (foreign.bodies[i].is_base && judged.ids[i])
+      by_root[foreign.bodies[i].weld] = {*judged.ids[i]};
+  for (size_t i = 0; i < foreign.bodies.size(); ++i) {
+    if (!judged.ids[i] || foreign.bodies[i].is_base || !foreign.bodies[i].is_link) continue;
+    const auto found = by_root.find(root_of(foreign.bodies[i].weld));
+    if (found != by_root.end()) found->second.push_back(*judged.ids[i]);
+  }
+  std::vector<std::vector<ObjectId>> out;
+  out.reserve(by_root.size());
+  for (auto& [weld, ids] : by_root) out.push_back(std::move(ids));
+  return out;
+}
+
 std::vector<SceneJoint> joints_of(const ForeignScene& foreign, const JudgedScene& judged) {
   std::vector<SceneJoint> out;
   for (const ForeignJoint& joint : foreign.joints) {
@@ -155,6 +184,7 @@ OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
   if (!foreign->values_file.empty()) out.files.push_back(foreign->values_file);
   out.judged = judged_scene(*foreign);
   out.joints = joints_of(*foreign, out.judged);
+  out.standing = standing_of(*foreign, out.judged);
   for (const Sentence& note : out.judged.notes) out.notes.push_back(note);
   out.write_with_joints = [foreign, ids = out.judged.ids, lift = out.judged.lift](
                               const NewPoses& poses, const std::vector<SceneJoint>& moved,

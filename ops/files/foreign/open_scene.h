@@ -49,6 +49,8 @@ struct OpenedScene {
   std::string key;               // keyframe; empty: none
   size_t num_joints = 0;
   std::vector<SceneJoint> joints;  // those that joint_moves.h moves
+  // Pieces that stand free and move as one while their joints are held: the base first.
+  std::vector<std::vector<ObjectId>> standing;
 
   /// Writes the scene with these poses: only their numbers change. What the main file includes is
   /// written beside the output, by the same relative paths.

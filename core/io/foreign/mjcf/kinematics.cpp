@@ -85,11 +85,10 @@ int Groups::parent_weld(int weld) const {
   return weld == 0 ? -1 : m_weld[static_cast<size_t>(m_model.bodies[weld].parent)];
 }
 
-bool Groups::is_free(int weld) const {
+bool Groups::is_base(int weld) const {
   const std::vector<Joint>& joints = m_model.bodies[weld].joints;
-  // A body is free alone if it hangs at the world by a free joint and nothing hangs at it.
   return weld != 0 && joints.size() == 1 && joints[0].kind == Joint::Kind::Free &&
-         !m_has_links.count(weld) && parent_weld(weld) == 0;
+         parent_weld(weld) == 0;
 }
 
 }  // namespace trivet::mjcf

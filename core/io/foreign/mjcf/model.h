@@ -72,8 +72,10 @@ class Groups {
   int weld(size_t body) const { return m_weld[body]; }
   /// Group that this one hangs in; -1: it is the world's.
   int parent_weld(int weld) const;
-  /// A free joint and nothing that hangs on it by joints.
-  bool is_free(int weld) const;
+  /// A free joint in the world.
+  bool is_base(int weld) const;
+  /// The same, and nothing hangs in it by joints.
+  bool is_free(int weld) const { return is_base(weld) && !m_has_links.count(weld); }
 
  private:
   const Model& m_model;

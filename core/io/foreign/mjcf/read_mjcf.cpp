@@ -122,6 +122,7 @@ class Assembler {
     out.name = m_name[i];
     out.fixed = !m_groups.is_free(weld);
     out.is_link = weld != 0 && out.fixed;
+    out.is_base = out.is_link && m_groups.is_base(weld);
     out.pose = m_at.bodies[i];
     out.weld = weld;
     out.parent_weld = m_groups.parent_weld(weld) == 0 ? -1 : m_groups.parent_weld(weld);
