@@ -11,7 +11,7 @@
 namespace trivet {
 namespace {
 
-constexpr double kQuarterTurnDeg = 90;
+constexpr double kMostTurnOfPartDeg = 90;
 
 class JointDrive {
  public:
@@ -42,7 +42,7 @@ class JointDrive {
   // One motion: the whole slide, or at most a quarter turn.
   void advance(double goal) {
     const double way = goal - m_out.value, sign = way < 0 ? -1 : 1;
-    const double part = m_joint.turns ? std::min(std::abs(way), kQuarterTurnDeg) : std::abs(way);
+    const double part = m_joint.turns ? std::min(std::abs(way), kMostTurnOfPartDeg) : std::abs(way);
     const Motion motion =
         m_joint.turns ? Motion::rotation(m_joint.anchor, sign * m_joint.axis, turn_time(part))
                       : Motion::translation(sign * m_joint.axis, part);
