@@ -172,10 +172,11 @@ int run_any_demo(const DemoArguments& arguments, const CommonOptions& common) {
 std::vector<Verb> add_demo(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand("demo", "Lay out a built-in scene");
   const auto arguments = std::make_shared<DemoArguments>();
-  verb->add_option("name", arguments->name, "Name of the demo")
+  const std::vector<std::string> names = all_demo_names();
+  verb->add_option("name", arguments->name, "One of " + CLI::detail::join(names, ", "))
       ->required()
       ->type_name("NAME")
-      ->check(one_of(all_demo_names()));
+      ->check(one_of(names).description(""));  // the type's column has no room for them
   add_output_options(*verb, arguments->outputs);
   verb->get_option("--output")->required();
   verb->add_option(
