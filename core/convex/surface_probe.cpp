@@ -114,7 +114,8 @@ double SurfaceProbe::squared_distance(const Vec3& point, double enough) const {
     if (squared_distance_to_box(point, node) >= least) continue;
     if (node.is_leaf()) {
       for (Index k = 0; k < node.num_faces; ++k) {
-        const Index face = m_bvh.faces[static_cast<size_t>(node.second_child + k)];
+        const Index face =
+            m_bvh.faces[static_cast<size_t>(node.second_child) + static_cast<size_t>(k)];
         least = std::min(least, trivet::squared_distance(point, m_mesh.triangle(face)));
       }
       continue;
@@ -145,7 +146,8 @@ bool SurfaceProbe::is_inside(const Vec3& point) const {
       continue;
     }
     for (Index k = 0; k < node.num_faces; ++k) {
-      const Index face = m_bvh.faces[static_cast<size_t>(node.second_child + k)];
+      const Index face =
+          m_bvh.faces[static_cast<size_t>(node.second_child) + static_cast<size_t>(k)];
       if (m_is_closed[static_cast<size_t>(face)]) winding += crossing(point, m_mesh.triangle(face));
     }
   }

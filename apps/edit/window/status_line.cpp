@@ -118,7 +118,7 @@ void StatusLine::follow_tool() {
 }
 
 QString StatusLine::hint() const {
-  const QString typed = QString::fromStdString(m_toolbox.reading());
+  QString typed = QString::fromStdString(m_toolbox.reading());
   if (!typed.isEmpty()) return typed;
   const auto& ghost = m_document.ghost();
   if (ghost && (!ghost->ok || ghost->hangs_back) && !ghost->text.empty())

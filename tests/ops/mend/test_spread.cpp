@@ -185,6 +185,7 @@ TEST(Mend, AThinWallIsNotGoneThrough) {
   s.add("shelf", {0.5, 0.2, 0.2}, {0, 0, 0.2}, true);
   s.add("wall", {0.002, 0.2, 0.2}, {0.1, 0, 0.6}, true);
   std::vector<ObjectId> books;
+  books.reserve(8);
   for (int i = 0; i < 8; ++i)  // 4 mm in each other: 14 mm to either side
     books.push_back(
         s.add("book " + std::to_string(i), {0.015, 0.08, 0.1}, {0.08 - 0.026 * i, 0, 0.5}));
