@@ -6,7 +6,7 @@
 namespace trivet {
 
 /// Poses near the given ones in which they are free of each other and of what is in the scene.
-/// Where a row lacks room, turns about gravity count as noise: what is nearly parallel to the thing
+/// Turns about gravity count as noise if a row lacks room: what is nearly parallel to the thing
 /// below becomes so.
 /// @param row  none of them in the scene; in contact with what they stand on, or just above.
 /// @param tolerance  metres by which poses may be off. @param most_turn_deg  the same of turns.

@@ -33,7 +33,7 @@ std::variant<DrapedAgain, Refusal> problem_again(const Scene& scene, ObjectId dr
 /// The sheet flat at its start.
 void place_sheet(const DrapeOperation& o, flex::DrapeProblem& out);
 void pin(const DrapeOperation& o, flex::DrapeProblem& out);
-/// Where a holder has a pin now.
+/// Position of a pin at its holder's pose of now, world.
 Vec3 pin_at(const Object& holder, const FlexTie& tie);
 /// The vertices that are nearest to the operation's pins, one for each.
 std::vector<int> pinned_vertices(const DrapeOperation& o, const flex::Points& start);
