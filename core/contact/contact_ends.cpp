@@ -11,9 +11,8 @@ namespace {
 
 constexpr double kNoDirection = 1e-13;  // distance, of the coordinates, that has no direction
 
-const auto features_of_end = [](const auto& end) {
-  return std::tie(end.kind, end.on_object, end.on_support);
-};
+// A template, as the class keeps the type of ends to itself.
+auto features_of_end(const auto& end) { return std::tie(end.kind, end.on_object, end.on_support); }
 
 }  // namespace
 

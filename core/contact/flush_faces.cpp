@@ -201,6 +201,7 @@ void FlushFaces::append_hull(std::span<const Member> patch, std::vector<ContactP
       flat.emplace_back(Vec2(u.dot(d), v.dot(d)), i);
     }
   std::vector<Vec2> places;
+  places.reserve(flat.size());
   for (const auto& [place, i] : flat) places.push_back(place);
   const auto less = [](const auto& x, const auto& y) {
     return std::make_tuple(x.first.x(), x.first.y(), x.second) <
