@@ -206,6 +206,21 @@ class Mujoco(Exports):
         self.assertEqual(corners[0], [])
         self.assertGreaterEqual(len(corners[1]), 4)
 
+    def test_version_3_holds_ends_of_edges_on_floor(self):
+        runner = [(-0.1, 0, 0), (0.1, 0, 0), (-0.1, -0.02, 0.02), (-0.1, 0.02, 0.02), (0.1, -0.02, 0.02), (0.1, 0.02, 0.02)]
+        faces = [(0, 2, 4, 1), (0, 1, 5, 3), (2, 3, 5, 4), (0, 3, 2), (1, 4, 5)]
+        lines = ["v %g %g %g" % (x, y + side, z) for side in (-0.1, 0.1) for x, y, z in runner]
+        lines += ["f " + " ".join(str(1 + first + k) for k in reversed(face)) for first in (0, 6) for face in faces]
+        self.write("sled.obj", "\n".join(lines) + "\n")
+        self.trivet("run", self.layout([{"name": "sled", "model": "sled.obj"}], [put("sled", 0, 0, 0.1)]), "-o", "s.glb")
+        self.trivet("export", "s.glb", "-o", "s.xml")
+        root = ElementTree.fromstring(self.read("s.xml"))
+        ends = [g for g in root.iter("geom") if g.get("class") == "corner" and g.get("pos")]
+        self.assertEqual(sorted((round(x, 4), round(y, 4)) for x, y, _ in (map(float, g.get("pos").split()) for g in ends)),
+                         [(-0.1, -0.1), (-0.1, 0.1), (0.1, -0.1), (0.1, 0.1)])
+        part, = {g.get("margin") for g in root.iter("geom") if g.get("mesh") and g.get("margin")}
+        self.assertEqual({g.get("margin") for g in ends}, {part})
+
     def test_keyframe_has_all_poses(self):
         self.scene()
         out, _ = self.trivet("export", "s.glb", "-o", "s.xml", "--json")

@@ -50,9 +50,7 @@ class MjcfWriter {
     m_frictions.insert(scene.floor_friction);
     for (const SimulationBody& body : scene.bodies) {
       m_frictions.insert(body.friction);
-      m_corners.push_back(m_version < 3 && scene.floor && !body.fixed
-                              ? floor_corners(scene.models[body.model], body.world_from_link)
-                              : std::vector<Vec3>());
+      m_corners.push_back(scene.floor && !body.fixed ? corners_of(body) : std::vector<Vec3>());
     }
   }
 
@@ -134,7 +132,7 @@ class MjcfWriter {
                {"condim", "4"},
                {"solref", solref()},
                {"solimp", solimp()}});
-    if (m_version < 3)
+    if (has_corners())
       add_child(add_child(all, "default", {{"class", "corner"}}), "geom",
                 {{"type", "sphere"},
                  {"size", number_text(kCornerRadius)},
@@ -299,17 +297,30 @@ class MjcfWriter {
   }
 
   // MuJoCo 2 finds three contacts of a mesh on a plane, not always the same: what lies flat would
-  // rattle and creep. Spheres that only the floor sees hold it at all corners.
+  // rattle and creep. MuJoCo 3 finds one of an edge if a face at its end is flatter than those
+  // beside it, so that what stands on edges would rock. Spheres that only the floor sees hold the
+  // corners.
+  std::vector<Vec3> corners_of(const SimulationBody& body) const {
+    const SimulationModel& model = m_scene.models[body.model];
+    return m_version < 3 ? floor_corners(model, body.world_from_link)
+                         : floor_edge_ends(model, body.world_from_link, body.gap + kSag);
+  }
+  bool has_corners() const {
+    return std::any_of(m_corners.begin(), m_corners.end(),
+                       [](const std::vector<Vec3>& corners) { return !corners.empty(); });
+  }
+
   void add_corners(Element* element, size_t index) const {
     const SimulationBody& body = m_scene.bodies[index];
     const Pose& pose = body.world_from_link;
     for (const Vec3& corner : m_corners[index]) {
       const Vec3 centre = corner + Vec3(0, 0, kCornerRadius) - pose.translation;
-      add_child(element, "geom",
-                {{"class", "corner"},
-                 {"pos", vector_text(pose.rotation.matrix().transpose() * centre)},
-                 {"priority", priority_text(body.friction)},
-                 {"friction", friction_text(body.friction)}});
+      set_margin(add_child(element, "geom",
+                           {{"class", "corner"},
+                            {"pos", vector_text(pose.rotation.matrix().transpose() * centre)},
+                            {"priority", priority_text(body.friction)},
+                            {"friction", friction_text(body.friction)}}),
+                 body.gap);
     }
   }
 
