@@ -5,6 +5,7 @@
 
 #include "core/io/simulators/floor_corners.h"
 #include "core/io/simulators/joints.h"
+#include "core/io/simulators/mujoco_contacts.h"
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
@@ -14,9 +15,8 @@ using Element = tinyxml2::XMLElement;
 
 constexpr double kCornerRadius = 1e-5;  // metres
 constexpr size_t kContactsOfPair = 5, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 2000;
-/// Contacts by version: time constant and damping; stiffness near and beyond a depth.
+/// Contacts of version 2, as kMujocoSolref and kMujocoSolimp are those of 3.
 constexpr const char *kSolref2 = "0.004 1", *kSolimp2 = "0.95 0.99 0.0001";
-constexpr const char *kSolref3 = "0.004 3", *kSolimp3 = "0.995 0.9995 0.0001";
 /// The same where a body carries more than kHeavyLoad of its own masses. Contacts are as stiff as
 /// the lighter of two bodies asks, so that heavy ones sink into what carries them, and slip.
 constexpr const char *kSolrefHeavy = "0.002 3", *kSolimpHeavy = "0.9999 0.9999 0.0001";
@@ -111,10 +111,10 @@ class MjcfWriter {
   }
 
   const char* solref() const {
-    return m_version < 3 ? kSolref2 : m_is_heavy ? kSolrefHeavy : kSolref3;
+    return m_version < 3 ? kSolref2 : m_is_heavy ? kSolrefHeavy : kMujocoSolref;
   }
   const char* solimp() const {
-    return m_version < 3 ? kSolimp2 : m_is_heavy ? kSolimpHeavy : kSolimp3;
+    return m_version < 3 ? kSolimp2 : m_is_heavy ? kSolimpHeavy : kMujocoSolimp;
   }
 
   // Bodies rest across gaps, by which they would fall before MuJoCo finds a contact. The margins of
@@ -129,7 +129,7 @@ class MjcfWriter {
     add_child(add_child(all, "default", {{"class", "collision"}}), "geom",
               {{"type", "mesh"},
                {"group", "3"},
-               {"condim", "4"},
+               {"condim", std::to_string(kMujocoCondim)},
                {"solref", solref()},
                {"solimp", solimp()}});
     if (has_corners())
@@ -139,7 +139,7 @@ class MjcfWriter {
                  {"group", "3"},
                  {"contype", "2"},
                  {"conaffinity", "0"},
-                 {"condim", "4"},
+                 {"condim", std::to_string(kMujocoCondim)},
                  {"solref", solref()},
                  {"solimp", solimp()}});
     add_child(add_child(all, "default", {{"class", "visual"}}), "geom",
