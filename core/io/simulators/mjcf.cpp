@@ -18,8 +18,9 @@ constexpr size_t kContactsOfPair = 5, kRowsOfContact = 4, kMinContacts = 100, kM
 /// Contacts of version 2, as kMujocoSolref and kMujocoSolimp are those of 3.
 constexpr const char *kSolref2 = "0.004 1", *kSolimp2 = "0.95 0.99 0.0001";
 /// The same where a body carries more than kHeavyLoad of its own masses. Contacts are as stiff as
-/// the lighter of two bodies asks, so that heavy ones sink into what carries them, and slip.
-constexpr const char *kSolrefHeavy = "0.002 3", *kSolimpHeavy = "0.9999 0.9999 0.0001";
+/// the lighter of two bodies asks, so that heavy ones sink into what carries them, and slip. The
+/// first micrometre is soft: contacts that bear on less would be lost by the least motion.
+constexpr const char *kSolrefHeavy = "0.002 3", *kSolimpHeavy = "0.9 0.9999 0.000002";
 constexpr double kHeavyLoad = 20;
 constexpr double kSag = 5e-7;  // metres, half of what weights press contacts together
 /// The same of limits of joints and of their friction.
