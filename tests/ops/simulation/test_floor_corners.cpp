@@ -33,7 +33,7 @@ SimulationModel parts_of(const Model& model) {
 }
 
 Pose lying(double x, double height, double turn) {
-  return {Rotation(std::cos(turn / 2), 0, 0, std::sin(turn / 2)), Vec3(x, 0, height + kGap)};
+  return {Rotation{std::cos(turn / 2), 0, 0, std::sin(turn / 2)}, Vec3(x, 0, height + kGap)};
 }
 
 TEST(FloorCorners, AreThoseOfSupportPolygon) {
@@ -62,7 +62,7 @@ TEST(FloorCorners, AreNotOfWhatIsAboveFloor) {
 /// floor.
 Pose rolled(double angle) {
   const double half = 0.03 * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
-  return {Rotation(std::cos(angle / 2), std::sin(angle / 2), 0, 0), Vec3(0.3, 0, half + kGap)};
+  return {Rotation{std::cos(angle / 2), std::sin(angle / 2), 0, 0}, Vec3(0.3, 0, half + kGap)};
 }
 
 TEST(FloorEdges, AreThoseOnWhichPartsStand) {
