@@ -132,7 +132,7 @@ TEST(Reasons, NameOverlapsWeaknessAndNeighbours) {
   EXPECT_EQ(why[2], "it touches \"lower one\", which moved, too");
 }
 
-// Beside the other box's sides, or with the sides of both in one plane.
+// The sides of both boxes may lie in one plane, which adds no contact.
 TEST(Reasons, TellWhatDoesNotStand) {
   for (const double aside : {0.01, 0.0}) {
     Stacked stacked;
