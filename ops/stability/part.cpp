@@ -220,12 +220,13 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
 }
 
 FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
-                     const IsGround& is_ground, std::optional<double> friction) {
+                     const IsGround& is_ground, std::optional<double> friction,
+                     double num_clearances) {
   while (true) {
     std::sort(ids.begin(), ids.end(), by_name(scene));
     // Contacts within the tolerance may reach bodies outside of the part: these join it, until none
     // is left out.
-    FreeBodies part = near_bodies(scene, ids, clearance, is_ground, friction);
+    FreeBodies part = near_bodies(scene, ids, clearance, is_ground, friction, num_clearances);
     if (part.left_out.empty()) return part;
     std::vector<ObjectId> more = connected_with(scene, part.left_out);
     more.insert(more.end(), part.left_out.begin(), part.left_out.end());
