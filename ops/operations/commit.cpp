@@ -257,7 +257,8 @@ void rate_again(Transaction& transaction, std::vector<ObjectId> ids, const RestR
 
 void rate_left_alone(Transaction& transaction, ObjectId id, const RestRules& rules,
                      OperationResult& result) {
-  rate_as(transaction, id, rules, [&](const auto& rests) {
+  const RestRules known = rules_by_links(transaction.scene().at(id), rules);
+  rate_as(transaction, id, known, [&](const auto& rests) {
     return rests() ? ObjectState::Stable : left_alone(transaction.scene(), id, result);
   });
 }

@@ -10,6 +10,7 @@
 #include "ops/placement/contacts.h"
 #include "ops/placement/slot_order.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/rest.h"
 
 namespace trivet {
 
@@ -58,6 +59,15 @@ FreeBodies bodies_only(const Scene& scene, std::span<const ObjectId> ids) {
   return out;
 }
 
+// A link across a gap still carries where the clearance has become smaller since.
+double reach_of(const Object& object, double tolerance) {
+  double out = tolerance;
+  for (const ObjectContact& entry : object.contacts)
+    if (entry.across_gap)
+      for (const ContactPoint& p : entry.contact.points) out = std::max(out, p.gap);
+  return std::min(out, kMostShrunk * tolerance);
+}
+
 }  // namespace
 
 bool is_fixed(ObjectId, const Object& object) { return object.fixed; }
@@ -90,13 +100,14 @@ FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
 }
 
 FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
-                       const IsGround& is_ground, std::optional<double> friction) {
+                       const IsGround& is_ground, std::optional<double> friction,
+                       double num_clearances) {
   FreeBodies out = bodies_only(scene, ids);
   const BodyIndex index(ids);
-  const double tolerance = kBalanceTolerance * clearance;
   for (Index i = 0; i < static_cast<Index>(ids.size()); ++i) {
     // Earlier bodies have seen their contacts with this one already.
     const Neighbourhood later(scene, ids.first(i + 1));
+    const double tolerance = reach_of(scene.at(ids[i]), num_clearances * clearance);
     for (const ContactsWith& c :
          contacts_with(body_of(scene.at(ids[i])), later, tolerance, kFootSlack * clearance)) {
       const Index from = index.find(c.with);

@@ -78,7 +78,7 @@ const char* to_string(Stability::Status status);  // "stable", "marginal", "unst
 const char* to_string(Stability::Method method);  // "certificate", "linear program"
 
 /// Uses the links of the scene; see update_contacts(). Contacts of parts that fail the certificate
-/// are looked for again, within kBalanceTolerance clearances, as settling does.
+/// are looked for again, within kCarryingTolerance clearances, as settling does.
 Stability stability(const Scene& scene, const StabilityOptions& options = {});
 
 /// The same of the part that contacts connect with an object alone: its objects and forces are
