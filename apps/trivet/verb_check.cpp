@@ -16,7 +16,7 @@
 namespace trivet::apps {
 namespace {
 
-constexpr const char* kScenes = "files .xml, .mjcf, .urdf, .sdf, .world, .glb and .gltf";
+constexpr const char* kScenes = "files .xml, .mjcf, .urdf, .sdf, .world, .usda, .usd, .glb and .gltf";
 
 struct CheckArguments {
   std::vector<std::string> files;
