@@ -18,7 +18,7 @@ namespace {
 constexpr double kAirOfParted = 2e-5;  // metres between an object and what it is parted from
 constexpr int kRoundsOfParting = 8;
 constexpr int kRoundsOfSettling = 4;
-constexpr size_t kLeastOfHeap = 3;
+constexpr size_t kLeastOfHeap = 2;
 constexpr double kTiltedShareOfHeap = 0.25;
 // Starts around its place: above and beside it, in tolerances, and turned, in degrees.
 constexpr double kLiftsInPlace[] = {0.01, 0.1, 0.3, 1}, kRingsInPlace[] = {0.1, 0.3, 1};

@@ -103,12 +103,15 @@ class Mender {
     return out;
   }
 
+  // Once more, as what one needs may have been placed behind it.
   void place_rest(SettledScene& out) {
-    std::vector<ObjectId> left;
-    for (const UnsettledObject& o : out.unable) left.push_back(o.id);
-    SettledScene rest = bottom_up(left);
-    out.unable = std::move(rest.unable);
-    for (SettledObject& o : rest.moved) out.moved.push_back(std::move(o));
+    for (int round = 0; round < 2; ++round) {
+      std::vector<ObjectId> left;
+      for (const UnsettledObject& o : out.unable) left.push_back(o.id);
+      SettledScene rest = bottom_up(left);
+      out.unable = std::move(rest.unable);
+      for (SettledObject& o : rest.moved) out.moved.push_back(std::move(o));
+    }
     std::stable_sort(
         out.moved.begin(), out.moved.end(),
         [](const SettledObject& a, const SettledObject& b) { return a.id.index < b.id.index; });

@@ -75,7 +75,7 @@ class JointConnector {
     if (!is_free(joint.body[0]) && !is_free(joint.body[1])) return;
     if (joint.body[0] == joint.body[1]) return;
     if (is_free(joint.body[0]) && is_free(joint.body[1])) {
-      const auto [low, high] = std::minmax(root_of(*joint.body[0]), root_of(*joint.body[1]));
+      const auto [low, high] = std::minmax({root_of(*joint.body[0]), root_of(*joint.body[1])});
       m_root[high] = low;
     }
     m_joints.push_back(joint);
