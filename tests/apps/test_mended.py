@@ -12,7 +12,7 @@ from program import Case, box_obj, main, put
 REFEREE = os.environ.get("TRIVET_REFEREE", "")
 SCENES = int(os.environ.get("TRIVET_MENDED", 8))
 NOISES = ((1, 1), (5, 3), (20, 10))  # millimetres and degrees of normal deviates
-BOOK, SHELF = (0.015, 0.07, 0.1), {"name": "shelf", "model": "shelf.obj", "fixed": True, "position": [0, 0, 0.5]}
+BOOK, SHELF = (0.015, 0.07, 0.1), {"name": "shelf", "model": "slab.obj", "fixed": True, "position": [0, 0, 0.5]}
 
 
 def turned(quaternion, axis, degrees):
@@ -72,7 +72,7 @@ class Mended(Case):
 
     def report_of(self, name, objects, operations, status=0):
         self.write(name, json.dumps({"trivet": 1, "objects": objects, "operations": operations}))
-        self.trivet("run", name, "--report", "r.json", "--quiet", status=status)
+        self.trivet("run", name, "-o", "s.glb", "--report", "r.json", "--quiet", status=status)
         return self.read_json("r.json")
 
     def perturbed(self, report, objects, noise, generator):

@@ -117,6 +117,25 @@ class Checking(ScenesCase):
         self.assertEqual(sdf["findings"][0]["kind"], "floats")
         self.assertAlmostEqual(sdf["findings"][0]["height"], 0.1, places=9)
 
+    def test_usd_that_trivet_exports_comes_back(self):
+        """The same verdict, pairs, joints and poses, to the last digit."""
+        self.trivet("run", self.two_cubes(), "-o", "ours.glb", "--quiet")
+        self.write("drawer.usda", (CASES / "drawer.usda").read_bytes())
+        for name, status in (("ours.glb", 0), ("drawer.usda", 1)):
+            self.trivet("export", name, "-o", "back.usda", "--quiet")
+            before, after = self.checked(name, "back.usda", status=status)
+            self.assertEqual(after["format"], "USD")
+            for key in ("ok", "whole", "objects", "free", "joints", "pairs"):
+                self.assertEqual(after[key], before[key], key)
+            self.assertEqual([f["object"] for f in after["findings"]], [f["object"] for f in before["findings"]])
+            poses = []
+            for scene in (name, "back.usda"):
+                self.trivet("export", scene, "-o", "poses.jsonl", "--quiet")
+                rows = [json.loads(line) for line in self.read("poses.jsonl").decode().splitlines()]
+                poses.append({row["name"]: [row[k] for k in ("x", "y", "z", "qw", "qx", "qy", "qz", "fixed")] for row in rows})
+            self.assertEqual(poses[0], poses[1])
+        self.assertEqual(self.trivet("joint", "back.usda")[0], self.trivet("joint", "drawer.usda")[0])
+
     def test_a_layout_and_a_scene_of_ours_are_judged_as_ever(self):
         self.trivet("run", self.two_cubes(), "-o", "ours.glb", "--quiet")
         self.assertIn("stable", self.trivet("check", "ours.glb")[0])
@@ -235,7 +254,7 @@ class Joints(ScenesCase):
         out, _ = self.trivet("joint", "drawer.usda")
         self.assertIn('"slide": slide of "drawer", at 0.2 m of 0 to 0.3', out)
         (verdict,) = self.checked("drawer.usda", status=1)
-        self.assertEqual((verdict["format"], verdict["joints"], verdict["unread"]), ("USD", 2, []))
+        self.assertEqual((verdict["format"], verdict["joints"], verdict["whole"]), ("USD", 2, True))
         (floating,) = verdict["findings"]
         self.assertEqual((floating["kind"], floating["object"], floating["other"]), ("floats", "cube", "drawer"))
         self.assertAlmostEqual(floating["height"], 0.01, places=9)
@@ -274,7 +293,7 @@ class Meaning(ScenesCase):
     def test_what_stands_beside_what_and_leans(self):
         leaning = """<mujoco><worldbody><geom type="plane" size="2 2 .1"/>
 <body name="wall" pos="0 0 .2"><geom type="box" size=".05 .3 .2"/></body>
-<body name="board" pos=".155 0 .152" euler="0 -30 0"><freejoint/><geom type="box" size=".01 .1 .17"/></body>
+<body name="board" pos=".15 0 .1523" euler="0 -30 0"><freejoint/><geom type="box" size=".01 .1 .17"/></body>
 <body name="a" pos=".5 0 .05"><freejoint/><geom type="box" size=".05 .05 .05"/></body>
 <body name="b" pos=".602 0 .05"><freejoint/><geom type="box" size=".05 .05 .05"/></body>
 <body name="c" pos=".8 0 .05"><freejoint/><geom type="box" size=".05 .05 .05"/></body>

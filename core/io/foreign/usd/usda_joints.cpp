@@ -13,6 +13,7 @@ namespace trivet {
 namespace {
 
 constexpr double kUsdaRadians = std::numbers::pi / 180;
+constexpr double kNoValue = 1e-12;  // metres or radians
 constexpr size_t kMostFilteredPairs = 1'000'000;
 
 /// A joint and what it connects; nothing: the world.
@@ -130,6 +131,7 @@ class JointConnector {
       out.upper = unit * *upper;
     const Vec3 way = joint.frame[1].translation - joint.frame[0].translation;
     out.value = turns ? turn_about_axis(joint, along) : out.axis.dot(way);
+    if (std::abs(out.value) < kNoValue) out.value = 0;  // rounding of the frames
     out.stands_at = out.value;
   }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/bad_input.h"
+#include "core/base/printable.h"
 #include "core/base/types.h"
 #include "core/io/text/file_bytes.h"
 #include "core/io/text/words.h"
@@ -368,6 +369,7 @@ UsdaLayer read_usda_layer(const std::string& path, const XmlLimits& limits) {
     bad_file(path, "cannot be read, or is larger than the %1 bytes left", limits.max_bytes);
   if (bytes->starts_with("PXR-USDC") || bytes->starts_with("PK"))
     bad_file(path, "is binary USD; accepted: USD as text (usdcat %1 -o scene.usda)", path);
+  if (!is_utf8(*bytes)) bad_file(path, "is not in UTF-8; accepted: USD as text");
   UsdaParser parser(path, *bytes, limits);
   UsdaLayer out;
   out.path = path;

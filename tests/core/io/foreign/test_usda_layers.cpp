@@ -234,6 +234,7 @@ def Xform "b" (
 
 TEST(UsdaLayers, ErrorsNameTheLine) {
   EXPECT_NE(error_of_usda("hello").find("accepted: USD as text"), std::string::npos);
+  EXPECT_NE(error_of_usda("#usda 1.0\ndef \"\xff\" {}").find("UTF-8"), std::string::npos);
   EXPECT_NE(error_of_usda("PXR-USDC").find("is binary USD"), std::string::npos);
   for (const char* broken : {"def Xform \"a\"\n{", "def Xform \"a\"\n{ double x = }",
                              "def Xform \"a\"\n{ rel r = <a }", "def Xform\n{}", "undef\n\"a\" {}",
