@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/io/foreign/scene.h"
+#include "ops/mend/attitudes.h"
 #include "ops/mend/in_place.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
@@ -26,6 +27,7 @@ constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSup
 constexpr int kAims = 3;                 // tries to hit the place, from where it came to rest
 constexpr double kAimed = 0.1;           // tolerances: near enough
 constexpr double kNearInTolerances = 2;  // of objects in a heap: nothing better is looked for
+constexpr double kMayBeLevelDeg = 15;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
 // Pose `then`, carried along by what moves `from` to `to`.
@@ -253,6 +255,9 @@ class Mender {
       as_given.translation += middle_of(id, nominal) - middle_of(id, given);
       attitudes.push_back(as_given);
     }
+    // What leans a little may have been meant level all the same.
+    if (!m_object->is_level && m_object->tilt_deg <= kMayBeLevelDeg)
+      attitudes.push_back(levelled(m_scene.at(id), downs_of(m_scene.at(id))));
     for (size_t j = 0; j < attitudes.size(); ++j) {
       const double more = static_cast<double>(j) * 0.3 * tol;
       const Pose& base = attitudes[j];

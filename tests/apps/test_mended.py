@@ -35,7 +35,7 @@ def quaternion_of(m):
 
 def is_true(report):
     check = report["check"]
-    return check["pairs_passing_through"] == 0 and check["all_at_rest"] and report["stability"]["status"] == "stable"
+    return check["pairs_passing_through"] == 0 and check["all_at_rest"] and report["stability"]["status"] != "unstable"
 
 
 class Mended(Case):
