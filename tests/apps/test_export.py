@@ -5,6 +5,7 @@ import io
 import json
 import math
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -206,6 +207,21 @@ class Mujoco(Exports):
         self.assertEqual(corners[0], [])
         self.assertGreaterEqual(len(corners[1]), 4)
 
+    def test_version_3_holds_ends_of_edges_on_floor(self):
+        runner = [(-0.1, 0, 0), (0.1, 0, 0), (-0.1, -0.02, 0.02), (-0.1, 0.02, 0.02), (0.1, -0.02, 0.02), (0.1, 0.02, 0.02)]
+        faces = [(0, 2, 4, 1), (0, 1, 5, 3), (2, 3, 5, 4), (0, 3, 2), (1, 4, 5)]
+        lines = ["v %g %g %g" % (x, y + side, z) for side in (-0.1, 0.1) for x, y, z in runner]
+        lines += ["f " + " ".join(str(1 + first + k) for k in reversed(face)) for first in (0, 6) for face in faces]
+        self.write("sled.obj", "\n".join(lines) + "\n")
+        self.trivet("run", self.layout([{"name": "sled", "model": "sled.obj"}], [put("sled", 0, 0, 0.1)]), "-o", "s.glb")
+        self.trivet("export", "s.glb", "-o", "s.xml")
+        root = ElementTree.fromstring(self.read("s.xml"))
+        ends = [g for g in root.iter("geom") if g.get("class") == "corner" and g.get("pos")]
+        self.assertEqual(sorted((round(x, 4), round(y, 4)) for x, y, _ in (map(float, g.get("pos").split()) for g in ends)),
+                         [(-0.1, -0.1), (-0.1, 0.1), (0.1, -0.1), (0.1, 0.1)])
+        part, = {g.get("margin") for g in root.iter("geom") if g.get("mesh") and g.get("margin")}
+        self.assertEqual({g.get("margin") for g in ends}, {part})
+
     def test_keyframe_has_all_poses(self):
         self.scene()
         out, _ = self.trivet("export", "s.glb", "-o", "s.xml", "--json")
@@ -314,6 +330,42 @@ class Surfaces(Exports):
 
 
 class Usd(Exports):
+    def colliders(self, files):
+        """Prims with PhysicsCollisionAPI: (type, other APIs, the prim's lines up to the next one)."""
+        for file in files:
+            prims = re.split(r"^ *def ", self.read(file).decode(), flags=re.M)[1:]
+            for prim in prims:
+                apis = re.search(r"apiSchemas = \[(.*)\]", prim)
+                names = re.findall(r'"(\w+)"', apis[1]) if apis else []
+                if "PhysicsCollisionAPI" in names:
+                    yield prim.split()[0], names, prim
+
+    def test_colliders_have_what_newton_and_mujoco_ask_for(self):
+        """Rules NEWTON.COL.001, MUJOCO.COL.001 and 002 of NVIDIA's SimReady Foundation."""
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--json")
+        found = list(self.colliders(f for f in json.loads(out)["files"] if f.endswith(".usda")))
+        self.assertEqual({kind for kind, _, _ in found}, {"Plane", "Mesh"})
+        for kind, names, prim in found:
+            self.assertIn("NewtonMeshCollisionAPI" if kind == "Mesh" else "NewtonCollisionAPI", names)
+            self.assertIn("MjcCollisionAPI", names)
+            self.assertRegex(prim, r"uniform int mjc:condim = \d+\n")
+            for word, count in (("solref", 2), ("solimp", 5)):
+                values = re.search(r"uniform double\[\] mjc:%s = \[(.*)\]" % word, prim)[1]
+                self.assertEqual(len([float(v) for v in values.split(", ")]), count)
+            if kind == "Mesh":
+                self.assertIn("PhysicsMeshCollisionAPI", names)
+                self.assertIn('physics:approximation = "convexHull"', prim)
+
+    def test_triangles_are_none_of_mujocos(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--collision", "mesh", "--json")
+        meshes = [names for kind, names, _ in self.colliders(f for f in json.loads(out)["files"] if f.endswith(".usda")) if kind == "Mesh"]
+        self.assertEqual(len(meshes), 3)  # a slab and cubes of two sizes
+        for names in meshes:
+            self.assertIn("NewtonMeshCollisionAPI", names)
+            self.assertNotIn("MjcCollisionAPI", names)
+
     def test_triangles_of_free_bodies_are_cut_into_convex_pieces(self):
         self.scene()
         out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--collision", "mesh", "--json")
@@ -366,6 +418,9 @@ class Readers(Exports):
         objects = [SLAB] + [{"name": name, "model": "cube.obj"} for name in self.NAMES]
         layout = self.layout(objects, [put(name, -0.6 + 0.4 * k, 0.02 * k, 1, [3, 1, 0, 2]) for k, name in enumerate(self.NAMES)])
         self.trivet("run", layout, "-o", "s.glb")
+        return self.rows_of_scene()
+
+    def rows_of_scene(self):
         self.trivet("export", "s.glb", "-o", "poses.csv")
         return {r["name"]: r for r in csv.DictReader(io.StringIO(self.read("poses.csv").decode()))}
 
@@ -381,8 +436,10 @@ class Readers(Exports):
         return {o["name"]: o for o in json.loads(done.stdout)["objects"]}
 
     def same_as_written(self, script, file, fixed_have_mass=True):
-        rows = self.laid_out()
-        out, _ = self.trivet("export", "s.glb", "-o", file, "--json", "--density", 730)
+        return self.same_rows(self.laid_out(), script, file, fixed_have_mass, "--density", 730)
+
+    def same_rows(self, rows, script, file, fixed_have_mass, *options):
+        out, _ = self.trivet("export", "s.glb", "-o", file, "--json", *options)
         seen = self.read_by(script, file)
         for entry in json.loads(out)["objects"]:
             self.assertIn(entry["file_name"], seen)
@@ -407,6 +464,15 @@ class Readers(Exports):
     def test_tinyusdz(self):
         seen = self.same_as_written("read_usda.mjs", "s.usda", fixed_have_mass=False)
         self.assertLessEqual(set(self.NAMES), {o["given"] for o in seen.values()})
+
+    def test_demos(self):
+        """Of one demo after the other each body, by each of the programs."""
+        for demo in os.environ.get("TRIVET_DEMOS", "breakfast").split(","):
+            self.trivet("demo", demo, "-o", "s.glb")
+            rows, files = self.rows_of_scene(), {"read_mjcf.mjs": "s.xml", "read_urdf.mjs": "s.urdf", "read_usda.mjs": "s.usda"}
+            for script, file in files.items():
+                seen = self.same_rows(rows, script, file, script != "read_usda.mjs")
+                self.assertGreaterEqual(len(seen), len(rows))
 
 
 class Tables(Exports):

@@ -13,4 +13,11 @@ namespace trivet {
 /// @return world frame, metres; at most 16, all different, in the order of the directions.
 std::vector<Vec3> floor_corners(const SimulationModel& model, const Pose& world_from_link);
 
+/// Ends of the edges on which convex parts stand on the floor: of each part whose vertices up to
+/// z = `reach` are several on a line the outer two.
+/// @param reach  metres.
+/// @return world frame, metres; all different, in the order of the parts.
+std::vector<Vec3> floor_edge_ends(const SimulationModel& model, const Pose& world_from_link,
+                                  double reach);
+
 }  // namespace trivet

@@ -5,6 +5,7 @@
 
 #include "core/io/simulators/floor_corners.h"
 #include "core/io/simulators/joints.h"
+#include "core/io/simulators/mujoco_contacts.h"
 #include "core/io/simulators/simulation_files.h"
 
 namespace trivet {
@@ -14,12 +15,12 @@ using Element = tinyxml2::XMLElement;
 
 constexpr double kCornerRadius = 1e-5;  // metres
 constexpr size_t kContactsOfPair = 5, kRowsOfContact = 4, kMinContacts = 100, kMaxContacts = 2000;
-/// Contacts by version: time constant and damping; stiffness near and beyond a depth.
+/// Contacts of version 2, as kMujocoSolref and kMujocoSolimp are those of 3.
 constexpr const char *kSolref2 = "0.004 1", *kSolimp2 = "0.95 0.99 0.0001";
-constexpr const char *kSolref3 = "0.004 3", *kSolimp3 = "0.995 0.9995 0.0001";
 /// The same where a body carries more than kHeavyLoad of its own masses. Contacts are as stiff as
-/// the lighter of two bodies asks, so that heavy ones sink into what carries them, and slip.
-constexpr const char *kSolrefHeavy = "0.002 3", *kSolimpHeavy = "0.9999 0.9999 0.0001";
+/// the lighter of two bodies asks, so that heavy ones sink into what carries them, and slip. The
+/// first micrometre is soft: contacts that bear on less would be lost by the least motion.
+constexpr const char *kSolrefHeavy = "0.002 3", *kSolimpHeavy = "0.9 0.9999 0.000002";
 constexpr double kHeavyLoad = 20;
 constexpr double kSag = 5e-7;  // metres, half of what weights press contacts together
 /// The same of limits of joints and of their friction.
@@ -50,9 +51,7 @@ class MjcfWriter {
     m_frictions.insert(scene.floor_friction);
     for (const SimulationBody& body : scene.bodies) {
       m_frictions.insert(body.friction);
-      m_corners.push_back(m_version < 3 && scene.floor && !body.fixed
-                              ? floor_corners(scene.models[body.model], body.world_from_link)
-                              : std::vector<Vec3>());
+      m_corners.push_back(scene.floor && !body.fixed ? corners_of(body) : std::vector<Vec3>());
     }
   }
 
@@ -113,10 +112,10 @@ class MjcfWriter {
   }
 
   const char* solref() const {
-    return m_version < 3 ? kSolref2 : m_is_heavy ? kSolrefHeavy : kSolref3;
+    return m_version < 3 ? kSolref2 : m_is_heavy ? kSolrefHeavy : kMujocoSolref;
   }
   const char* solimp() const {
-    return m_version < 3 ? kSolimp2 : m_is_heavy ? kSolimpHeavy : kSolimp3;
+    return m_version < 3 ? kSolimp2 : m_is_heavy ? kSolimpHeavy : kMujocoSolimp;
   }
 
   // Bodies rest across gaps, by which they would fall before MuJoCo finds a contact. The margins of
@@ -131,17 +130,17 @@ class MjcfWriter {
     add_child(add_child(all, "default", {{"class", "collision"}}), "geom",
               {{"type", "mesh"},
                {"group", "3"},
-               {"condim", "4"},
+               {"condim", std::to_string(kMujocoCondim)},
                {"solref", solref()},
                {"solimp", solimp()}});
-    if (m_version < 3)
+    if (has_corners())
       add_child(add_child(all, "default", {{"class", "corner"}}), "geom",
                 {{"type", "sphere"},
                  {"size", number_text(kCornerRadius)},
                  {"group", "3"},
                  {"contype", "2"},
                  {"conaffinity", "0"},
-                 {"condim", "4"},
+                 {"condim", std::to_string(kMujocoCondim)},
                  {"solref", solref()},
                  {"solimp", solimp()}});
     add_child(add_child(all, "default", {{"class", "visual"}}), "geom",
@@ -299,17 +298,30 @@ class MjcfWriter {
   }
 
   // MuJoCo 2 finds three contacts of a mesh on a plane, not always the same: what lies flat would
-  // rattle and creep. Spheres that only the floor sees hold it at all corners.
+  // rattle and creep. MuJoCo 3 finds one of an edge if a face at its end is flatter than those
+  // beside it, so that what stands on edges would rock. Spheres that only the floor sees hold the
+  // corners.
+  std::vector<Vec3> corners_of(const SimulationBody& body) const {
+    const SimulationModel& model = m_scene.models[body.model];
+    return m_version < 3 ? floor_corners(model, body.world_from_link)
+                         : floor_edge_ends(model, body.world_from_link, body.gap + kSag);
+  }
+  bool has_corners() const {
+    return std::any_of(m_corners.begin(), m_corners.end(),
+                       [](const std::vector<Vec3>& corners) { return !corners.empty(); });
+  }
+
   void add_corners(Element* element, size_t index) const {
     const SimulationBody& body = m_scene.bodies[index];
     const Pose& pose = body.world_from_link;
     for (const Vec3& corner : m_corners[index]) {
       const Vec3 centre = corner + Vec3(0, 0, kCornerRadius) - pose.translation;
-      add_child(element, "geom",
-                {{"class", "corner"},
-                 {"pos", vector_text(pose.rotation.matrix().transpose() * centre)},
-                 {"priority", priority_text(body.friction)},
-                 {"friction", friction_text(body.friction)}});
+      set_margin(add_child(element, "geom",
+                           {{"class", "corner"},
+                            {"pos", vector_text(pose.rotation.matrix().transpose() * centre)},
+                            {"priority", priority_text(body.friction)},
+                            {"friction", friction_text(body.friction)}}),
+                 body.gap);
     }
   }
 

@@ -173,7 +173,10 @@ std::string world_layer(const SimulationScene& scene, const UsdaLayers& layers, 
   text.close();
   surfaces.write(text);
   if (scene.floor) {
-    text.open("Plane", "floor", {usda_apis({"PhysicsCollisionAPI", "MaterialBindingAPI"})});
+    text.open("Plane", "floor",
+              {usda_apis({"PhysicsCollisionAPI", "NewtonCollisionAPI", "MjcCollisionAPI",
+                          "MaterialBindingAPI"})});
+    add_mujoco_contacts(text);
     text.line("uniform token axis = \"Z\"");
     text.line("uniform token purpose = \"guide\"");
     text.line(surfaces.binding(scene.floor_friction, scene.floor_restitution));

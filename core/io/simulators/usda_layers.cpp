@@ -5,6 +5,7 @@
 #include "core/base/hash.h"
 #include "core/io/appearance.h"
 #include "core/io/simulators/looked_files.h"
+#include "core/io/simulators/mujoco_contacts.h"
 #include "core/io/simulators/usda_text.h"
 
 namespace trivet {
@@ -155,9 +156,9 @@ void LayerWriter::add_visual() {
   for (const Vec3& p : m_model.model->mesh.vertices)
     points.push_back(m_model.file_from_object.apply(p));
   const std::string metadata =
-      m_model.parts.empty()
-          ? usda_apis({"MaterialBindingAPI", "PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"})
-          : usda_apis({"MaterialBindingAPI"});
+      m_model.parts.empty() ? usda_apis({"MaterialBindingAPI", "PhysicsCollisionAPI",
+                                         "PhysicsMeshCollisionAPI", "NewtonMeshCollisionAPI"})
+                            : usda_apis({"MaterialBindingAPI"});
   open_mesh(m_text, "Visual", {metadata}, points, m_model.model->mesh.triangles);
   // PhysX takes triangles of fixed bodies alone, and else the hull of all of them.
   if (m_model.parts.empty())
@@ -180,9 +181,13 @@ void LayerWriter::add_visual() {
   m_text.close();
 }
 
+/// Newton and MuJoCo ask for words of their own; MuJoCo takes hulls alone.
 void add_part(UsdaText& text, const std::string& name, const ConvexPart& part) {
-  open_mesh(text, name, {usda_apis({"PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"})},
+  open_mesh(text, name,
+            {usda_apis({"PhysicsCollisionAPI", "PhysicsMeshCollisionAPI", "NewtonMeshCollisionAPI",
+                        "MjcCollisionAPI"})},
             part.vertices, part.triangles);
+  add_mujoco_contacts(text);
   text.line("uniform token physics:approximation = \"convexHull\"");
   text.line("uniform token purpose = \"guide\"");
   text.close();
@@ -200,6 +205,17 @@ MeshFile hashed_layer(const std::string& stem, std::string bytes) {
 }
 
 }  // namespace
+
+void add_mujoco_contacts(UsdaText& text) {
+  const auto list = [](std::string values) {
+    for (size_t at = 0; (at = values.find(' ', at)) != std::string::npos; at += 2)
+      values.replace(at, 1, ", ");
+    return "[" + values + "]";
+  };
+  text.line("uniform int mjc:condim = " + std::to_string(kMujocoCondim));
+  text.line("uniform double[] mjc:solimp = " + list(kMujocoSolimp + std::string(" 0.5 2")));
+  text.line("uniform double[] mjc:solref = " + list(kMujocoSolref));
+}
 
 UsdaLayers usda_layers(const SimulationScene& scene, bool parts_apart) {
   const ImageFiles images(scene);

@@ -66,4 +66,7 @@ inline std::string usda_apis(std::initializer_list<const char*> names) {
   return "prepend apiSchemas = [" + list + "]";
 }
 
+/// The way in which MuJoCo computes contacts of a prim with MjcCollisionAPI.
+void add_mujoco_contacts(UsdaText& text);
+
 }  // namespace trivet

@@ -8,7 +8,7 @@ const OPTIONS = {
   'its own options': ['', ''],
   'exports': ['timestep="0.002" cone="elliptic" impratio="100"', 'solref="0.004 3" solimp="0.995 0.9995 0.0001"'],
   'exports of heavy loads': ['timestep="0.001" cone="elliptic" impratio="100" tolerance="1e-14"',
-    'solref="0.002 3" solimp="0.9999 0.9999 0.0001"'],
+    'solref="0.002 3" solimp="0.9 0.9999 0.000002"'],
 };
 
 function sunk(ratio, [option, geom]) {

@@ -33,7 +33,7 @@ SimulationModel parts_of(const Model& model) {
 }
 
 Pose lying(double x, double height, double turn) {
-  return {Rotation(std::cos(turn / 2), 0, 0, std::sin(turn / 2)), Vec3(x, 0, height + kGap)};
+  return {Rotation{std::cos(turn / 2), 0, 0, std::sin(turn / 2)}, Vec3(x, 0, height + kGap)};
 }
 
 TEST(FloorCorners, AreThoseOfSupportPolygon) {
@@ -56,6 +56,38 @@ TEST(FloorCorners, AreThoseOfSupportPolygon) {
 TEST(FloorCorners, AreNotOfWhatIsAboveFloor) {
   EXPECT_TRUE(floor_corners(parts_of(box_model(0.1, 0.1, 0.1)), lying(0, 0.2, 0)).empty());
   EXPECT_TRUE(floor_corners({}, {}).empty());
+}
+
+/// A body of one box, 0.2 x 0.06 x 0.06, turned about its long axis, x, so that it touches the
+/// floor.
+Pose rolled(double angle) {
+  const double half = 0.03 * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
+  return {Rotation{std::cos(angle / 2), std::sin(angle / 2), 0, 0}, Vec3(0.3, 0, half + kGap)};
+}
+
+TEST(FloorEdges, AreThoseOnWhichPartsStand) {
+  const SimulationModel box = parts_of(box_model(0.1, 0.03, 0.03));
+  const std::vector<Vec3> ends = floor_edge_ends(box, rolled(0.5), 2 * kGap);
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_NEAR((ends[0] - ends[1]).norm(), 0.2, 1e-8);  // corners are rounded to float32
+  for (const Vec3& end : ends) EXPECT_NEAR(end.z(), kGap, 1e-9);
+  EXPECT_TRUE(floor_edge_ends(box, rolled(0), 2 * kGap).empty());  // a face
+  EXPECT_TRUE(floor_edge_ends(box, rolled(0.5), kGap / 2).empty());
+  EXPECT_TRUE(floor_edge_ends({}, {}, 1).empty());
+}
+
+TEST(FloorEdges, HaveTheirOuterEndsAlone) {
+  SimulationModel bar = parts_of(box_model(0.1, 0.03, 0.03));
+  const Vec3 a(-0.1, -0.03, -0.03), b(0.1, -0.03, -0.03);
+  for (const double t : {0.25, 0.5, 0.75}) bar.parts[0].vertices.push_back(a + t * (b - a));
+  EXPECT_EQ(floor_edge_ends(bar, rolled(-0.5), 2 * kGap).size(), 2u);
+  bar.parts.push_back(bar.parts[0]);  // the same edge again
+  EXPECT_EQ(floor_edge_ends(bar, rolled(-0.5), 2 * kGap).size(), 2u);
+  bar.parts.resize(1);
+  bar.parts[0].vertices = {a};
+  EXPECT_TRUE(floor_edge_ends(bar, rolled(-0.5), 2 * kGap).empty());
+  bar.parts[0].vertices = {a, a};
+  EXPECT_TRUE(floor_edge_ends(bar, rolled(-0.5), 2 * kGap).empty());
 }
 
 // With the three contacts that MuJoCo finds itself they move by 1 to 13 mm in 5 s.
