@@ -126,7 +126,7 @@ class Mender {
            });
   }
 
-  // How many found no place, then metres.
+  // The number of those without a place, then metres.
   static std::pair<size_t, double> cost_of(const SettledScene& settled) {
     double way = 0;
     for (const SettledObject& o : settled.moved) way += o.moved;
@@ -255,7 +255,7 @@ class Mender {
       as_given.translation += middle_of(id, nominal) - middle_of(id, given);
       attitudes.push_back(as_given);
     }
-    // What leans a little may have been meant level all the same.
+    // An object that leans a little may have been meant level all the same.
     if (!m_object->is_level && m_object->tilt_deg <= kMayBeLevelDeg)
       attitudes.push_back(levelled(m_scene.at(id), downs_of(m_scene.at(id))));
     for (size_t j = 0; j < attitudes.size(); ++j) {

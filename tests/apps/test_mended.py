@@ -25,7 +25,7 @@ def turned(quaternion, axis, degrees):
 
 
 def quaternion_of(m):
-    """Of a matrix of 16 numbers, row by row."""
+    """The quaternion of a matrix of 16 numbers, row by row."""
     w = math.sqrt(max(0.0, 1 + m[0] + m[5] + m[10])) / 2
     x = math.copysign(math.sqrt(max(0.0, 1 + m[0] - m[5] - m[10])) / 2, m[9] - m[6])
     y = math.copysign(math.sqrt(max(0.0, 1 - m[0] + m[5] - m[10])) / 2, m[2] - m[8])

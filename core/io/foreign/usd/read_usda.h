@@ -10,7 +10,7 @@
 
 namespace trivet {
 
-/// What an over layer needs to know of the layers below it.
+/// Knowledge of the layers below that an over layer needs.
 struct UsdaSource {
   std::vector<std::vector<UsdaPlace>> places;                 // see PosePlace::number
   std::vector<std::pair<std::string, std::string>> metadata;  // of the main layer, as text

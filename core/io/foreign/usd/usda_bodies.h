@@ -1,4 +1,4 @@
-// What the reader of USD collects before joints connect it. Private.
+// Bodies and the rest that the reader of USD collects before joints connect them. Private.
 #pragma once
 
 #include <map>

@@ -55,7 +55,7 @@ UsdaFrame frame_of_matrix(const std::vector<double>& n) {
   return out;
 }
 
-// Nothing: it is not read. @param kind  "translate".
+// Gives nothing if it is not read. @param kind  "translate".
 std::optional<UsdaFrame> frame_of_op(const std::string& kind, const std::vector<double>& n) {
   UsdaFrame out;
   const bool finite = std::all_of(n.begin(), n.end(), [](double v) { return std::isfinite(v); });

@@ -63,7 +63,7 @@ class JointConnector {
     return body && !m_scene.bodies[*body].fixed;
   }
 
-  // Of connected bodies the first one.
+  // The first of the bodies that are connected.
   size_t root_of(size_t body) {
     while (m_root[body] != body) body = m_root[body] = m_root[m_root[body]];
     return body;

@@ -1,4 +1,4 @@
-// What all layers together say about a prim.
+// A prim as all layers together have it.
 #include <algorithm>
 
 #include "core/io/foreign/usd/usda_stage.h"

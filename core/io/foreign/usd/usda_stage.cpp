@@ -21,7 +21,7 @@ enum class Arc { Local, Inherits, Variant, Reference, Payload };
 /// A layer with its sublayers, the strongest first.
 using LayerStack = std::vector<const UsdaLayer*>;
 
-/// What a layer says about a prim.
+/// A prim as one layer has it.
 struct SpecInLayer {
   const UsdaSpec* spec;
   const UsdaLayer* layer;
@@ -144,7 +144,7 @@ class UsdaComposer {
     return out;
   }
 
-  // What the prim itself inherits, refers to or loads, at every site that says so.
+  // Adds all that the prim itself inherits, refers to or loads, at every site that says so.
   void add_arcs(Site& site, const std::string& prim, int depth) {
     for (Site& below : site.below) add_arcs(below, prim, depth);
     std::vector<Site> direct;
