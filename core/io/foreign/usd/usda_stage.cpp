@@ -266,9 +266,8 @@ class UsdaComposer {
     std::vector<SpecInLayer> specs;
     for (const SpecInLayer& at : site.specs)
       for (const UsdaSpec& variant : at.spec->variants)
-        for (const auto& [set, name] : chosen)
-          if (variant.name == set + "=" + name && !has_spec(site, variant))
-            specs.push_back({&variant, at.layer});
+        if (is_chosen(variant, chosen) && !has_spec(site, variant))
+          specs.push_back({&variant, at.layer});
     if (specs.empty()) return any;
     Site out;
     out.arc = Arc::Variant, out.stack = site.stack, out.path = site.path;
@@ -277,6 +276,13 @@ class UsdaComposer {
     add_arcs(out, prim, depth);
     insert(site, std::move(out));
     return true;
+  }
+
+  // Variants are named "set=variant".
+  static bool is_chosen(const UsdaSpec& variant, const std::map<std::string, std::string>& chosen) {
+    const size_t end = variant.name.find('=');
+    const auto it = chosen.find(variant.name.substr(0, end));
+    return it != chosen.end() && variant.name.compare(end + 1, std::string::npos, it->second) == 0;
   }
 
   static bool has_spec(const Site& site, const UsdaSpec& spec) {
@@ -311,7 +317,8 @@ class UsdaComposer {
     for (const std::string& name : names) {
       std::optional<Site> site = child_site(parent, name);
       if (!site) continue;
-      const std::string child_path = path + "/" + name;
+      std::string child_path = path;
+      child_path.append("/").append(name);
       expand(*site, child_path, 0);
       UsdaPrim prim;
       prim.path = child_path, prim.name = name, prim.in_instance = in_instance;

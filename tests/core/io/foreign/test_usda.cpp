@@ -281,7 +281,7 @@ TEST_P(UsdaOvers, GiveThePose) {
       // The second over lies over the first.
       const ForeignScene before = read_usda(folder.file(below), {}, no_mesh);
       const std::string over = usda_over_layer(before, {{0, pose}}, "./" + below);
-      below = "over " + below;
+      below.insert(0, "over ");
       write_text(folder.file(below), over);
       const ForeignScene after = read_usda(folder.file(below), {}, no_mesh);
       ASSERT_EQ(after.bodies.size(), 1u) << over;

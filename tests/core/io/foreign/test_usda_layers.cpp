@@ -275,7 +275,8 @@ TEST(UsdaLayers, ReferencesThatDoubleEnd) {
   std::string doubling = "def \"p0\" { def Cube \"c\" {} }\n";
   for (int i = 1; i < 30; ++i) {
     const std::string of = " (references = </p" + std::to_string(i - 1) + ">) {}\n";
-    doubling += "def \"p" + std::to_string(i) + "\" {\ndef \"l\"" + of + "def \"r\"" + of + "}\n";
+    doubling.append("def \"p").append(std::to_string(i)).append("\" {\ndef \"l\"").append(of);
+    doubling.append("def \"r\"").append(of).append("}\n");
   }
   EXPECT_NE(error_of_usda(layer_text("", doubling)).find("too large by its references"),
             std::string::npos);
