@@ -247,7 +247,7 @@ std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
       app.add_subcommand("export", "Write a scene for a physics simulator, or as tables");
   const auto arguments = std::make_shared<ExportArguments>();
   verb->add_option("scene", arguments->scene,
-                   "A scene written by trivet, or of another program (MJCF, URDF, SDF), which "
+                   "A scene written by trivet, or of another program (MJCF, URDF, SDF, USD), which "
                    "keeps its joints")
       ->required()
       ->type_name("SCENE.glb");

@@ -92,7 +92,8 @@ void tell_move(const OpenedScene& opened, const SceneJoint& joint, const JointMo
 int move(const JointArguments& arguments, const CommonOptions& common) {
   if (!is_of_others(arguments.file))
     throw Error(Error::Kind::BadInput,
-                "%1: is not a scene of another program; accepted: MJCF, URDF, SDF", arguments.file);
+                "%1: is not a scene of another program; accepted: MJCF, URDF, SDF, USD",
+                arguments.file);
   OpenedScene opened = open_scene(arguments.file, open_options(arguments.foreign, common));
   if (arguments.joint.empty()) return list_joints(opened, common);
   SceneJoint& joint = joint_named(opened, arguments.joint);
@@ -113,10 +114,10 @@ int move(const JointArguments& arguments, const CommonOptions& common) {
 std::vector<Verb> add_joint(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "joint",
-      "List the joints of a scene in MJCF, URDF or SDF, or open and close one, with all that "
+      "List the joints of a scene in MJCF, URDF, SDF or USD, or open and close one, with all that "
       "lies in and on it, until it meets something");
   const auto arguments = std::make_shared<JointArguments>();
-  verb->add_option("file", arguments->file, "A scene in MJCF, URDF or SDF")
+  verb->add_option("file", arguments->file, "A scene in MJCF, URDF, SDF or USD")
       ->required()
       ->type_name("SCENE");
   verb->add_option("joint", arguments->joint, "Name of the joint; without it all are listed")

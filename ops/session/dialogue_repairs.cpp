@@ -125,7 +125,8 @@ void Dialogue::begin(MendOptions& options) const {
 OrderedJson Dialogue::move_joint(const JsonPlace& request) {
   request.expect_object({"move_joint"}, {"to", "by"});
   const JsonPlace name = request.at("move_joint");
-  if (!m_opened.others) name.refuse("a joint of a scene in MJCF, URDF or SDF: this scene has none");
+  if (!m_opened.others)
+    name.refuse("a joint of a scene in MJCF, URDF, SDF or USD: this scene has none");
   std::string known;
   const SceneJoint* found = nullptr;
   for (const SceneJoint& joint : joints()) {

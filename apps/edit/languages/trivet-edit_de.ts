@@ -3311,8 +3311,8 @@
         <translation>„to“ oder „by“</translation>
     </message>
     <message>
-        <source>a joint of a scene in MJCF, URDF or SDF: this scene has none</source>
-        <translation>ein Gelenk einer Szene in MJCF, URDF oder SDF: diese Szene hat keines</translation>
+        <source>a joint of a scene in MJCF, URDF, SDF or USD: this scene has none</source>
+        <translation>ein Gelenk einer Szene in MJCF, URDF, SDF oder USD: diese Szene hat keines</translation>
     </message>
     <message>
         <source>a number, &quot;lower&quot;, &quot;upper&quot;</source>

@@ -116,6 +116,7 @@ def prepare(folder, page):
     if page == "guide/scenes-of-others.md":
         for name in ("robot.urdf", "world.sdf"):
             program("export", "breakfast.glb", "-o", name)
+        shutil.copy(CASES / "drawer.usda", "room.usda")
         (folder / "dataset").mkdir()
         shutil.copy(CASES / "drawer.urdf", "cabinet.urdf")
         kitchen = (CASES / "drawer.xml").read_text().replace('"in the drawer"', '"cube"').replace('name="slide"', 'name="drawer"')
