@@ -97,10 +97,10 @@ class Cabinet:
                   for i, size in enumerate((0.02, 0.025, 0.03, 0.035))]
         self.bodies = body.all() + things
         self.things = [one.name for one in things]
-        self.files = {"cabinet.xml": self.scene_of(body, things)}
+        self.files = {"cabinet.xml": self.text_of(body, things)}
 
     @staticmethod
-    def scene_of(body, things):
+    def text_of(body, things):
         return ('<mujoco><compiler angle="radian" autolimits="true"/><worldbody><geom type="plane" size="3 3 .1"/>\n' +
                 body.mjcf() + "".join(one.mjcf() for one in things) + "</worldbody></mujoco>\n")
 
@@ -115,7 +115,7 @@ class PlacedCabinet(Cabinet):
         objects = [{"name": "cabinet", "articulation": "cabinet.xml", "position": [0.1, 0, 0], "rotation": [1, 0, 0, 0.05]}]
         for one in things:
             objects.append({"name": one.name, "model": one.name + ".obj", "position": [one.at[0] + 0.2, *one.at[1:]]})
-        self.files = {"cabinet.xml": self.scene_of(body, []), "kitchen.json": json.dumps({"trivet": 1, "objects": objects})}
+        self.files = {"cabinet.xml": self.text_of(body, []), "kitchen.json": json.dumps({"trivet": 1, "objects": objects})}
 
 
 class Drawers(Case):

@@ -9,6 +9,7 @@
 #include "ops/check/check.h"
 #include "ops/files/layout/boxes.h"
 #include "ops/files/layout/run.h"
+#include "ops/files/layout/watched_run.h"
 #include "ops/files/report/scene_file.h"
 #include "ops/session/restore.h"
 #include "ops/stability/stability.h"
@@ -301,6 +302,47 @@ TEST(JointsOfLayouts, FilesWhoseJointsWereChangedAreRefused) {
     layout.objects.at(1).joint->in = in;
     EXPECT_THROW(parse_layout(write_layout(layout), "a.json"), Error) << in;
   }
+}
+
+// The cabinet of tests/core/io/foreign, placed and turned by a quarter: its drawer opens along x.
+TEST(JointsOfLayouts, ACabinetOfAnotherProgramIsPlaced) {
+  const std::string folder = std::string(TRIVET_SOURCE_DIR) + "/tests/core/io/foreign/cases";
+  const Layout layout = parse_layout(
+      R"({"trivet": 1, "objects": [{"name": "k", "articulation": "drawer.xml",
+          "position": [2, 1, 0], "rotation": [1, 0, 0, 1]}],
+          "operations": [{"op": "settle"}, {"op": "move_joint", "object": "k/drawer", "to": 0},
+                         {"op": "move_joint", "object": "k/lid", "until": "upper"}]})",
+      folder + "/kitchen.json");
+  ASSERT_EQ(layout.objects.size(), 6u);
+  RunOptions options = options_of_test();
+  Vec3 before;
+  RunWatch watch;
+  watch.done = [&](const Scene& scene, const Operation& operation, const OperationResult& result) {
+    EXPECT_TRUE(result.ok()) << result.reason();
+    const Object& cube = scene.at(*scene.find("k/in the drawer"));
+    if (std::holds_alternative<RepairOperation>(operation)) before = cube.pose.translation;
+  };
+  LayoutRun run = run_layout(layout, models_in_folder(folder), options, watch);
+  EXPECT_TRUE(run.ok());
+  const auto at = [&](const std::string& name) { return run.scene.at(*run.scene.find(name)); };
+  EXPECT_NEAR((at("k/in the drawer").pose.translation - before + Vec3(0.2, 0, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((at("k/drawer").pose.translation - Vec3(2.01, 1, 0.2)).norm(), 0, 1e-12);
+  EXPECT_NEAR(at("k/lid").joint->value, 90, 1e-12);
+  EXPECT_TRUE(at("k/cabinet").fixed);
+  EXPECT_TRUE(at("k/sunk").state == ObjectState::Stable);
+  // The layout that is written has the bodies one by one; both give the same scene.
+  const Layout written = parse_layout(write_layout(layout), folder + "/again.json");
+  EXPECT_EQ(fingerprint(run_layout(written, models_in_folder(folder), options).scene),
+            fingerprint(run.scene));
+  // Its meshes are in the file: the cabinet is not needed to read it.
+  const test::TemporaryFolder empty;
+  SceneFileOptions file_options;
+  file_options.clearance = kClearance;
+  write_scene_file(run.scene, layout, file_options, empty.file("k.glb"));
+  SceneFile read = read_scene_file(empty.file("k.glb"), {});
+  update_contacts(read.scene, kClearance);
+  EXPECT_EQ(read.notes.size(), 0u);
+  EXPECT_EQ(fingerprint(read.scene), fingerprint(run.scene));
 }
 
 // A board of 1 kg whose centre is 0.1 m from its hinge, 0.981 N m; the cube of 0.216 kg on its
