@@ -52,12 +52,14 @@ std::optional<Vec3> ContactEnds::foot(const Vec3& x, const ContactFace& face, in
 
 // One of the surfaces comes nearer beside: the other is not where they are nearest.
 bool ContactEnds::dips(const End& end, const Vec3& normal) const {
-  const bool object_dips = end.kind == End::Kind::EdgeVertex
-                               ? edge_dips(m_object, end.on_object, end.p, normal)
-                               : vertex_dips(m_object, end.on_object, end.p, normal);
+  const bool object_dips =
+      end.kind == End::Kind::EdgeVertex
+          ? edge_dips_near_ends(m_object, end.on_object, end.p, normal, m_slack)
+          : vertex_dips(m_object, end.on_object, end.p, normal);
   if (object_dips) return true;
-  return end.kind == End::Kind::VertexEdge ? edge_dips(m_support, end.on_support, end.q, -normal)
-                                           : vertex_dips(m_support, end.on_support, end.q, -normal);
+  return end.kind == End::Kind::VertexEdge
+             ? edge_dips_near_ends(m_support, end.on_support, end.q, -normal, m_slack)
+             : vertex_dips(m_support, end.on_support, end.q, -normal);
 }
 
 std::vector<ContactPoint> ContactEnds::points() {
