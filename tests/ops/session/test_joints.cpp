@@ -2,17 +2,21 @@
 // stand free.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "core/base/error.h"
 #include "core/scene/fingerprint.h"
 #include "core/scene/joint.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
+#include "ops/files/json/text.h"
 #include "ops/files/layout/boxes.h"
 #include "ops/files/layout/run.h"
 #include "ops/files/layout/watched_run.h"
 #include "ops/files/report/scene_file.h"
 #include "ops/session/restore.h"
 #include "ops/stability/stability.h"
+#include "support/same_scene.h"
 #include "support/temporary_folder.h"
 
 namespace trivet {
@@ -71,9 +75,9 @@ Model made(const std::string& name, const Tessellation&) {
 std::string text_of(const std::string& cabinet, const std::string& drawer, const std::string& more,
                     const std::string& operations) {
   return R"({"trivet": 1, "objects": [
-    {"name": "cabinet", "model": "cabinet.obj", "position": [0, 0, 0.00001])" +
+    {"name": "cabinet", "model": "cabinet.obj", "position": [0, 0, 0.000003])" +
          cabinet + R"(},
-    {"name": "drawer", "model": "drawer.obj", "position": [0, 0, 0.00001])" +
+    {"name": "drawer", "model": "drawer.obj", "position": [0, 0, 0.000003])" +
          drawer +
          R"(, "joint": {"in": "cabinet", "slide": [0, -2, 0], "lower": 0, "upper": 0.3}})" + more +
          R"(, {"name": "cube", "model": "cube.obj"}, {"name": "tall", "model": "tall.obj"}],
@@ -132,7 +136,7 @@ std::string fixed_kitchen(const std::string& operations = kOpen + kPutCube) {
 TEST(JointsOfLayouts, ADrawerIsFilledAndClosed) {
   Furnished kitchen(fixed_kitchen());
   EXPECT_EQ(kitchen.value("drawer"), 0.3);
-  EXPECT_EQ(kitchen.at("drawer").pose.translation, Vec3(0, -0.3, 1e-5));
+  EXPECT_EQ(kitchen.at("drawer").pose.translation, Vec3(0, -0.3, 3e-6));
   const Vec3 before = kitchen.at("cube").pose.translation;
   EXPECT_NEAR(before.z(), 0.105 + 0.03, 1e-4);
   // The load-support list has the link.
@@ -151,7 +155,7 @@ TEST(JointsOfLayouts, WhatIsOpenedAndClosedIsWhereItWasToTheBit) {
   Furnished kitchen(fixed_kitchen(kOpen));
   const Vec3 open = kitchen.at("drawer").pose.translation;
   for (const double to : {0.1, 0.0, 0.2, 0.07, 0.0}) ASSERT_TRUE(kitchen.move("drawer", to).ok());
-  EXPECT_EQ(kitchen.at("drawer").pose.translation, Vec3(0, 0, 1e-5));
+  EXPECT_EQ(kitchen.at("drawer").pose.translation, Vec3(0, 0, 3e-6));
   ASSERT_TRUE(kitchen.move("drawer", 0.3).ok());
   EXPECT_EQ(kitchen.at("drawer").pose.translation, open);
 }
@@ -186,7 +190,7 @@ TEST(JointsOfLayouts, AClosedDrawerIsRefusedByWhatSticksOut) {
   // It does not go on: nothing has changed, and the answer is the same.
   const OperationResult again = kitchen.move("drawer", 0);
   EXPECT_EQ(again.end, OperationResult::End::Blocked);
-  EXPECT_NEAR(again.moved, 0, 1e-9);
+  EXPECT_LT(again.moved, kClearance);
 }
 
 TEST(JointsOfLayouts, AJointEndsAtItsLimits) {
@@ -270,7 +274,8 @@ TEST(JointsOfLayouts, AskForOneGoalOfAJointThatIsThere) {
 }
 
 TEST(JointsOfLayouts, ComeBackFromFilesToTheBit) {
-  Furnished kitchen(fixed_kitchen());
+  Furnished kitchen(fixed_kitchen(kOpen + kPutCube +
+                                  R"(, {"op": "put", "object": "tall", "position": [1, 0, 0.5]})"));
   const test::TemporaryFolder folder;
   ASSERT_TRUE(kitchen.move("drawer", 0.123).ok());
   SceneFileOptions options;
@@ -280,6 +285,7 @@ TEST(JointsOfLayouts, ComeBackFromFilesToTheBit) {
   update_contacts(read.scene, kClearance);
   const auto drawer = read.scene.find("drawer");
   ASSERT_TRUE(drawer && read.scene.at(*drawer).joint);
+  EXPECT_EQ(test::difference_in_file(read.scene, kitchen.scene()), "");
   EXPECT_EQ(fingerprint(read.scene), fingerprint(kitchen.scene()));
   // The layout in it gives the same scene; so does what is done next.
   const LayoutRun again = run_layout(read.layout, made, options_of_test());
@@ -345,6 +351,38 @@ TEST(JointsOfLayouts, ACabinetOfAnotherProgramIsPlaced) {
   EXPECT_EQ(fingerprint(read.scene), fingerprint(run.scene));
 }
 
+// To the bit; and where the cabinet's file has changed, from the poses that were recorded.
+TEST(JointsOfLayouts, ComeBackFromAJournal) {
+  const test::TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder.file(name), std::ios::binary) << text;
+  };
+  std::string cabinet = read_text_file(
+      std::string(TRIVET_SOURCE_DIR) + "/tests/core/io/foreign/cases/drawer.xml", 1 << 20);
+  write("drawer.xml", cabinet);
+  write("kitchen.json", R"({"trivet": 1, "objects": [{"name": "k", "articulation": "drawer.xml",
+      "position": [0, 0, 0]}], "operations": [{"op": "settle"}]})");
+  const RunOptions options = options_of_test();
+  std::uint64_t state = 0;
+  {
+    OpenedSession opened =
+        open_session(folder.file("kitchen.json"), options, {}, {folder.file("j"), false});
+    MoveJointOperation o;
+    o.object = "k/drawer", o.by = -0.05;
+    ASSERT_TRUE(opened.session.perform(o, options.settle).ok());
+    state = fingerprint(opened.session.scene());
+  }
+  const RestoredSession restored = restore_session(folder.file("j"), options, {}, false);
+  EXPECT_TRUE(restored.exact);
+  EXPECT_EQ(fingerprint(restored.opened.session.scene()), state);
+  cabinet.replace(cabinet.find("0.195 0.18 0.005"), 5, "0.194");
+  write("drawer.xml", cabinet);
+  const RestoredSession changed = restore_session(folder.file("j"), options, {}, false);
+  EXPECT_FALSE(changed.exact);
+  const Scene& scene = changed.opened.session.scene();
+  EXPECT_NEAR(scene.at(*scene.find("k/drawer")).joint->value, 0.15, 1e-12);
+}
+
 // A board of 1 kg whose centre is 0.1 m from its hinge, 0.981 N m; the cube of 0.216 kg on its
 // middle adds 0.212.
 TEST(JointsOfLayouts, ATrapdoorFallsByWhatLiesOnIt) {
@@ -387,7 +425,7 @@ TEST(JointsOfLayouts, ACabinetThatStandsFreeMovesAsOne) {
   ASSERT_TRUE(moved.ok()) << moved.reason();
   EXPECT_EQ(moved.carried, (std::vector<std::string>{"drawer", "cube"}));
   EXPECT_NEAR((kitchen.at("cube").pose.translation - cube - by).norm(), 0, 1e-12);
-  EXPECT_NEAR((kitchen.at("drawer").pose.translation - Vec3(0, -0.3, 1e-5) - by).norm(), 0, 1e-12);
+  EXPECT_NEAR((kitchen.at("drawer").pose.translation - Vec3(0, -0.3, 3e-6) - by).norm(), 0, 1e-12);
   // Its joint goes on from there, turned, too.
   RotateOperation turn;
   turn.object = "cabinet", turn.angle_deg = 90;
