@@ -82,10 +82,8 @@ std::vector<Tool> telling_tools() {
 std::vector<Tool> changing_tools() {
   return {
       tool("move_joint",
-           "Open or close a drawer, door or lid of a scene in MJCF, URDF, SDF or USD, with all in "
-           "it, "
-           "until "
-           "its limit or the first contact.",
+           "Open or close a drawer, door or lid with all in it, until its limit or the first "
+           "contact.",
            arguments_schema(
                {{"joint", text_schema("Its name; `list` with what: joints.")},
                 {"to",

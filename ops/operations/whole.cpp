@@ -185,10 +185,11 @@ class Whole {
            object.state != ObjectState::Invalid;
   }
 
-  // In a joint motion bodies of a group would part.
+  // In a joint motion bodies of a group would part, and links from what they hang in.
   bool may_move_alone(ObjectId id) const {
     const Object& object = m_scene.at(id);
-    return may_move(id) && !object.locked && m_scene.group_members(object.group).size() <= 1;
+    return may_move(id) && !object.locked && object.links.empty() &&
+           m_scene.group_members(object.group).size() <= 1;
   }
 
   std::vector<ObjectId> partners(ObjectId id) const {

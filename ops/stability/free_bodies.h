@@ -43,8 +43,8 @@ struct FreeBodies {
   std::vector<double> carried;
 };
 
-/// All placed objects that are not fixed, with the contacts of the scene's links, but for those
-/// across gaps.
+/// All placed objects that are not fixed, each one with what hangs in it by joints, with the
+/// contacts of the scene's links, but for those across gaps.
 /// @param friction  of all contacts; none: friction_between() each pair.
 FreeBodies free_bodies(const Scene& scene, std::optional<double> friction = {});
 

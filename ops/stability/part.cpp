@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/scene/joint.h"
 #include "ops/placement/slot_order.h"
 #include "ops/stability/block_balance.h"
 #include "ops/stability/certificate.h"
@@ -220,10 +221,11 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
       out.push_back(id);
   };
   const auto add_partners = [&](ObjectId id) {
-    for (const ObjectContact& entry : scene.at(id).contacts)
-      if (entry.with.is_object() && !entry.across_gap) add(entry.with.object());
+    for (const ObjectId member : one_body(scene, id))
+      for (const ObjectContact& entry : scene.at(member).contacts)
+        if (entry.with.is_object() && !entry.across_gap) add(root_of(scene, entry.with.object()));
   };
-  for (const ObjectId id : seeds) add(id);
+  for (const ObjectId id : seeds) add(root_of(scene, id));
   // Neighbours of a seed that stands still may have been unbalanced by it.
   for (const ObjectId id : seeds)
     if (is_fixed_or_held(id, scene.at(id))) add_partners(id);

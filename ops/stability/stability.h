@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/joint_load.h"
 #include "core/scene/scene.h"
 
 namespace trivet {
@@ -98,7 +99,6 @@ std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& st
 inline constexpr double kCarriedPart = 0.01;
 
 inline constexpr double kMarginalFriction = 0.99, kMarginalShift = 1e-3;
-inline constexpr double kGravity = 9.80665;  // m/s^2
 /// Metres of wall by which an object without volume weighs: kWallThickness of its size, at most as
 /// thick as sheets of its material are.
 double wall_thickness(const Object& object);

@@ -14,15 +14,9 @@
 #include "core/mesh/given_mass.h"
 #include "core/mesh/mesh.h"
 #include "core/model/model.h"
-#include "core/motion/pose.h"
+#include "core/motion/compose.h"
 
 namespace trivet {
-
-/// First b, then a: pose of b's frame in the frame that `a` is in.
-Pose composed(const Pose& a, const Pose& b);
-Pose inverse(const Pose& pose);
-/// Angle of any size, degrees, about a unit axis.
-Rotation turn_about(const Vec3& axis, double degrees);
 
 /// Engine's rule for the friction of two surfaces.
 enum class FrictionRule { Larger, Smaller, Product, Mean };

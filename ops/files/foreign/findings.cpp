@@ -75,6 +75,8 @@ class FindingCollector {
   }
 
   std::string way_of(const std::string& name) const {
+    if (const auto id = m_run.scene.find(name); id && m_run.scene.at(*id).joint)
+      return "its joint does not hold it";
     for (const ObjectStability& o : m_run.stability.objects)
       if (o.topples && m_run.scene.at(o.object).name == name)
         return way_text(m_run.scene.at(o.object), o.motion);
