@@ -244,9 +244,10 @@ class Mujoco(Exports):
                                  [put("small", 0, 0, 1), put("big", 0, 0, 2)])
             self.trivet("run", layout, "-o", "s.glb")
             self.trivet("export", "s.glb", "-o", "s.xml")
-            option = ElementTree.fromstring(self.read("s.xml")).find("option")
-            steps[scale] = option.get("timestep"), option.get("tolerance")
-        self.assertEqual(steps, {1: ("0.002", None), 2: ("0.001", "1e-14")})
+            root = ElementTree.fromstring(self.read("s.xml"))
+            option, contacts = root.find("option"), root.find("default/default/geom")
+            steps[scale] = option.get("timestep"), option.get("tolerance"), contacts.get("solimp")
+        self.assertEqual(steps, {1: ("0.002", None, "0.995 0.9995 0.0001"), 2: ("0.001", "1e-14", "0.9 0.9999 0.000002")})
 
     def test_free_objects_sleep_on_request(self):
         self.scene()

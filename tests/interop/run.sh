@@ -66,7 +66,7 @@ case "$job" in
     esac
     python3 -B "$here/simulators/matrix.py" --trivet "$trivet" --work "$work" --engines "$job" --bars \
       --seconds "$seconds" ${demos:+--demos "$demos"} --programs "$programs"
-    [ "$job" = mujoco ] && stands_on_edges
+    if [ "$job" = mujoco ]; then stands_on_edges; fi
     exit ;;
 esac
 export PYTHONDONTWRITEBYTECODE=1

@@ -52,9 +52,14 @@ def scenes_of(arguments):
     return out
 
 
+written = set()  # by this run: engines share files
+
+
 def exported(arguments, glb, name, *options):
     file = os.path.join(arguments.work, name)
-    run(arguments.trivet, "export", glb, "-o", file, "--quiet", *options)
+    if file not in written:
+        run(arguments.trivet, "export", glb, "-o", file, "--quiet", *options)
+    written.add(file)
     return file
 
 
