@@ -15,7 +15,7 @@ constexpr double kNearlyParallel =
     1e-3;  // squared sine of the angle from which edges count as parallel
 // Force at half the layer over stiffness x layer: 1 / (2 ln 2 + 1 / 2) of Barrier::first / 2.
 constexpr double kHalfway = 1.19;
-// How far vertices may go before near pairs are searched again.
+// Near pairs are searched again when a vertex has gone so far.
 constexpr double kSlackLayers = 2, kSlackCells = 0.05;
 constexpr size_t kPairsTogether = 1024;  // of which one thread finds the distances
 

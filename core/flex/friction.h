@@ -6,7 +6,7 @@
 
 namespace trivet::flex {
 
-/// What an obstacle does to a vertex, N.
+/// Force of an obstacle on a vertex, N.
 struct Borne {
   double up = 0, size = 0;  // the vertical part; sum of all magnitudes
 };

@@ -25,7 +25,7 @@ struct Leaf {
     share = {1 - foot, foot, -1};
   }
   Vec3 slope(int k) const { return share[k] / height * normal; }
-  // How the slope by corner k changes with corner l.
+  // The second derivative by corners k and l, this face's part of it.
   Mat3 curvature(int k, int l) const {
     const Vec3 by_foot = k == 2 ? Vec3(Vec3::Zero()) : Vec3((k == 1 ? 1 : -1) * foot_slope(l));
     const Vec3 stretched = by_foot / height + share[k] * share[l] / (height * height) * across;
@@ -38,7 +38,7 @@ struct Leaf {
     const Vec3 by_b = (height * across - foot * edge) / (length * length);
     return l == 2 ? by_p : l == 1 ? by_b : Vec3(-by_p - by_b);
   }
-  // Of the function in the face that is one at corner l and zero at the others.
+  // The slope, in the face, of the function that is one at corner l and zero at the others.
   Vec3 hat_slope(int l) const {
     const Vec3 along = edge / (length * length);
     if (l == 2) return across / height;
@@ -143,7 +143,7 @@ class BentFace {
   std::array<std::array<Vec3, 6>, 3> m_slopes;
 };
 
-// Whether a face has the edge in this direction.
+// True if the face has the edge in this direction.
 bool goes_along(const std::array<int, 3>& face, const std::array<int, 2>& edge) {
   for (int k = 0; k < 3; ++k)
     if (face[k] == edge[0]) return face[(k + 1) % 3] == edge[1];

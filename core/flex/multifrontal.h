@@ -33,7 +33,7 @@ class Multifrontal {
     std::vector<double> update;             // for its parent: the lower triangle, column by column
     int size() const { return 3 * static_cast<int>(own.size() + below.size()); }
   };
-  /// What a thread works in.
+  /// The memory that a thread works in.
   struct Work {
     std::vector<int> local;      // places of vertices in the front
     std::vector<double> values;  // the front, of which the lower triangle counts
