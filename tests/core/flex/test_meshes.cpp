@@ -157,7 +157,9 @@ TEST(FlexMeshes, CurledPaperRestsOnOneLine) {
   for (const Vec3& p : result.x) {
     lowest = std::min(lowest, p.z()), highest = std::max(highest, p.z());
     left = std::min(left, p.x()), right = std::max(right, p.x());
-    if (p.z() < m.thickness + result.layer) EXPECT_LT(std::abs(p.x()), 0.2 * radius);
+    if (p.z() < m.thickness + result.layer) {
+      EXPECT_LT(std::abs(p.x()), 0.2 * radius);
+    }
   }
   EXPECT_NEAR((right - left) / 2, end.x(), 0.01 * radius);
   EXPECT_NEAR(highest - lowest, end.y(), 0.02 * radius);
