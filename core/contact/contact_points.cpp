@@ -102,6 +102,10 @@ struct SearchMemory {
   OfBody object, support;
 };
 
+struct CloseFaces {
+  Index of_object, of_support;
+};
+
 class ContactSearch {
  public:
   ContactSearch(const Body& object, const Body& support, double tolerance, double slack)
@@ -129,8 +133,7 @@ class ContactSearch {
     append_elsewhere(more, m_tolerance, points);
     if (!points.empty()) return points;
     // Without a feature that faces the other one, the closest points of near faces have to do.
-    m_closest_only = true;
-    visit(0, 0);
+    for (const CloseFaces& pair : m_near) try_closest(pair);
     return first_of_each(m_found);
   }
 
@@ -198,7 +201,7 @@ class ContactSearch {
 
   void try_faces(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b) {
     if (b.separates(a.corners, m_tolerance) || a.separates(b.corners, m_tolerance)) return;
-    if (m_closest_only) return try_closest(a.corners, face_a, b.corners, face_b);
+    m_near.push_back({face_a, face_b});
     const Index3 &va = m_object.shape->mesh.triangles[face_a],
                  &vb = m_support.shape->mesh.triangles[face_b];
     // Six vertices go against the other face; those with a foot outside may still be ends of edges.
@@ -278,11 +281,12 @@ class ContactSearch {
         {0.5 * (pa + pb), normal, std::abs(height), ContactFeatures::EdgeEdge, edge_a, edge_b});
   }
 
-  void try_closest(const Triangle& a, Index face_a, const Triangle& b, Index face_b) {
-    const ClosestPoints c = closest_points(a, b);
+  void try_closest(const CloseFaces& pair) {
+    const ClosestPoints c =
+        closest_points(m_object.triangle(pair.of_object), m_support.triangle(pair.of_support));
     if (c.distance > m_tolerance || c.distance == 0) return;
     m_found.push_back({c.point_b, (c.point_a - c.point_b) / c.distance, c.distance,
-                       ContactFeatures::ClosestPoints, face_a, face_b});
+                       ContactFeatures::ClosestPoints, pair.of_object, pair.of_support});
   }
 
   const Body &m_object, &m_support;
@@ -296,7 +300,7 @@ class ContactSearch {
   SearchMemory& m_memory = memory_of_thread<SearchMemory>();
   const std::uint64_t m_search = new_search();
   std::vector<ContactPoint> m_found;
-  bool m_closest_only = false;
+  std::vector<CloseFaces> m_near;               // that no plane of either has told apart
   Vec3 m_plane = Vec3::Zero();                  // normal of one that separated faces, of any length
   PairNumbers m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };
