@@ -119,9 +119,7 @@ class ContactSearch {
     append_elsewhere(m_features.ends_and_corners(), m_tolerance, points);
     if (!points.empty()) return points;
     // Without a feature that faces the other one, the closest points of near faces have to do.
-    m_features.take_closest_points_only();
-    visit(0, 0);
-    return first_of_each(m_features.found());
+    return first_of_each(m_features.closest_points());
   }
 
  private:

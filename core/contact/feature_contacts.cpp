@@ -42,7 +42,7 @@ std::vector<ContactPoint> FeatureContacts::ends_and_corners() {
 
 void FeatureContacts::add(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b) {
   if (b.separates(a.corners, m_tolerance) || a.separates(b.corners, m_tolerance)) return;
-  if (m_closest_only) return try_closest(a.corners, face_a, b.corners, face_b);
+  m_near.push_back({face_a, face_b});
   const Index3 &va = m_object.shape->mesh.triangles[face_a],
                &vb = m_support.shape->mesh.triangles[face_b];
   // Six vertices go against the other face; those with a foot outside may still be ends of edges.
@@ -154,12 +154,16 @@ void FeatureContacts::try_edges(const ContactFace& a, int i, Index edge_a, const
   }
 }
 
-void FeatureContacts::try_closest(const Triangle& a, Index face_a, const Triangle& b,
-                                  Index face_b) {
-  const ClosestPoints c = closest_points(a, b);
-  if (c.distance > m_tolerance || c.distance == 0) return;
-  m_found.push_back({c.point_b, (c.point_a - c.point_b) / c.distance, c.distance,
-                     ContactFeatures::ClosestPoints, face_a, face_b});
+std::vector<ContactPoint> FeatureContacts::closest_points() const {
+  std::vector<ContactPoint> out;
+  for (const auto& [face_a, face_b] : m_near) {
+    const ClosestPoints c =
+        trivet::closest_points(m_object.triangle(face_a), m_support.triangle(face_b));
+    if (c.distance > m_tolerance || c.distance == 0) continue;
+    out.push_back({c.point_b, (c.point_a - c.point_b) / c.distance, c.distance,
+                   ContactFeatures::ClosestPoints, face_a, face_b});
+  }
+  return out;
 }
 
 }  // namespace trivet

@@ -2,6 +2,7 @@
 // Private.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/contact/body.h"
@@ -33,8 +34,8 @@ class FeatureContacts {
   const std::vector<ContactPoint>& found() const { return m_found; }
   /// Ends of parallel edges, and corners of flush overlaps.
   std::vector<ContactPoint> ends_and_corners();
-  /// From now on add() takes the closest points of faces, and no features.
-  void take_closest_points_only() { m_closest_only = true; }
+  /// Closest points of faces that no plane of either has told apart.
+  std::vector<ContactPoint> closest_points() const;
 
  private:
   double slack_at(double height) const;
@@ -45,14 +46,13 @@ class FeatureContacts {
   bool past_end(double s, const Vec3& edge, double height) const;
   void try_edges(const ContactFace& a, int i, Index edge_a, const ContactFace& b, int j,
                  Index edge_b);
-  void try_closest(const Triangle& a, Index face_a, const Triangle& b, Index face_b);
 
   const Body &m_object, &m_support;
   double m_tolerance, m_reach, m_slack;
   FlushFaces m_flush;
   ContactEnds m_ends;
   std::vector<ContactPoint> m_found;
-  bool m_closest_only = false;
+  std::vector<std::array<Index, 2>> m_near;     // faces that no plane of either has told apart
   PairNumbers m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
 };
 
