@@ -11,7 +11,7 @@ BoxFrame box_frame(const PlacedShape& placed);
 
 Triangle world_triangle(const PlacedShape& placed, Index face);
 
-/// Of a face, in its object's frame.
+/// The box of a face, in its object's frame.
 inline Aabb face_box(const PlacedShape& placed, Index face) {
   Aabb out;
   for (const Vec3& p : placed.shape->mesh.triangle(face)) out.extend(p);

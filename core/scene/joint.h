@@ -46,7 +46,8 @@ JointPlace joint_place(const LinkJoint& joint, const Pose& link);
 std::vector<ObjectId> links_below(const Scene& scene, ObjectId id);
 /// The object, and all that hang in it: one rigid body while joints are held.
 std::vector<ObjectId> one_body(const Scene& scene, ObjectId id);
-/// That which a link hangs in and which hangs in nothing; of all others: itself.
+/// The object that a link hangs in, directly or by others, and that hangs in none; of all others:
+/// itself.
 ObjectId root_of(const Scene& scene, ObjectId id);
 
 }  // namespace trivet

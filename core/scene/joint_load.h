@@ -15,7 +15,7 @@ struct JointPlace {
   double lower = -kInfinity, upper = kInfinity;
 };
 
-/// What a weight does to the joint: newtons along the axis or newton metres about it.
+/// Effect of a weight on the joint: newtons along the axis or newton metres about it.
 /// @param centre  of mass, world. @param newtons  the weight.
 double joint_load(const JointPlace& joint, const Vec3& centre, double newtons);
 

@@ -49,7 +49,7 @@ void let_down(Rearrangement& scene, ObjectId id) {
   scene.give_up(id, std::move(why));
 }
 
-// What others hang in by joints stays with them.
+// An object that others hang in by joints stays with them.
 bool is_free_alone(const Object& object) { return !object.fixed && object.links.empty(); }
 
 // The slots, and what they hold, and what that holds.

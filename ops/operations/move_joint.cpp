@@ -38,7 +38,7 @@ std::string hanging_in_joints(const Scene& scene) {
   return out;
 }
 
-// What move() asks of the scene.
+// Questions of move() to the scene.
 std::optional<Refusal> refuse_joint(const Scene& scene, const Object& object) {
   const std::string value = "\"" + object.name + "\"";
   if (!object.joint) {

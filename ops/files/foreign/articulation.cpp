@@ -93,7 +93,7 @@ class Articulation {
     return std::nullopt;
   }
 
-  // Of a link that hangs in nothing there is none: it stays where it is.
+  // A link that hangs in nothing has none: it stays where it is.
   std::optional<NamedJoint> own_joint(const SceneJoint& joint) const {
     if (joint.frames.empty()) return std::nullopt;
     const Pose link = m_scene.at(joint.links[0]).pose;

@@ -21,7 +21,7 @@ Vec3 read_axis(const JsonPlace& place) {
   const Vec3 axis(v[0], v[1], v[2]);
   if (axis.cwiseAbs().maxCoeff() < kMinDirectionComponent)
     place.refuse("a direction whose length is not zero");
-  // What is of unit length is taken as it is, so that it is read to the same bits.
+  // An axis of unit length is taken as it is, so that it is read to the same bits.
   return std::abs(axis.squaredNorm() - 1) <= 1e-15 ? axis : Vec3(axis.normalized());
 }
 
