@@ -66,7 +66,7 @@ inline std::string usda_apis(std::initializer_list<const char*> names) {
   return "prepend apiSchemas = [" + list + "]";
 }
 
-/// How MuJoCo computes contacts of a prim with MjcCollisionAPI.
+/// Adds what MjcCollisionAPI has: by these values MuJoCo computes contacts of the prim.
 void add_mujoco_contacts(UsdaText& text);
 
 }  // namespace trivet
