@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Exported cabinets in MuJoCo: whether their joints and what lies in them stay where they are.
 
-    perf/exported_joints.py NODE_FOLDER [--program trivet] [--seconds 5]
+    perf/exported_joints.py NODE_FOLDER [--program trivet] [--seconds 5] [--own]
 
 NODE_FOLDER has node_modules/@mujoco/mujoco and a copy of rest.mjs. The cabinets are those of tests/apps/test_drawers.py, each with
-its joints at their lower limits, open by a third, and at their upper limits, with things in and on it. Prints a table in Markdown."""
+its joints at their lower limits, open by a third, and at their upper limits, with things in and on it. With --own they are placed
+in layouts of Trivet. Prints a table in Markdown."""
 import argparse
 import json
 import subprocess
@@ -57,11 +58,35 @@ def states(program, body, folder):
         yield name, settled
 
 
+def own_states(program, body, folder):
+    """The same as layouts, which open it by a third, fill it, and move its joints."""
+    cabinet = test_drawers.Cabinet(body)
+    things = [one for one in cabinet.bodies if one.free]
+    (folder / "cabinet.xml").write_text(test_drawers.Cabinet.text_of(body, []))
+    joints = [json.loads(line) for line in run(program, "joint", folder / "cabinet.xml", "--json").splitlines()]
+    objects = [{"name": "cabinet", "articulation": "cabinet.xml", "position": [0, 0, 0]}]
+    for thing in things:
+        (folder / (thing.name + ".obj")).write_text(thing.obj())
+        objects.append({"name": thing.name, "model": thing.name + ".obj"})
+
+    def moves(share):
+        return [{"op": "move_joint", "object": "cabinet/" + joint["links"][0],
+                 "to": joint["lower"] + share * (joint["upper"] - joint["lower"])} for joint in joints]
+
+    puts = [{"op": "put", "object": thing.name, "position": at} for thing, at in zip(things, ABOVE[body.name])]
+    for name, share in SHARES.items():
+        layout = {"trivet": 1, "objects": objects, "operations": moves(SHARES["third"]) + puts + moves(share)}
+        (folder / "layout.json").write_text(json.dumps(layout))
+        run(program, "run", folder / "layout.json", "-o", folder / (name + ".glb"))
+        yield name, folder / (name + ".glb")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("node", type=Path)
     parser.add_argument("--program", default="trivet")
     parser.add_argument("--seconds", type=float, default=5)
+    parser.add_argument("--own", action="store_true")
     arguments = parser.parse_args()
     print("| cabinet | joints at | true | free bodies | farthest, mm | joints | most, mm or mrad |")
     print("|---|---|---|--:|--:|--:|--:|")
@@ -69,7 +94,7 @@ def main():
         body = make()
         with tempfile.TemporaryDirectory() as work:
             folder = Path(work)
-            for name, scene in states(arguments.program, body, folder):
+            for name, scene in (own_states if arguments.own else states)(arguments.program, body, folder):
                 verdict = json.loads(run(arguments.program, "check", scene, "--json"))
                 exported = folder / name / "scene.xml"
                 exported.parent.mkdir()

@@ -48,9 +48,11 @@ Result::End outer(OperationResult::End end) {
     case OperationResult::End::Step:
       return Result::End::Step;
     case OperationResult::End::Edge:
+      return Result::End::Edge;
+    case OperationResult::End::Limit:
       break;
   }
-  return Result::End::Edge;
+  return Result::End::Limit;
 }
 
 Result outer(const OperationResult& result) {

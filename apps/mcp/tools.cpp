@@ -51,7 +51,8 @@ Tool tool(const char* name, const char* description, Json schema, bool only_tell
 std::vector<Tool> telling_tools() {
   return {
       tool("open",
-           "Open a scene: a layout or scene of Trivet, MJCF, URDF, SDF or glTF; without a file an "
+           "Open a scene: a layout or scene of Trivet, MJCF, URDF, SDF, USD or glTF; without a "
+           "file an "
            "empty room with a floor. The scene before it is left.",
            arguments_schema({{"file", text_schema("Name in the server's folder.")}}), false,
            &Workplace::open),
@@ -81,9 +82,8 @@ std::vector<Tool> telling_tools() {
 std::vector<Tool> changing_tools() {
   return {
       tool("move_joint",
-           "Open or close a drawer, door or lid of a scene in MJCF, URDF or SDF, with all in it, "
-           "until "
-           "its limit or the first contact.",
+           "Open or close a drawer, door or lid with all in it, until its limit or the first "
+           "contact.",
            arguments_schema(
                {{"joint", text_schema("Its name; `list` with what: joints.")},
                 {"to",

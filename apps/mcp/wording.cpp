@@ -78,6 +78,7 @@ std::string end_text(const std::string& ended) {
   if (ended == "reached") return "it got where it was to go";
   if (ended == "step") return "it stopped at a step that is too high";
   if (ended == "edge") return "it stopped before an edge";
+  if (ended == "limit") return "it is at its limit";
   return ended;
 }
 

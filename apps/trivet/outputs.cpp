@@ -44,6 +44,7 @@ std::string end_of(const OperationRecord& record) {
   if (r.end == End::Blocked) out += ": blocked by \"" + r.blocked_by.name + "\"";
   if (r.end == End::Step) out += ": stopped by a step, \"" + r.blocked_by.name + "\"";
   if (r.end == End::Edge) out += ": stopped at an edge";
+  if (r.end == End::Limit) out += ": stopped at its limit";
   if (r.tried && r.tried->number > 1) out += ": " + start_text(*r.tried);
   if (!r.interpenetrates.empty()) out += "; passes through " + quoted_list(r.interpenetrates);
   if (!r.gave_way.empty()) out += "; gave way: " + gave_way_text(r.gave_way);

@@ -16,7 +16,8 @@
 namespace trivet::apps {
 namespace {
 
-constexpr const char* kScenes = "files .xml, .mjcf, .urdf, .sdf, .world, .glb and .gltf";
+constexpr const char* kScenes =
+    "files .xml, .mjcf, .urdf, .sdf, .world, .usda, .usd, .glb and .gltf";
 
 struct CheckArguments {
   std::vector<std::string> files;
@@ -138,9 +139,10 @@ std::vector<Verb> add_check(CLI::App& app, const CommonOptions& common) {
       "deep, what floats, what would topple; or a layout: the objects placed "
       "from the start, then its operations");
   const auto arguments = std::make_shared<CheckArguments>();
-  verb->add_option("files", arguments->files,
-                   "Scenes (MJCF, URDF, SDF, glTF, or written by trivet), a layout, or folders of "
-                   "scenes")
+  verb->add_option(
+          "files", arguments->files,
+          "Scenes (MJCF, URDF, SDF, USD, glTF, or written by trivet), a layout, or folders of "
+          "scenes")
       ->required()
       ->type_name("SCENE...");
   verb->add_option(

@@ -9,6 +9,7 @@
 #include "core/base/extension.h"
 #include "core/base/printable.h"
 #include "core/io/atomic_file.h"
+#include "ops/files/foreign/own_joints.h"
 #include "ops/files/json/text.h"
 #include "ops/files/report/tables.h"
 #include "ops/simulation/scene_formats.h"
@@ -30,7 +31,7 @@ struct ExportArguments {
   std::string simulator;  // a program; empty: MuJoCo in this process
 };
 
-/// A scene, and its joints if it is one of another program.
+/// A scene, and its joints if it has any.
 struct SceneToExport {
   Scene scene;
   std::shared_ptr<const std::vector<SceneJoint>> joints;
@@ -60,7 +61,9 @@ SceneToExport scene_of(const ExportArguments& arguments, const CommonOptions& co
                    model_files(file.layout, folder_of(arguments.scene)));
   const double clearance = arguments.clearance > 0 ? arguments.clearance : file.clearance;
   update_contacts(file.scene, clearance, with_rules({}, file.layout.settle));
-  return {std::move(file.scene), nullptr};
+  std::vector<SceneJoint> found = joints_in(file.scene);
+  if (found.empty()) return {std::move(file.scene), nullptr};
+  return {std::move(file.scene), std::make_shared<const std::vector<SceneJoint>>(std::move(found))};
 }
 
 int export_table(const ExportArguments& arguments, const CommonOptions& common) {
@@ -247,7 +250,7 @@ std::vector<Verb> add_export(CLI::App& app, const CommonOptions& common) {
       app.add_subcommand("export", "Write a scene for a physics simulator, or as tables");
   const auto arguments = std::make_shared<ExportArguments>();
   verb->add_option("scene", arguments->scene,
-                   "A scene written by trivet, or of another program (MJCF, URDF, SDF), which "
+                   "A scene written by trivet, or of another program (MJCF, URDF, SDF, USD), which "
                    "keeps its joints")
       ->required()
       ->type_name("SCENE.glb");

@@ -9,6 +9,7 @@
 #include "core/base/quoted.h"
 #include "ops/files/foreign/repair_json.h"
 #include "ops/files/report/scene_file.h"
+#include "ops/mend/neighbours.h"
 
 namespace trivet::apps {
 namespace {
@@ -26,13 +27,21 @@ Scene scene_of(const IntentArguments& arguments, const CommonOptions& common) {
       open_scene(arguments.file, open_options(arguments.foreign, common)).judged.scene);
 }
 
-// "on "plate" 80 %, "knife" 20 %; in "tray"; sunk by 2 mm; leans".
-std::string object_text(const Scene& scene, const ObjectIntent& o) {
+std::string names_of(const Scene& scene, const std::vector<ObjectId>& ids) {
+  std::string out;
+  for (const ObjectId id : ids)
+    out += (out.empty() ? "" : ", ") + trivet::quoted(scene.at(id).name);
+  return out;
+}
+
+// "on "plate" 80 %, "knife" 20 %; in "tray"; sunk by 2 mm; leans on "cup"; beside "bowl"".
+std::string object_text(const Scene& scene, const Intent& intent, const ObjectIntent& o) {
   char text[80];
   std::string out;
   for (const IntendedSupport& s : o.on) {
     std::snprintf(text, sizeof text, " %.0f %%", 100 * s.share);
     out += (out.empty() ? "on " : ", ") + trivet::quoted(named(scene, s.on).name) + text;
+    if (s.either_way) out += " (or the other way round)";
   }
   if (out.empty()) out = "on nothing";
   if (o.inside) out += "; in " + trivet::quoted(scene.at(*o.inside).name);
@@ -41,7 +50,12 @@ std::string object_text(const Scene& scene, const ObjectIntent& o) {
                   1000 * std::abs(o.gap));
     out += text;
   }
-  if (!o.is_level) out += "; leans, or lies in a heap";
+  const IntendedNeighbours around = intended_neighbours(scene, intent, o);
+  if (!around.leans_on.empty())
+    out += "; leans on " + names_of(scene, around.leans_on);
+  else if (!o.is_level)
+    out += "; leans, or lies in a heap";
+  if (!around.beside.empty()) out += "; beside " + names_of(scene, around.beside);
   return out;
 }
 
@@ -54,7 +68,8 @@ int tell(const IntentArguments& arguments, const CommonOptions& common) {
     return 0;
   }
   for (const ObjectIntent& o : intent.objects)
-    std::cout << trivet::quoted(scene.at(o.id).name) << ": " << object_text(scene, o) << "\n";
+    std::cout << trivet::quoted(scene.at(o.id).name) << ": " << object_text(scene, intent, o)
+              << "\n";
   char text[80];
   std::snprintf(text, sizeof text, "; poses were taken to be off by %.3g mm\n",
                 1000 * intent.tolerance);
@@ -66,11 +81,12 @@ int tell(const IntentArguments& arguments, const CommonOptions& common) {
 
 std::vector<Verb> add_intent(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand("intent",
-                                            "Infer what stands on what, stands in what and leans "
-                                            "in a scene of any program, even where its "
+                                            "Infer what stands on, in and beside what, and leans "
+                                            "on it, in a scene of any program, even where its "
                                             "poses interpenetrate and float");
   const auto arguments = std::make_shared<IntentArguments>();
-  verb->add_option("file", arguments->file, "A scene: MJCF, URDF, SDF, glTF, or written by trivet")
+  verb->add_option("file", arguments->file,
+                   "A scene: MJCF, URDF, SDF, USD, glTF, or written by trivet")
       ->required()
       ->type_name("SCENE");
   verb->add_option("--tolerance", arguments->tolerance,

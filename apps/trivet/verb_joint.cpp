@@ -9,7 +9,9 @@
 #include "core/base/error.h"
 #include "core/base/quoted.h"
 #include "ops/files/foreign/joint_moves.h"
+#include "ops/files/foreign/own_joints.h"
 #include "ops/files/foreign/repair_json.h"
+#include "ops/files/report/scene_file.h"
 
 namespace trivet::apps {
 namespace {
@@ -37,9 +39,9 @@ std::string value_text(const JointToMove& joint) {
   return out;
 }
 
-int list_joints(const OpenedScene& opened, const CommonOptions& common) {
-  const Scene& scene = opened.judged.scene;
-  for (const SceneJoint& joint : opened.joints) {
+int list_joints(const std::string& path, const Scene& scene, const std::vector<SceneJoint>& joints,
+                const CommonOptions& common) {
+  for (const SceneJoint& joint : joints) {
     if (common.json)
       std::cout << joint_json(scene, joint).dump() << "\n";
     else
@@ -47,8 +49,8 @@ int list_joints(const OpenedScene& opened, const CommonOptions& common) {
                 << trivet::quoted(scene.at(joint.links[0]).name) << ", at " << value_text(joint)
                 << (joint.held.empty() ? "" : "; held: " + in_english(joint.held)) << "\n";
   }
-  if (opened.joints.empty() && !common.json && !common.quiet)
-    std::cout << opened.path << ": no slides and hinges were read\n";
+  if (joints.empty() && !common.json && !common.quiet)
+    std::cout << path << ": no slides and hinges were read\n";
   return 0;
 }
 
@@ -89,12 +91,22 @@ void tell_move(const OpenedScene& opened, const SceneJoint& joint, const JointMo
   }
 }
 
-int move(const JointArguments& arguments, const CommonOptions& common) {
-  if (!is_of_others(arguments.file))
+// Joints of a scene of Trivet's are listed alone: to move one is an operation.
+int list_own_joints(const JointArguments& arguments, const CommonOptions& common) {
+  if (!arguments.joint.empty())
     throw Error(Error::Kind::BadInput,
-                "%1: is not a scene of another program; accepted: MJCF, URDF, SDF", arguments.file);
+                "%1: is not a scene of another program; accepted: MJCF, URDF, SDF, USD, and for "
+                "scenes of Trivet the verb move-joint",
+                arguments.file);
+  const SceneFile file = read_scene_file(arguments.file, common.limits());
+  return list_joints(arguments.file, file.scene, joints_in(file.scene), common);
+}
+
+int move(const JointArguments& arguments, const CommonOptions& common) {
+  if (!is_of_others(arguments.file)) return list_own_joints(arguments, common);
   OpenedScene opened = open_scene(arguments.file, open_options(arguments.foreign, common));
-  if (arguments.joint.empty()) return list_joints(opened, common);
+  if (arguments.joint.empty())
+    return list_joints(opened.path, opened.judged.scene, opened.joints, common);
   SceneJoint& joint = joint_named(opened, arguments.joint);
   const std::unique_ptr<Detector> detector = make_detector(common);
   const RunOptions options = run_options(common, arguments.settle, detector.get());
@@ -111,12 +123,12 @@ int move(const JointArguments& arguments, const CommonOptions& common) {
 }  // namespace
 
 std::vector<Verb> add_joint(CLI::App& app, const CommonOptions& common) {
-  CLI::App* const verb = app.add_subcommand(
-      "joint",
-      "List the joints of a scene in MJCF, URDF or SDF, or open and close one, with all that "
-      "lies in and on it, until it meets something");
+  CLI::App* const verb = app.add_subcommand("joint",
+                                            "List the joints of a scene, or open and close one of "
+                                            "a scene in MJCF, URDF, SDF or USD, with "
+                                            "all that lies in and on it, until it meets something");
   const auto arguments = std::make_shared<JointArguments>();
-  verb->add_option("file", arguments->file, "A scene in MJCF, URDF or SDF")
+  verb->add_option("file", arguments->file, "A scene in MJCF, URDF, SDF or USD, or of Trivet")
       ->required()
       ->type_name("SCENE");
   verb->add_option("joint", arguments->joint, "Name of the joint; without it all are listed")

@@ -30,6 +30,9 @@ const OperationVerb kOperationVerbs[] = {
     {"rotate",
      "trivet rotate scene.glb mug --axis 0 0 1 --angle-deg 45 -o turned.glb\n"
      "trivet rotate scene.glb mug --axis 0 0 1 --angle-deg -90 --centre 0.1 0 0 -o turned.glb\n"},
+    {"move_joint",
+     "trivet move-joint kitchen.glb drawer --until upper -o open.glb\n"
+     "trivet move-joint kitchen.glb door --to 45 -o ajar.glb\n"},
     {"fix",
      "trivet fix scene.glb mug -o fixed.glb\n"
      "trivet fix scene.glb mug -o fixed.glb --report fixed.json\n"},

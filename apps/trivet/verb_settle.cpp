@@ -100,7 +100,7 @@ int repair_file(RepairArguments& arguments, bool mends, const CommonOptions& com
   if (!is_layout && lower_extension(arguments.file) != ".glb" && !is_of_others(arguments.file))
     throw Error(
         Error::Kind::BadInput,
-        "%1: is no scene; accepted: MJCF, URDF, SDF, glTF, .glb written by trivet, a layout",
+        "%1: is no scene; accepted: MJCF, URDF, SDF, USD, glTF, .glb written by trivet, a layout",
         arguments.file);
   if (is_layout || !is_of_others(arguments.file)) {
     if (arguments.how.seconds > 0) arguments.settle.operation_seconds = arguments.how.seconds;
@@ -120,7 +120,7 @@ int repair_file(RepairArguments& arguments, bool mends, const CommonOptions& com
 
 void add_repair_options(CLI::App& verb, RepairArguments& arguments) {
   verb.add_option("file", arguments.file,
-                  "A scene: MJCF, URDF, SDF, glTF, or written by trivet; or a layout")
+                  "A scene: MJCF, URDF, SDF, USD, glTF, or written by trivet; or a layout")
       ->required()
       ->type_name("SCENE");
   verb.add_option("-o,--output", arguments.out,

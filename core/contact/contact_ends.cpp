@@ -11,9 +11,8 @@ namespace {
 
 constexpr double kNoDirection = 1e-13;  // distance, of the coordinates, that has no direction
 
-const auto features_of_end = [](const auto& end) {
-  return std::tie(end.kind, end.on_object, end.on_support);
-};
+// A template, as the class keeps the type of ends to itself.
+auto features_of_end(const auto& end) { return std::tie(end.kind, end.on_object, end.on_support); }
 
 }  // namespace
 
@@ -52,12 +51,14 @@ std::optional<Vec3> ContactEnds::foot(const Vec3& x, const ContactFace& face, in
 
 // One of the surfaces comes nearer beside: the other is not where they are nearest.
 bool ContactEnds::dips(const End& end, const Vec3& normal) const {
-  const bool object_dips = end.kind == End::Kind::EdgeVertex
-                               ? edge_dips(m_object, end.on_object, end.p, normal)
-                               : vertex_dips(m_object, end.on_object, end.p, normal);
+  const bool object_dips =
+      end.kind == End::Kind::EdgeVertex
+          ? edge_dips_near_ends(m_object, end.on_object, end.p, normal, m_slack)
+          : vertex_dips(m_object, end.on_object, end.p, normal);
   if (object_dips) return true;
-  return end.kind == End::Kind::VertexEdge ? edge_dips(m_support, end.on_support, end.q, -normal)
-                                           : vertex_dips(m_support, end.on_support, end.q, -normal);
+  return end.kind == End::Kind::VertexEdge
+             ? edge_dips_near_ends(m_support, end.on_support, end.q, -normal, m_slack)
+             : vertex_dips(m_support, end.on_support, end.q, -normal);
 }
 
 std::vector<ContactPoint> ContactEnds::points() {

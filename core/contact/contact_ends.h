@@ -14,8 +14,13 @@ namespace trivet {
 class ContactEnds {
  public:
   /// Keeps references. @param reach  `tolerance` with the rounding of boxes.
-  ContactEnds(const Body& object, const Body& support, double tolerance, double reach)
-      : m_object(object), m_support(support), m_tolerance(tolerance), m_reach(reach) {}
+  /// @param slack  as of contact_points().
+  ContactEnds(const Body& object, const Body& support, double tolerance, double reach, double slack)
+      : m_object(object),
+        m_support(support),
+        m_tolerance(tolerance),
+        m_reach(reach),
+        m_slack(slack) {}
 
   /// A vertex of the object beside a face of the support: near an edge of it, or a corner.
   void add_vertex(const Vec3& p, Index vertex, Index face_a, const ContactFace& b,
@@ -41,7 +46,7 @@ class ContactEnds {
   bool dips(const End& end, const Vec3& normal) const;
 
   const Body &m_object, &m_support;
-  double m_tolerance, m_reach;
+  double m_tolerance, m_reach, m_slack;
   std::vector<End> m_ends;
 };
 

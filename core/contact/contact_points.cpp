@@ -7,24 +7,18 @@
 #include <utility>
 
 #include "core/base/tunables.h"
-#include "core/contact/contact_ends.h"
 #include "core/contact/contact_face.h"
 #include "core/contact/contact_memory.h"
-#include "core/contact/dips.h"
-#include "core/contact/flush_faces.h"
+#include "core/contact/feature_contacts.h"
 #include "core/contact/leaf_faces.h"
 #include "core/contact/node_gaps.h"
-#include "core/contact/pair_numbers.h"
 #include "core/contact/recent_nodes.h"
-#include "core/contact/triangle_distance.h"
 
 namespace trivet {
 namespace {
 
-constexpr double kParallelSine = 1e-6;  // edges closer to parallel than this do not cross
 // Nodes are compared as they are: of the two bodies, the object is the one that could move.
 const Motion kAtRest = Motion::translation(Vec3::Zero(), 0);
-// Tolerances: a foot may be beside a face, by kFootSlope of its height.
 constexpr double kFar = 1.01;
 
 auto features_of(const ContactPoint& c) {
@@ -108,13 +102,11 @@ class ContactSearch {
       : m_object(object),
         m_support(support),
         m_tolerance(tolerance),
-        m_slack(slack),
-        m_flush(object, support, tolerance, slack),
         m_frames(object, support),
         m_object_nodes(m_frames.moving_nodes(object, kAtRest)),
         m_support_nodes(m_frames.fixed_nodes(support, kAtRest)),
         m_reach(tolerance * 1.001 + 1e-14 * m_frames.origin_of_moving.cwiseAbs().maxCoeff()),
-        m_ends(object, support, tolerance, m_reach) {}
+        m_features(object, support, tolerance, m_reach, slack) {}
 
   std::vector<ContactPoint> run() {
     if (!m_object.shape->has_faces() || !m_support.shape->has_faces()) return {};
@@ -122,16 +114,12 @@ class ContactSearch {
     // farthest corners bound it.
     m_node_reach = m_reach + 1e-14 * (farthest(node_a(0)) + farthest(node_b(0)));
     visit(0, 0);
-    std::vector<ContactPoint> points = first_of_each(m_found);
+    std::vector<ContactPoint> points = first_of_each(m_features.found());
     // Ends of edges and corners of flush overlaps count where nothing else does.
-    std::vector<ContactPoint> more = m_ends.points();
-    for (const ContactPoint& p : m_flush.corners()) more.push_back(p);
-    append_elsewhere(more, m_tolerance, points);
+    append_elsewhere(m_features.ends_and_corners(), m_tolerance, points);
     if (!points.empty()) return points;
     // Without a feature that faces the other one, the closest points of near faces have to do.
-    m_closest_only = true;
-    visit(0, 0);
-    return first_of_each(m_found);
+    return first_of_each(m_features.closest_points());
   }
 
  private:
@@ -176,7 +164,7 @@ class ContactSearch {
         // The cheap test with the faces' own planes rejects most pairs whose boxes overlap.
         const PlainFace fa(a.corners[i]), fb(b.corners[j]);
         if (is_separated_by(fb, a.corners[i]) || is_separated_by(fa, b.corners[j])) continue;
-        try_faces(ContactFace(fa), a.face[i], ContactFace(fb), b.face[j]);
+        m_features.add(ContactFace(fa), a.face[i], ContactFace(fb), b.face[j]);
       }
   }
 
@@ -196,109 +184,16 @@ class ContactSearch {
     return gap > 0 && gap * gap > far * far * m_plane.squaredNorm();
   }
 
-  void try_faces(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b) {
-    if (b.separates(a.corners, m_tolerance) || a.separates(b.corners, m_tolerance)) return;
-    if (m_closest_only) return try_closest(a.corners, face_a, b.corners, face_b);
-    const Index3 &va = m_object.shape->mesh.triangles[face_a],
-                 &vb = m_support.shape->mesh.triangles[face_b];
-    // Six vertices go against the other face; those with a foot outside may still be ends of edges.
-    const Index3 &ea = m_object.shape->adjacency.face_edges[face_a],
-                 &eb = m_support.shape->adjacency.face_edges[face_b];
-    for (int k = 0; k < 3; ++k) {
-      if (!b.valid || !try_vertex_face(a.corners[k], va[k], b, face_b))
-        m_ends.add_vertex(a.corners[k], va[k], face_a, b, vb, eb, face_b);
-      if (!a.valid || !try_face_vertex(b.corners[k], vb[k], a, face_a))
-        m_ends.add_support_vertex(a, ea, face_a, b.corners[k], vb[k], face_b);
-    }
-    // Nine pairs of edges are left, of which most are told apart by their boxes.
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (ea[i] >= 0 && eb[j] >= 0 && overlaps(a.edge_box[i], b.edge_box[j], m_reach))
-          try_edges(a, i, ea[i], b, j, eb[j]);
-    // Flat overlaps, which rounding hides from vertices and edges, are collected apart.
-    m_flush.add(a, face_a, b, face_b);
-  }
-
-  // Distance by which a foot may lie past the end of a feature: small against the height, as the
-  // direction between the surfaces changes there.
-  double slack_at(double height) const { return std::min(m_slack, kFootSlope * height); }
-
-  // @return whether the foot is on the face, or was.
-  bool try_vertex_face(const Vec3& p, Index vertex, const ContactFace& b, Index face) {
-    const double height = b.normal.dot(p - b.corners[0]);
-    // A vertex belongs to several faces, and is tried once against each face of the other body.
-    if (std::abs(height) > m_tolerance || !m_tried_vertices.insert(vertex, face)) return true;
-    if (!b.is_below(p, slack_at(std::abs(height)))) return false;
-    const Vec3 normal = height < 0 ? Vec3(-b.normal) : b.normal;
-    // A vertex from which its own body goes on downwards is not the one that rests.
-    if (!vertex_dips(m_object, vertex, p, normal))
-      m_found.push_back({p, normal, std::abs(height), ContactFeatures::VertexFace, vertex, face});
-    return true;
-  }
-
-  bool try_face_vertex(const Vec3& q, Index vertex, const ContactFace& a, Index face) {
-    const double height = a.normal.dot(q - a.corners[0]);
-    if (std::abs(height) > m_tolerance || !m_tried_faces.insert(face, vertex)) return true;
-    if (!a.is_below(q, slack_at(std::abs(height)))) return false;
-    const Vec3 normal = height > 0 ? Vec3(-a.normal) : a.normal;
-    if (!vertex_dips(m_support, vertex, q, -normal))
-      m_found.push_back({q, normal, std::abs(height), ContactFeatures::FaceVertex, face, vertex});
-    return true;
-  }
-
-  bool past_end(double s, const Vec3& edge, double height) const {
-    // The ends of an edge may be passed by as much as a foot may lie beside a face.
-    if (s >= 0 && s <= 1) return false;
-    const double slack = slack_at(height) / edge.norm();
-    return s < -slack || s > 1 + slack;
-  }
-
-  void try_edges(const ContactFace& a, int i, Index edge_a, const ContactFace& b, int j,
-                 Index edge_b) {
-    const Vec3 &u = a.edge[i], &v = b.edge[j];
-    // Two skew lines are as far apart as the offset's part along their common normal.
-    const Vec3 n = u.cross(v), r = b.corners[j] - a.corners[i];
-    const double squared = n.squaredNorm(), along = n.dot(r);
-    if (along * along > 1.001 * m_tolerance * m_tolerance * squared) return;  // too far, no root
-    const double length_n = std::sqrt(squared);
-    if (length_n <= kParallelSine * u.norm() * v.norm()) return;
-    const Vec3 unit = n / length_n;
-    const double height = -unit.dot(r);  // of a over b
-    if (std::abs(height) > m_tolerance) return;
-    // The feet of the common perpendicular have to lie on both edges.
-    const double s = r.cross(v).dot(unit) / length_n;
-    if (past_end(s, u, std::abs(height))) return;
-    const double t = r.cross(u).dot(unit) / length_n;
-    if (past_end(t, v, std::abs(height))) return;
-    const Vec3 pa = a.corners[i] + s * u, pb = b.corners[j] + t * v;
-    const Vec3 normal = height < 0 ? Vec3(-unit) : unit;
-    if (edge_dips(m_object, edge_a, pa, normal) || edge_dips(m_support, edge_b, pb, -normal))
-      return;
-    m_found.push_back(
-        {0.5 * (pa + pb), normal, std::abs(height), ContactFeatures::EdgeEdge, edge_a, edge_b});
-  }
-
-  void try_closest(const Triangle& a, Index face_a, const Triangle& b, Index face_b) {
-    const ClosestPoints c = closest_points(a, b);
-    if (c.distance > m_tolerance || c.distance == 0) return;
-    m_found.push_back({c.point_b, (c.point_a - c.point_b) / c.distance, c.distance,
-                       ContactFeatures::ClosestPoints, face_a, face_b});
-  }
-
   const Body &m_object, &m_support;
-  double m_tolerance, m_slack;
+  double m_tolerance;
   double m_node_reach = 0;  // with the rounding of nodes
-  FlushFaces m_flush;
   PairFrames m_frames;
   NodePlacer m_object_nodes, m_support_nodes;
   double m_reach;
-  ContactEnds m_ends;
+  FeatureContacts m_features;
   SearchMemory& m_memory = memory_of_thread<SearchMemory>();
   const std::uint64_t m_search = new_search();
-  std::vector<ContactPoint> m_found;
-  bool m_closest_only = false;
-  Vec3 m_plane = Vec3::Zero();                  // normal of one that separated faces, of any length
-  PairNumbers m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
+  Vec3 m_plane = Vec3::Zero();  // normal of one that separated faces, of any length
 };
 
 void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index node, double tolerance,

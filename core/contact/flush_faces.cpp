@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -45,6 +46,14 @@ std::vector<Vec3> overlap(const ContactFace& top, const ContactFace& base) {
   for (int k = 0; k < 3 && !clipped.corners().empty(); ++k)
     clipped.cut(base.corners[k], base.edge[k].cross(base.normal));
   return clipped.corners();
+}
+
+// The area of a plane polygon.
+double area_of(const std::vector<Vec3>& corners) {
+  Vec3 twice = Vec3::Zero();
+  for (size_t i = 2; i < corners.size(); ++i)
+    twice += (corners[i - 1] - corners[0]).cross(corners[i] - corners[0]);
+  return 0.5 * twice.norm();
 }
 
 bool face_dips(const Body& body, Index face, const Vec3& p, const Vec3& up) {
@@ -142,8 +151,9 @@ void FlushFaces::add(const ContactFace& a, Index face_a, const ContactFace& b, I
   const bool facing = a.normal.dot(b.normal) < 0 && height >= -rounding;
   const Vec3 up = facing || height > 0 ? base.normal : Vec3(-base.normal);
   const Vec3 normal = over_b ? up : Vec3(-up);
-  // Faces that look away from each other, or that are not oriented, count only where nothing
-  // of their bodies is between them.
+  // Faces that look away from each other, or that are not oriented, count only where they overlap
+  // in more than a line, and nothing of their bodies is between them.
+  if (!facing && area_of(corners) <= m_slack * std::sqrt(top.longest_squared())) return;
   if (!facing && (face_dips(m_object, face_a, a.corners[0], normal) ||
                   face_dips(m_support, face_b, b.corners[0], -normal)))
     return;
@@ -191,6 +201,7 @@ void FlushFaces::append_hull(std::span<const Member> patch, std::vector<ContactP
       flat.emplace_back(Vec2(u.dot(d), v.dot(d)), i);
     }
   std::vector<Vec2> places;
+  places.reserve(flat.size());
   for (const auto& [place, i] : flat) places.push_back(place);
   const auto less = [](const auto& x, const auto& y) {
     return std::make_tuple(x.first.x(), x.first.y(), x.second) <

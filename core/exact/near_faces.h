@@ -11,6 +11,13 @@ BoxFrame box_frame(const PlacedShape& placed);
 
 Triangle world_triangle(const PlacedShape& placed, Index face);
 
+/// The box of a face, in its object's frame.
+inline Aabb face_box(const PlacedShape& placed, Index face) {
+  Aabb out;
+  for (const Vec3& p : placed.shape->mesh.triangle(face)) out.extend(p);
+  return out;
+}
+
 /// Calls visit(face of a, face of b) -> bool for all pairs at most `distance` (metres) apart, and
 /// for some farther ones, until it returns false.
 template <class Visit>
@@ -23,9 +30,14 @@ void visit_near_faces(const PlacedShape& a, const PlacedShape& b, double distanc
   frame_a.slack += distance;
   const SeparatingAxes axes(frame_a, box_frame(b));
   visit_near_leaves(tree_a, tree_b, axes, [&](const BvhNode& x, const BvhNode& y) {
-    for (Index i = x.second_child; i < x.second_child + x.num_faces; ++i)
+    for (Index i = x.second_child; i < x.second_child + x.num_faces; ++i) {
+      // Leaves may be near although most of their faces are not.
+      const Aabb box = face_box(a, tree_a.faces[i]);
       for (Index j = y.second_child; j < y.second_child + y.num_faces; ++j)
-        if (!visit(tree_a.faces[i], tree_b.faces[j])) return false;
+        if (!axes.separate(box, face_box(b, tree_b.faces[j])) &&
+            !visit(tree_a.faces[i], tree_b.faces[j]))
+          return false;
+    }
     return true;
   });
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/flex/hinges.h"
+
 namespace trivet::flex {
 namespace {
 
@@ -102,41 +104,6 @@ void add_bending(Body& body, const Grid& grid) {
                                 grid.vertex(i + 1, j + 1)},
                                {1, -1, -1, 1},
                                2 * m.twist * m.bending / (du * dv)});
-}
-
-double cotangent(const Vec3& u, const Vec3& v) { return u.dot(v) / u.cross(v).norm(); }
-
-// The hinge between two faces [Bergou 2006, table 1]: bending energy as the square of the
-// Laplacian, with natural boundaries.
-void add_hinge(Body& body, const Points& x, const std::array<int, 2>& edge, int left, int right,
-               double area) {
-  const Vec3 &a = x[edge[0]], &b = x[edge[1]], &p = x[left], &q = x[right];
-  // Cotangents of the angles at the edge make the discrete Laplacian of the two faces.
-  const double at_a_p = cotangent(b - a, p - a), at_b_p = cotangent(a - b, p - b);
-  const double at_a_q = cotangent(b - a, q - a), at_b_q = cotangent(a - b, q - b);
-  const std::array<double, 4> factors{at_b_p + at_b_q, at_a_p + at_a_q, -(at_a_p + at_b_p),
-                                      -(at_a_q + at_b_q)};
-  body.stencils.push_back(
-      {4, {edge[0], edge[1], left, right}, factors, body.material.bending * 3 / area});
-}
-
-void add_hinges(Body& body, const Points& x) {
-  // An edge with one face is a rim, and bends freely.
-  std::vector<std::array<int, 2>> faces_of(body.edges.size(), {-1, -1});
-  for (size_t f = 0; f < body.faces.size(); ++f)
-    for (const int edge : body.face_edges[f])
-      faces_of[edge][faces_of[edge][0] >= 0] = static_cast<int>(f);
-  const auto opposite = [&](int face, const std::array<int, 2>& edge) {
-    for (const int v : body.faces[face])
-      if (v != edge[0] && v != edge[1]) return v;
-    return -1;
-  };
-  for (size_t e = 0; e < body.edges.size(); ++e) {
-    const auto [f, g] = faces_of[e];
-    if (g < 0) continue;
-    add_hinge(body, x, body.edges[e], opposite(f, body.edges[e]), opposite(g, body.edges[e]),
-              body.face_area[f] + body.face_area[g]);
-  }
 }
 
 }  // namespace

@@ -29,6 +29,20 @@ struct Stencil {
   double stiffness;
 };
 
+/// An inner edge of a mesh: 2 sin(angle / 2) of its faces' normals, positive if they turn apart.
+struct Hinge {
+  std::array<int, 4> vertices;  // the edge's ends, the third corner of the face on its left, and of
+                                // that on its right
+  double rest;                  // at rest
+};
+
+/// Bending of a face: half the sum of stiffness x the departures from rest of its hinges i and j.
+struct HingedFace {
+  int count = 0;
+  std::array<int, 3> hinges{};
+  double stiffness[3][3] = {};
+};
+
 /// Tension of a segment of a cable: stiffness / 2 (length - rest)^2.
 struct Spring {
   int a, b;
@@ -48,6 +62,8 @@ struct Body {
   std::vector<Membrane> membranes;
   std::vector<Stencil> stencils;
   std::vector<Spring> springs;
+  std::vector<Hinge> hinges;
+  std::vector<HingedFace> hinged_faces;
   double cell = 0;  // shortest edge at rest, m
 
   size_t size() const { return mass.size(); }
@@ -70,8 +86,9 @@ struct Grid {
 Body make_sheet(const Grid& grid, const FlexMaterial& material);
 /// @param length  at rest, metres.
 Body make_cable(int num_segments, double length, const FlexMaterial& material);
-/// An open mesh that is at rest as it is: its membrane is isotropic, and its bending that of hinges
-/// [Bergou 2006], which resists departures from flatness.
+/// An open mesh that is at rest as it is, curled or flat: its membrane is isotropic, and its
+/// bending that of the shape operator of each face [Grinspun 2006], which resists departures from
+/// rest.
 /// @param faces  of different corners, at most two at an edge.
 Body make_mesh(const Points& rest, std::vector<std::array<int, 3>> faces,
                const FlexMaterial& material);

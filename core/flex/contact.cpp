@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <tuple>
 
+#include "core/base/in_parallel.h"
 #include "core/flex/barrier.h"
 
 namespace trivet::flex {
@@ -13,6 +15,9 @@ constexpr double kNearlyParallel =
     1e-3;  // squared sine of the angle from which edges count as parallel
 // Force at half the layer over stiffness x layer: 1 / (2 ln 2 + 1 / 2) of Barrier::first / 2.
 constexpr double kHalfway = 1.19;
+// Near pairs are searched again when a vertex has gone so far.
+constexpr double kSlackLayers = 2, kSlackCells = 0.05;
+constexpr size_t kPairsTogether = 1024;  // of which one thread finds the distances
 
 std::tuple<PairKind, int, int> key(const NearPair& pair) { return {pair.kind, pair.a, pair.b}; }
 
@@ -26,7 +31,9 @@ Contact::Contact(Surroundings& surroundings, const ContactOptions& options)
     : m_surroundings(surroundings),
       m_options(options),
       m_stiffness(options.pressure * surroundings.body().pressure() / (kHalfway * options.layer)),
-      m_slack(std::max(2 * options.layer, 0.05 * surroundings.body().cell)) {}
+      m_list(surroundings, distance_outside() + options.layer,
+             surroundings.body().material.thickness + options.layer,
+             std::max(kSlackLayers * options.layer, kSlackCells * surroundings.body().cell)) {}
 
 double Contact::offset(const NearPair& pair) const {
   // Obstacles are met at half the thickness, the body itself at the whole one, or less where it
@@ -48,7 +55,6 @@ void Contact::keep_distances_of(const Points& x) {
   std::vector<NearPair> near;
   m_surroundings.find(boxes, 0, reach, near);
   m_kept.clear();
-  m_gathered_at.clear();
   for (const NearPair& pair : near) {
     if (!pair.is_own()) continue;
     const double distance = m_surroundings.points(pair, x).distance;
@@ -56,26 +62,6 @@ void Contact::keep_distances_of(const Points& x) {
   }
   std::sort(m_kept.begin(), m_kept.end(),
             [](const Kept& a, const Kept& b) { return key(a.pair) < key(b.pair); });
-}
-
-bool Contact::holds(const Points& x) const {
-  if (m_gathered_at.size() != x.size()) return false;
-  // The list holds while no vertex has gone farther than half the slack: two that approach take
-  // half each.
-  for (size_t v = 0; v < x.size(); ++v)
-    if ((x[v] - m_gathered_at[v]).squaredNorm() > m_slack * m_slack / 4) return false;
-  return true;
-}
-
-void Contact::gather(const Points& x) {
-  // Candidates reach farther than the layer by the slack, so that many steps need no new search.
-  m_gathered_at = x;
-  m_candidates.clear();
-  std::vector<Aabb> boxes(x.size());
-  for (size_t v = 0; v < x.size(); ++v) boxes[v].extend(x[v]);
-  m_surroundings.find(boxes, distance_outside() + m_options.layer + m_slack / 2,
-                      m_surroundings.body().material.thickness + m_options.layer + m_slack,
-                      m_candidates);
 }
 
 // Always of the flexible side: fine faces of obstacles must not weaken it.
@@ -108,22 +94,37 @@ Mollifier Contact::mollifier(const ContactPair& of) const {
   return {c / limit * (2 - c / limit), 2 / limit * (1 - c / limit), -2 / (limit * limit)};
 }
 
+// @return false if its gap is gone: the step was not safe.
+bool Contact::add_pair(const Points& x, const NearPair& near, std::vector<ContactPair>& out) const {
+  ContactPair pair{near, m_surroundings.points(near, x), {}};
+  pair.offset = offset(near);
+  pair.gap = pair.points.distance - pair.offset;
+  if (!(pair.gap > 0)) return false;
+  if (pair.gap >= m_options.layer) return true;
+  pair.stiffness = m_stiffness * area(near);
+  pair.mollifier = mollifier(pair);
+  if (pair.mollifier.value > 0) out.push_back(pair);
+  return true;
+}
+
 bool Contact::find(const Points& x, std::vector<ContactPair>& out) {
-  if (!holds(x)) gather(x);
+  std::vector<Aabb> boxes(x.size());
+  for (size_t v = 0; v < x.size(); ++v) boxes[v].extend(x[v]);
   out.clear();
   // A hostile mesh may have all pairs near; the caller then gives up.
-  if (m_candidates.size() > kMostPairs) return false;
-  for (const NearPair& near : m_candidates) {
-    ContactPair pair{near, m_surroundings.points(near, x), {}};
-    pair.offset = offset(near);
-    pair.gap = pair.points.distance - pair.offset;
-    // A gap that is gone means that the step was not safe.
-    if (!(pair.gap > 0)) return false;
-    if (pair.gap >= m_options.layer) continue;
-    pair.stiffness = m_stiffness * area(near);
-    pair.mollifier = mollifier(pair);
-    if (pair.mollifier.value > 0) out.push_back(pair);
-  }
+  const std::vector<NearPair>* const pairs = near(x, boxes);
+  if (!pairs) return false;
+  // Each piece has a list of its own; they are joined in order.
+  const size_t pieces = (pairs->size() + kPairsTogether - 1) / kPairsTogether;
+  std::vector<std::vector<ContactPair>> found(pieces);
+  std::atomic<bool> is_clear = true;
+  in_parallel(pieces, [&](size_t piece) {
+    const size_t first = piece * kPairsTogether;
+    for (size_t i = first; i < std::min(first + kPairsTogether, pairs->size()) && is_clear; ++i)
+      if (!add_pair(x, (*pairs)[i], found[piece])) is_clear = false;
+  });
+  if (!is_clear) return false;
+  for (const auto& piece : found) out.insert(out.end(), piece.begin(), piece.end());
   return true;
 }
 

@@ -1,7 +1,7 @@
 // Contact of a flexible body: all pairs within a layer around it, and their energy.
 #pragma once
 
-#include "core/flex/near_pairs.h"
+#include "core/flex/near_list.h"
 #include "core/flex/total.h"
 
 namespace trivet::flex {
@@ -29,7 +29,7 @@ struct ContactOptions {
   double pressure = 500;  // weights per area at half the layer: cups' rims need so many
 };
 
-/// Finds pairs, with a list of candidates that holds while no vertex has moved far.
+/// Finds pairs, by a list of those that are near.
 class Contact {
  public:
   Contact(Surroundings& surroundings, const ContactOptions& options);
@@ -39,6 +39,10 @@ class Contact {
   /// Distance at which the two meet: the thickness, or less for what began nearer.
   double offset(const NearPair& pair) const;
 
+  /// All pairs that may come into the layer while each vertex stays in its box; null: too many.
+  const std::vector<NearPair>* near(const Points& x, std::span<const Aabb> boxes) {
+    return m_list.within(x, boxes);
+  }
   /// Pairs of the body with itself that are nearer than its thickness keep half of their distance
   /// from now on.
   void keep_distances_of(const Points& x);
@@ -50,17 +54,14 @@ class Contact {
   double energy(const std::vector<ContactPair>& pairs, Total& total) const;
 
  private:
-  bool holds(const Points& x) const;
-  void gather(const Points& x);
   double area(const NearPair& pair) const;
   Mollifier mollifier(const ContactPair& pair) const;
+  bool add_pair(const Points& x, const NearPair& near, std::vector<ContactPair>& out) const;
 
   Surroundings& m_surroundings;
   ContactOptions m_options;
   double m_stiffness;  // N/m per area
-  double m_slack;
-  std::vector<NearPair> m_candidates;
-  Points m_gathered_at;
+  NearList m_list;
   struct Kept {
     NearPair pair;
     double distance;

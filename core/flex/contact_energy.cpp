@@ -110,7 +110,7 @@ Mat3 turned(const PairPoints& p, int end, int other) {
   return out;
 }
 
-void add_positive(const ContactPair& pair, const Barrier& barrier, BlockMatrix& hessian) {
+void add_positive(const ContactPair& pair, const Barrier& barrier, const Total& total) {
   const PairPoints& p = pair.points;
   // The barrier is convex along the normal; what it adds across the normal is negative, and left
   // out.
@@ -118,16 +118,16 @@ void add_positive(const ContactPair& pair, const Barrier& barrier, BlockMatrix& 
   const Mat3 along = outer(n, n) * (pair.stiffness * pair.mollifier.value * barrier.second);
   for (int i = 0; i < p.count; ++i)
     for (int j = 0; j < p.count; ++j)
-      hessian.add(p.vertices[i], p.vertices[j], along * (p.weights[i] * p.weights[j]));
+      total.add(p.vertices[i], p.vertices[j], along * (p.weights[i] * p.weights[j]));
   // A whole mollifier has no derivatives.
   if (pair.mollifier.value == 1) return;
   const double factor = 2 * pair.stiffness * barrier.value * pair.mollifier.first;
   for (int i = 0; i < p.count; ++i)
     for (int j = 0; j < p.count; ++j)
-      hessian.add(p.vertices[i], p.vertices[j], turned(p, i, j) * factor);
+      total.add(p.vertices[i], p.vertices[j], turned(p, i, j) * factor);
 }
 
-void add_exact(const ContactPair& pair, const Barrier& barrier, BlockMatrix& hessian) {
+void add_exact(const ContactPair& pair, const Barrier& barrier, const Total& total) {
   const PairPoints& p = pair.points;
   const Mollifier& m = pair.mollifier;
   // The chain rule over distance and mollifier gives all second derivatives, signs included.
@@ -144,7 +144,7 @@ void add_exact(const ContactPair& pair, const Barrier& barrier, BlockMatrix& hes
   }
   for (int i = 0; i < p.count; ++i)
     for (int j = 0; j < p.count; ++j)
-      hessian.add(p.vertices[i], p.vertices[j], all.block<3, 3>(3 * i, 3 * j) * pair.stiffness);
+      total.add(p.vertices[i], p.vertices[j], all.block<3, 3>(3 * i, 3 * j) * pair.stiffness);
 }
 
 void add_gradient(const ContactPair& pair, const Barrier& barrier, const Total& total) {
@@ -162,15 +162,17 @@ void add_gradient(const ContactPair& pair, const Barrier& barrier, const Total& 
 double Contact::energy(const std::vector<ContactPair>& pairs, Total& total) const {
   double sum = 0;
   for (const ContactPair& pair : pairs) {
+    const auto& vertices = pair.points.vertices;
+    if (!total.has_any(vertices, pair.points.count)) continue;
     const Barrier barrier(pair.gap, m_options.layer);
     // Inside the layer each pair adds its barrier; a pair at the border adds nothing.
-    sum += pair.stiffness * pair.mollifier.value * barrier.value;
+    sum += total.energy_of(vertices[0], pair.stiffness * pair.mollifier.value * barrier.value);
     if (total.gradient) add_gradient(pair, barrier, total);
     if (!total.hessian) continue;
     if (total.curvature == Curvature::Positive)
-      add_positive(pair, barrier, *total.hessian);
+      add_positive(pair, barrier, total);
     else
-      add_exact(pair, barrier, *total.hessian);
+      add_exact(pair, barrier, total);
   }
   return sum;
 }

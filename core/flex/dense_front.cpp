@@ -112,24 +112,21 @@ bool factor_front(double* a, int size, int num_own, const DenseKernels& kernels)
   return true;
 }
 
-void solve_forward(const double* a, int size, int num_own, double* x, double* below) {
+void solve_forward(const double* a, int size, int num_own, double* x, const DenseKernels& kernels) {
   // Columns go from the first to the last: each is solved before it is taken off those below.
   for (int k = 0; k < num_own; ++k) {
     const double* const column = a + static_cast<size_t>(k) * size;
     x[k] /= column[k];
-    for (int i = k + 1; i < num_own; ++i) x[i] -= column[i] * x[k];
-    for (int i = num_own; i < size; ++i) below[i - num_own] -= column[i] * x[k];
+    kernels.subtract(x + k + 1, column + k + 1, x[k], size - k - 1);
   }
 }
 
-void solve_backward(const double* a, int size, int num_own, double* x, const double* below) {
+void solve_backward(const double* a, int size, int num_own, double* x,
+                    const DenseKernels& kernels) {
   // The transpose goes the other way: each entry takes off what is solved behind it.
   for (int k = num_own - 1; k >= 0; --k) {
     const double* const column = a + static_cast<size_t>(k) * size;
-    double sum = x[k];
-    for (int i = k + 1; i < num_own; ++i) sum -= column[i] * x[i];
-    for (int i = num_own; i < size; ++i) sum -= column[i] * below[i - num_own];
-    x[k] = sum / column[k];
+    x[k] = (x[k] - kernels.product(column + k + 1, x + k + 1, size - k - 1)) / column[k];
   }
 }
 

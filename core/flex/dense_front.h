@@ -19,10 +19,11 @@ const std::vector<const DenseKernels*>& usable_kernels();
 bool factor_front(double* a, int size, int num_own,
                   const DenseKernels& kernels = *usable_kernels().front());
 
-/// Solves L y = x in place, of the first columns. @param x  num_own; the rest is subtracted from
-/// `below`, size - num_own.
-void solve_forward(const double* a, int size, int num_own, double* x, double* below);
-/// Solves L' y = x in place, with `below` known.
-void solve_backward(const double* a, int size, int num_own, double* x, const double* below);
+/// Solves L y = x in place, of the first columns, and takes them off the others. @param x  size.
+void solve_forward(const double* a, int size, int num_own, double* x,
+                   const DenseKernels& kernels = *usable_kernels().front());
+/// Solves L' y = x in place, of the first columns; the others are known.
+void solve_backward(const double* a, int size, int num_own, double* x,
+                    const DenseKernels& kernels = *usable_kernels().front());
 
 }  // namespace trivet::flex

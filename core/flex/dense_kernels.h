@@ -22,6 +22,10 @@ struct DenseKernels {
   /// @param above  rows of the tile that are above its first diagonal element; negative: none.
   void (*update_tile)(double* a, int size, int panel, int num_rows, int num_columns, int above,
                       const double* rows, const double* columns);
+  /// Subtracts factor x from.
+  void (*subtract)(double* to, const double* from, double factor, int count);
+  /// The sum of a x b.
+  double (*product)(const double* a, const double* b, int count);
 };
 
 extern const DenseKernels kKernelsOfTwo;  // doubles in a register: every processor

@@ -14,7 +14,7 @@ class DenseTiles {
   static constexpr int kRows = 2 * kLanes, kColumns = 4;
 
   static constexpr DenseKernels kernels() {
-    return {kRows, factor_block, divide_rows, update_tile};
+    return {kRows, factor_block, divide_rows, update_tile, subtract, product};
   }
 
  private:
@@ -34,6 +34,21 @@ class DenseTiles {
     int i = 0;
     for (; i + kLanes <= count; i += kLanes) store(load(to + i) - factor * load(from + i), to + i);
     for (; i < count; ++i) to[i] -= factor * from[i];
+  }
+
+  // Eight sums, whatever the registers: each takes every eighth product.
+  static double product(const double* a, const double* b, int count) {
+    constexpr int kSums = 8, kRegisters = kSums / kLanes;
+    Lanes sums[kRegisters] = {};
+    int i = 0;
+    for (; i + kSums <= count; i += kSums)
+      for (int k = 0; k < kRegisters; ++k)
+        sums[k] += load(a + i + k * kLanes) * load(b + i + k * kLanes);
+    double all[kSums];
+    __builtin_memcpy(all, sums, sizeof all);
+    double out = ((all[0] + all[1]) + (all[2] + all[3])) + ((all[4] + all[5]) + (all[6] + all[7]));
+    for (; i < count; ++i) out += a[i] * b[i];
+    return out;
   }
 
   static bool factor_block(double* a, int size, int panel, double* lower) {

@@ -71,7 +71,7 @@ class Level {
     return out;
   }
 
-  // Friction at a vertex counts for the obstacle that bears most there.
+  // Friction at a vertex counts for the obstacle that pushes most there, upwards or not.
   void share_weight(const NodalForces& forces, DrapeResult& out) const {
     // The vertical force of each obstacle, in parts of the weight, says who carries how much.
     const double weight = m_body.weight();
@@ -84,9 +84,10 @@ class Level {
     double up = 0;
     for (size_t v = 0; v < m_body.size(); ++v) {
       const auto& by = forces.by[v];
-      for (size_t o = 0; o < by.size(); ++o) out.shares[o] += by[o] / weight, up += by[o];
+      for (size_t o = 0; o < by.size(); ++o) out.shares[o] += by[o].up / weight, up += by[o].up;
       const double friction = m_model.friction().force(m_state.x, v)[2];
-      const auto most = std::max_element(by.begin(), by.end()) - by.begin();
+      const auto less = [](const Borne& a, const Borne& b) { return a.size < b.size; };
+      const auto most = std::max_element(by.begin(), by.end(), less) - by.begin();
       if (friction != 0) out.shares[most] += friction / weight, up += friction;
       // A pin carries the force that is left at its vertex.
       if (!m_body.pinned[v]) continue;

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/flex/hinges.h"
+
 namespace trivet::flex {
 namespace {
 
 double weigh(const Body& body, const Points& x, const Total& total) {
   double sum = 0;
-  for (size_t v = 0; v < x.size(); ++v) {
+  const int last = std::min(total.last, static_cast<int>(x.size()));
+  for (int v = total.first; v < last; ++v) {
     const double weight = body.mass[v] * kGravity;
     sum += weight * x[v][2];
-    total.add(static_cast<int>(v), {0, 0, weight});
+    total.add(v, {0, 0, weight});
   }
   return sum;
 }
@@ -64,8 +67,8 @@ class StretchedFace {
                 m_face.area * (along * m_face.gradient[k][0] + across * m_face.gradient[k][1]));
   }
   // B' C B, and the stress on the diagonal.
-  void add_curvature(BlockMatrix& hessian, bool exact) const {
-    const Stress stress = exact ? m_stress : m_stress.tension();
+  void add_curvature(const Total& total) const {
+    const Stress stress = total.curvature == Curvature::Exact ? m_stress : m_stress.tension();
     // The matrix is symmetric: each pair of corners is computed once.
     for (int a = 0; a < 3; ++a)
       for (int b = a; b < 3; ++b) {
@@ -73,9 +76,9 @@ class StretchedFace {
         block.diagonal().array() += stress_term(stress, a, b);
         block *= m_face.area;
         if (a == b)
-          hessian.add(m_face.corners[a], m_face.corners[a], block);
+          total.add(m_face.corners[a], m_face.corners[a], block);
         else
-          hessian.add_both(m_face.corners[a], m_face.corners[b], block);
+          total.add_both(m_face.corners[a], m_face.corners[b], block);
       }
   }
 
@@ -104,10 +107,11 @@ class StretchedFace {
 double stretch_faces(const Body& body, const Points& x, const Total& total) {
   double sum = 0;
   for (const Membrane& m : body.membranes) {
+    if (!total.has_any(m.corners, 3)) continue;
     const StretchedFace face(m, body.material, x);
-    sum += face.energy();
+    sum += total.energy_of(m.corners[0], face.energy());
     if (total.gradient) face.add_gradient(total);
-    if (total.hessian) face.add_curvature(*total.hessian, total.curvature == Curvature::Exact);
+    if (total.hessian) face.add_curvature(total);
   }
   return sum;
 }
@@ -115,16 +119,17 @@ double stretch_faces(const Body& body, const Points& x, const Total& total) {
 double bend(const Body& body, const Points& x, const Total& total) {
   double sum = 0;
   for (const Stencil& s : body.stencils) {
+    if (!total.has_any(s.vertices, s.count)) continue;
     // Bending is quadratic in the positions: its second derivative is constant.
     Vec3 bent = Vec3::Zero();
     for (int k = 0; k < s.count; ++k) bent += s.factors[k] * x[s.vertices[k]];
-    sum += s.stiffness * bent.squaredNorm() / 2;
+    sum += total.energy_of(s.vertices[0], s.stiffness * bent.squaredNorm() / 2);
     for (int k = 0; total.gradient && k < s.count; ++k)
       total.add(s.vertices[k], s.stiffness * s.factors[k] * bent);
     for (int a = 0; total.hessian && a < s.count; ++a)
       for (int b = 0; b < s.count; ++b)
-        total.hessian->add(s.vertices[a], s.vertices[b],
-                           Mat3::Identity() * (s.stiffness * s.factors[a] * s.factors[b]));
+        total.add(s.vertices[a], s.vertices[b],
+                  Mat3::Identity() * (s.stiffness * s.factors[a] * s.factors[b]));
   }
   return sum;
 }
@@ -139,17 +144,18 @@ void add_spring(const Spring& s, const Vec3& along, double length, const Total& 
   if (total.curvature != Curvature::Exact) across = std::max(0.0, across);
   const Mat3 direction = outer(along, along);
   const Mat3 block = s.stiffness * (direction + across * (Mat3::Identity() - direction));
-  total.hessian->add(s.a, s.a, block);
-  total.hessian->add(s.b, s.b, block);
-  total.hessian->add_both(s.a, s.b, -block);
+  total.add(s.a, s.a, block);
+  total.add(s.b, s.b, block);
+  total.add_both(s.a, s.b, -block);
 }
 
 double pull(const Body& body, const Points& x, const Total& total) {
   double sum = 0;
   for (const Spring& s : body.springs) {
+    if (!total.has(s.a) && !total.has(s.b)) continue;
     const Vec3 along = x[s.b] - x[s.a];
     const double length = along.norm();
-    sum += s.stiffness * (length - s.rest) * (length - s.rest) / 2;
+    sum += total.energy_of(s.a, s.stiffness * (length - s.rest) * (length - s.rest) / 2);
     add_spring(s, along / length, length, total);
   }
   return sum;
@@ -162,6 +168,7 @@ double elastic_energy(const Body& body, const Points& x, Total& total) {
   sum += stretch_faces(body, x, total);
   sum += bend(body, x, total);
   sum += pull(body, x, total);
+  sum += bend_hinges(body, x, total);
   return sum;
 }
 

@@ -7,6 +7,7 @@ namespace trivet::flex {
 namespace {
 
 constexpr double kLeastForce = 1e-7;  // of a vertex's weight that has friction
+constexpr double kAtCone = 1 - 1e-6;  // of the slip: from there on it may slide
 
 Vec3 tangential(const Vec3& u, const Vec3& normal) { return u - normal * normal.dot(u); }
 
@@ -29,7 +30,7 @@ NodalForces nodal_forces(const Surroundings& surroundings, const std::vector<Con
   out.outside.assign(body.size(), Vec3::Zero());
   out.own = out.outside;
   std::vector<double> magnitude(body.size(), 0), weighted(body.size(), 0);
-  if (with_owners) out.by.assign(body.size(), std::vector<double>(obstacles.num_owners(), 0));
+  if (with_owners) out.by.assign(body.size(), std::vector<Borne>(obstacles.num_owners()));
   // Each pair pushes its vertices by their shares, and its friction is the lesser of both
   // materials.
   for (const ContactPair& pair : pairs) {
@@ -44,7 +45,7 @@ NodalForces nodal_forces(const Surroundings& surroundings, const std::vector<Con
       const double size = force.norm();
       magnitude[v] += size;
       weighted[v] += size * std::min(body.material.friction, obstacles.friction(owner));
-      if (with_owners) out.by[v][owner] += force[2];
+      if (with_owners) out.by[v][owner].up += force[2], out.by[v][owner].size += size;
     }
   }
   // The cap is the mean coefficient times the normal force, weighted by how hard each contact
@@ -146,19 +147,22 @@ double Friction::add(const Points& x, size_t vertex, const Anchor& anchor, Total
   const int vertices[4] = {static_cast<int>(vertex), face[0], face[1], face[2]};
   const double weights[4] = {1, -anchor.weights[0], -anchor.weights[1], -anchor.weights[2]};
   const int count = is_own ? 4 : 1;
+  if (!total.has_any(vertices, count)) return 0;
   for (int i = 0; i < count; ++i)
     if (weights[i] != 0) total.add(vertices[i], weights[i] * factor * u);
   if (total.hessian) {
     // The spring acts in the plane of contact; a slipping one gives no stiffness along the slip.
+    // An update leaves what slides at its cone: as a spring, it would slide by one slip in a step.
     Mat3 across = Mat3::Identity() - outer(anchor.normal, anchor.normal);
-    if (!sticks) across -= outer(u, u) / (l * l);
+    if (l >= kAtCone * m_slip) across -= outer(u, u) / (l * l);
     across *= factor;
     for (int i = 0; i < count; ++i)
       for (int j = 0; j < count; ++j)
         if (weights[i] != 0 && weights[j] != 0)
-          total.hessian->add(vertices[i], vertices[j], across * (weights[i] * weights[j]));
+          total.add(vertices[i], vertices[j], across * (weights[i] * weights[j]));
   }
-  return sticks ? factor * l * l / 2 : anchor.cap * (l - m_slip / 2);
+  const double energy = sticks ? factor * l * l / 2 : anchor.cap * (l - m_slip / 2);
+  return total.energy_of(vertices[0], energy);
 }
 
 double Friction::energy(const Points& x, Total& total) const {

@@ -6,11 +6,16 @@
 
 namespace trivet::flex {
 
+/// Force of an obstacle on a vertex, N.
+struct Borne {
+  double up = 0, size = 0;  // the vertical part; sum of all magnitudes
+};
+
 /// Forces of contact at the vertices, and by whom.
 struct NodalForces {
-  Points outside, own;                  // N, of obstacles and of the body itself
-  std::vector<double> outside_cap;      // N: the largest friction there
-  std::vector<std::vector<double>> by;  // vertical force of each obstacle's owner: [vertex][owner]
+  Points outside, own;                 // N, of obstacles and of the body itself
+  std::vector<double> outside_cap;     // N: the largest friction there
+  std::vector<std::vector<Borne>> by;  // [vertex][owner]
 };
 NodalForces nodal_forces(const Surroundings& surroundings, const std::vector<ContactPair>& pairs,
                          double layer, bool with_owners = false);

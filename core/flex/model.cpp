@@ -1,8 +1,18 @@
 #include "core/flex/model.h"
 
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/in_parallel.h"
 #include "core/flex/elasticity.h"
 
 namespace trivet::flex {
+namespace {
+
+// Elements at the border of two shares are computed for both.
+constexpr int kShareOfVertices = 700, kMostShares = 16;
+
+}  // namespace
 
 EnergyModel::EnergyModel(const Body& body, Surroundings& surroundings,
                          const ContactOptions& contact, double slip)
@@ -11,11 +21,24 @@ EnergyModel::EnergyModel(const Body& body, Surroundings& surroundings,
       m_contact(surroundings, contact),
       m_friction(body, slip) {}
 
+// Threads share the vertices.
+double EnergyModel::sum(const State& state, Total total) const {
+  const int count = static_cast<int>(state.x.size());
+  const int shares = std::clamp(count / kShareOfVertices, 1, kMostShares);
+  std::vector<double> energies(shares);
+  in_parallel(shares, [&](size_t i) {
+    const auto border = [&](int share) { return static_cast<int>(1LL * count * share / shares); };
+    Total own = total;
+    own.first = border(static_cast<int>(i)), own.last = border(static_cast<int>(i) + 1);
+    energies[i] = elastic_energy(m_body, state.x, own) + m_contact.energy(state.pairs, own) +
+                  m_friction.energy(state.x, own);
+  });
+  return std::accumulate(energies.begin(), energies.end(), 0.0);
+}
+
 void EnergyModel::sum_up(State& state) const {
   state.gradient.assign(state.x.size(), Vec3::Zero());
-  Total total{&state.gradient, nullptr, Curvature::Exact};
-  state.energy = elastic_energy(m_body, state.x, total) + m_contact.energy(state.pairs, total) +
-                 m_friction.energy(state.x, total);
+  state.energy = sum(state, {&state.gradient, nullptr, Curvature::Exact});
 }
 
 bool EnergyModel::evaluate(State& state) {
@@ -32,10 +55,7 @@ void EnergyModel::update_friction(State& state, bool keep_faces) {
 
 void EnergyModel::curvature(const State& state, Curvature which, BlockMatrix& hessian) const {
   hessian.reset(state.x.size());
-  Total total{nullptr, &hessian, which};
-  elastic_energy(m_body, state.x, total);
-  m_contact.energy(state.pairs, total);
-  m_friction.energy(state.x, total);
+  sum(state, {nullptr, &hessian, which});
 }
 
 NodalForces EnergyModel::forces(const State& state, bool with_owners) const {

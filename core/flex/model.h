@@ -31,6 +31,7 @@ class EnergyModel {
   double residual(const Points& gradient, int* at = nullptr) const;
 
  private:
+  double sum(const State& state, Total total) const;
   void sum_up(State& state) const;
 
   const Body& m_body;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
+#include <mutex>
 #include <numeric>
 
 #include "core/base/in_parallel.h"
@@ -12,12 +14,14 @@ namespace {
 
 constexpr size_t kLeaf = 24;        // vertices that are not dissected
 constexpr int kTaskVertices = 200;  // of a subtree that one thread computes
+// Fronts from so many rows on are copied by several threads, so many columns by each.
+constexpr int kManyRows = 400, kColumnsTogether = 64;
 
 }  // namespace
 
 int Multifrontal::add_front(std::vector<int> own, std::vector<int> children) {
   for (const int v : own) m_position[v] = m_next++;
-  m_fronts.push_back({std::move(own), {}, std::move(children), {}});
+  m_fronts.push_back({std::move(own), {}, std::move(children), 0, {}});
   return static_cast<int>(m_fronts.size()) - 1;
 }
 
@@ -101,28 +105,27 @@ void Multifrontal::find_below(const BlockMatrix& a) {
 }
 
 // Fronts are numbered depth-first, so that those of a subtree are consecutive.
-void Multifrontal::find_tasks() {
-  const size_t count = m_fronts.size();
-  // Sizes of subtrees tell which are small enough for one thread each.
-  std::vector<int> size(count), first(count), parent(count, -1);
-  for (size_t i = 0; i < count; ++i) {
-    size[i] = static_cast<int>(m_fronts[i].own.size());
-    first[i] = static_cast<int>(i);
+void Multifrontal::find_subtrees() {
+  m_subtrees.assign(m_fronts.size(), {});
+  for (size_t i = 0; i < m_fronts.size(); ++i) {
+    Subtree& subtree = m_subtrees[i];
+    subtree = {static_cast<int>(i), static_cast<int>(m_fronts[i].own.size())};
     for (const int child : m_fronts[i].children) {
-      size[i] += size[child];
-      first[i] = std::min(first[i], first[child]);
-      parent[child] = static_cast<int>(i);
+      subtree.first = std::min(subtree.first, m_subtrees[child].first);
+      subtree.size += m_subtrees[child].size;
     }
   }
-  m_tasks.clear();
-  m_top.clear();
-  // The largest subtrees below the limit are tasks; all above them runs in order at the end.
-  for (size_t i = 0; i < count; ++i) {
-    const bool is_small = size[i] <= kTaskVertices;
-    if (!is_small) m_top.push_back(static_cast<int>(i));
-    if (is_small && (parent[i] < 0 || size[parent[i]] > kTaskVertices))
-      m_tasks.emplace_back(first[i], static_cast<int>(i));
+}
+
+void Multifrontal::place_columns() {
+  size_t next = 0;
+  for (Front& front : m_fronts) {
+    front.lower = next;
+    next += static_cast<size_t>(front.size()) * 3 * front.own.size();
+    front.update = {};
   }
+  m_lower = {};  // so that old and new never are there together
+  m_lower.resize(next);
 }
 
 void Multifrontal::analyse(const BlockMatrix& a, const Coordinates& coordinates) {
@@ -136,7 +139,8 @@ void Multifrontal::analyse(const BlockMatrix& a, const Coordinates& coordinates)
   // Vertices are numbered from the leaves of the dissection to its root, as elimination goes.
   dissect(a, coordinates, std::move(all));
   find_below(a);
-  find_tasks();
+  find_subtrees();
+  place_columns();
   // The pattern is kept: matrices within it need no new analysis.
   m_pattern.assign(count, {});
   for (size_t i = 0; i < count; ++i) {
@@ -153,94 +157,173 @@ bool Multifrontal::covers(const BlockMatrix& a) const {
   return true;
 }
 
-// Adds what a child leaves to the vertices below it, which are among those of its parent, in the
-// same order.
-void Multifrontal::add_child(Front& front, Front& child, const std::vector<int>& local) const {
-  const int size = front.size(), child_size = child.size(), num_below = child_size / 3;
-  const int first = static_cast<int>(child.own.size());
-  // The child's vertices come in the order of the parent's: an element below the diagonal stays
-  // below it.
-  const auto place = [&](int vertex) { return 3 * local[child.below[vertex - first]]; };
-  for (int j = first; j < num_below; ++j)
-    for (int c = 0; c < 3; ++c) {
-      double* const to = front.values.data() + static_cast<size_t>(place(j) + c) * size;
-      const double* const from = child.values.data() + static_cast<size_t>(3 * j + c) * child_size;
-      // The block on the diagonal is kept in its lower half alone.
-      for (int r = c; r < 3; ++r) to[place(j) + r] += from[3 * j + r];
-      for (int i = j + 1; i < num_below; ++i)
-        for (int r = 0; r < 3; ++r) to[place(i) + r] += from[3 * i + r];
-    }
+namespace {
+
+// f(j) of all columns of a front: by several threads if it is large.
+template <class F>
+void for_columns(int count, int size, F f) {
+  const auto run = [&](int first, int last) {
+    for (int j = first; j < last; ++j) f(j);
+  };
+  if (size < kManyRows) return run(0, count);
+  in_parallel((count + kColumnsTogether - 1) / kColumnsTogether, [&](size_t piece) {
+    const int first = static_cast<int>(piece) * kColumnsTogether;
+    run(first, std::min(count, first + kColumnsTogether));
+  });
 }
 
-bool Multifrontal::compute(const BlockMatrix& a, int id, std::vector<int>& local) {
+// Where a column of a packed lower triangle begins.
+size_t packed_column(size_t size, size_t j) { return j * size - j * (j - 1) / 2; }
+
+// The vertices come in the order of the parent's: an element below the diagonal stays below it.
+void add_update(const std::vector<double>& update, const std::vector<int>& places, double* values,
+                int size) {
+  const int count = 3 * static_cast<int>(places.size());
+  for_columns(count, size, [&](int column) {
+    const int j = column / 3, c = column % 3;
+    const double* from = update.data() + packed_column(count, column);
+    double* const to = values + static_cast<size_t>(places[j] + c) * size;
+    // The block on the diagonal is kept in its lower half alone.
+    for (int r = c; r < 3; ++r) to[places[j] + r] += *from++;
+    for (size_t i = j + 1; i < places.size(); ++i, from += 3) {
+      double* const row = to + places[i];
+      row[0] += from[0], row[1] += from[1], row[2] += from[2];
+    }
+  });
+}
+
+}  // namespace
+
+// Own rows come from the matrix; each pair of vertices once, in the earlier one's front.
+void Multifrontal::add_own(const BlockMatrix& a, const Front& front, Work& work) const {
+  const int size = front.size();
+  for (size_t i = 0; i < front.own.size(); ++i) {
+    const int position = m_position[front.own[i]];
+    for (const auto& block : a.row(front.own[i])) {
+      if (m_position[block.column] < position) continue;
+      double* const to = work.values.data() + 3 * i * size + 3 * work.local[block.column];
+      for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) to[static_cast<size_t>(c) * size + r] += block.values(c, r);
+    }
+  }
+}
+
+// L for good, the rest until the parent has it.
+void Multifrontal::keep(Front& front, const Work& work) {
+  const int size = front.size(), num_own = 3 * static_cast<int>(front.own.size());
+  const int left = size - num_own;
+  front.update.resize(packed_column(left, left));
+  for_columns(size, size, [&](int j) {
+    const double* const column = work.values.data() + static_cast<size_t>(j) * size;
+    double* const to = j < num_own
+                           ? m_lower.data() + front.lower + static_cast<size_t>(j) * size + j
+                           : front.update.data() + packed_column(left, j - num_own);
+    std::copy(column + j, column + size, to);
+  });
+}
+
+bool Multifrontal::compute(const BlockMatrix& a, int id, Work& work) {
   Front& front = m_fronts[id];
   const int num_own = static_cast<int>(front.own.size()), size = front.size();
   // Places of vertices in this front are looked up by a table of the thread.
-  for (int i = 0; i < num_own; ++i) local[front.own[i]] = i;
+  for (int i = 0; i < num_own; ++i) work.local[front.own[i]] = i;
   for (size_t i = 0; i < front.below.size(); ++i)
-    local[front.below[i]] = num_own + static_cast<int>(i);
-  front.values.assign(static_cast<size_t>(size) * size, 0);
-  // Own rows come from the matrix; each pair of vertices once, in the earlier one's front.
-  for (int i = 0; i < num_own; ++i)
-    for (const auto& block : a.row(front.own[i])) {
-      const int j = local[block.column];
-      if (m_position[block.column] < m_position[front.own[i]]) continue;
-      for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r)
-          front.values[static_cast<size_t>(3 * i + c) * size + 3 * j + r] += block.values(c, r);
-    }
+    work.local[front.below[i]] = num_own + static_cast<int>(i);
+  if (work.values.size() < static_cast<size_t>(size) * size)
+    work.values.resize(static_cast<size_t>(size) * size);
+  double* const values = work.values.data();
+  for_columns(size, size, [&](int j) {
+    std::fill_n(values + static_cast<size_t>(j) * (size + 1), size - j, 0.0);
+  });
+  add_own(a, front, work);
   // Children add what they leave, and then this front's columns are eliminated.
-  for (const int child : front.children) add_child(front, m_fronts[child], local);
-  if (!factor_front(front.values.data(), size, 3 * num_own)) return false;
-  for (const int child : front.children) {  // only L is needed from here on
-    Front& done = m_fronts[child];
-    done.values.resize(static_cast<size_t>(done.size()) * 3 * done.own.size());
-    done.values.shrink_to_fit();
+  for (const int id_of_child : front.children) {
+    Front& child = m_fronts[id_of_child];
+    work.places.clear();
+    for (const int v : child.below) work.places.push_back(3 * work.local[v]);
+    add_update(child.update, work.places, values, size);
+    child.update = {};
   }
+  if (!factor_front(values, size, 3 * num_own)) return false;
+  keep(front, work);
   return true;
 }
 
-bool Multifrontal::factor(const BlockMatrix& a) {
+// A thread takes what another one has given back.
+class Multifrontal::WorkPool {
+ public:
+  explicit WorkPool(size_t num_vertices) : m_num_vertices(num_vertices) {}
+
+  std::unique_ptr<Work> take() {
+    const std::lock_guard lock(m_mutex);
+    if (m_free.empty())
+      return std::make_unique<Work>(Work{std::vector<int>(m_num_vertices), {}, {}});
+    std::unique_ptr<Work> out = std::move(m_free.back());
+    m_free.pop_back();
+    return out;
+  }
+  void give(std::unique_ptr<Work> work) {
+    const std::lock_guard lock(m_mutex);
+    m_free.push_back(std::move(work));
+  }
+
+ private:
+  size_t m_num_vertices;
+  std::mutex m_mutex;
+  std::vector<std::unique_ptr<Work>> m_free;
+};
+
+// Subtrees share no vertex, so that threads need no locks, and sums keep their order.
+bool Multifrontal::compute_subtree(const BlockMatrix& a, int id, WorkPool& pool) {
+  const bool is_small = m_subtrees[id].size <= kTaskVertices;
   std::atomic<bool> is_definite = true;
-  // Subtrees share no vertex, so that threads need no locks, and sums keep their order.
-  const auto run_task = [&](size_t task) {
-    std::vector<int> local(m_position.size());
-    for (int i = m_tasks[task].first; i <= m_tasks[task].second && is_definite; ++i)
-      if (!compute(a, i, local)) is_definite = false;
-  };
-  if (m_tasks.size() > 1)
-    in_parallel(m_tasks.size(), run_task);
-  else if (!m_tasks.empty())
-    run_task(0);
-  std::vector<int> local(m_position.size());
-  for (const int i : m_top)
-    if (!is_definite || !compute(a, i, local)) return false;
+  const std::vector<int>& children = m_fronts[id].children;
+  // Depth-first, so that few fronts wait for their parents.
+  if (!is_small)
+    in_parallel(children.size(), [&](size_t i) {
+      if (!compute_subtree(a, children[i], pool)) is_definite = false;
+    });
+  if (!is_definite) return false;
+  std::unique_ptr<Work> work = pool.take();
+  for (int i = is_small ? m_subtrees[id].first : id; i <= id && is_definite; ++i)
+    if (!compute(a, i, *work)) is_definite = false;
+  pool.give(std::move(work));
   return is_definite;
 }
 
+bool Multifrontal::factor(const BlockMatrix& a) {
+  for (Front& front : m_fronts) front.update = {};  // a failure leaves some
+  WorkPool pool(m_position.size());
+  return m_fronts.empty() || compute_subtree(a, static_cast<int>(m_fronts.size()) - 1, pool);
+}
+
 void Multifrontal::solve(std::vector<Vec3>& x) const {
-  std::vector<double> own, below;
+  std::vector<double> values;
   // Entries of a front are gathered, solved, and put back: down for L, up for its transpose.
-  const auto gather = [&](const std::vector<int>& vertices, std::vector<double>& out) {
-    out.clear();
-    for (const int v : vertices) out.insert(out.end(), {x[v][0], x[v][1], x[v][2]});
+  const auto gather = [&](const Front& front) {
+    values.clear();
+    for (const auto* vertices : {&front.own, &front.below})
+      for (const int v : *vertices) values.insert(values.end(), {x[v][0], x[v][1], x[v][2]});
   };
-  const auto scatter = [&](const std::vector<int>& vertices, const std::vector<double>& in) {
-    for (size_t i = 0; i < vertices.size(); ++i)
-      x[vertices[i]] = Vec3(in[3 * i], in[3 * i + 1], in[3 * i + 2]);
+  const auto scatter = [&](const std::vector<int>& vertices, const double* from) {
+    for (const int v : vertices) {
+      x[v] = Vec3(from[0], from[1], from[2]);
+      from += 3;
+    }
   };
   for (const Front& front : m_fronts) {
-    gather(front.own, own), gather(front.below, below);
-    solve_forward(front.values.data(), front.size(), static_cast<int>(own.size()), own.data(),
-                  below.data());
-    scatter(front.own, own), scatter(front.below, below);
+    gather(front);
+    const int num_own = 3 * static_cast<int>(front.own.size());
+    solve_forward(m_lower.data() + front.lower, front.size(), num_own, values.data());
+    scatter(front.own, values.data());
+    scatter(front.below, values.data() + num_own);
   }
   for (size_t i = m_fronts.size(); i-- > 0;) {
     const Front& front = m_fronts[i];
-    gather(front.own, own), gather(front.below, below);
-    solve_backward(front.values.data(), front.size(), static_cast<int>(own.size()), own.data(),
-                   below.data());
-    scatter(front.own, own);
+    gather(front);
+    const int num_own = 3 * static_cast<int>(front.own.size());
+    solve_backward(m_lower.data() + front.lower, front.size(), num_own, values.data());
+    scatter(front.own, values.data());
   }
 }
 

@@ -29,9 +29,17 @@ class Multifrontal {
  private:
   struct Front {
     std::vector<int> own, below, children;  // vertices; those below are sorted by position
-    std::vector<double> values;             // L in the first columns
+    size_t lower = 0;                       // place of its columns of L
+    std::vector<double> update;             // for its parent: the lower triangle, column by column
     int size() const { return 3 * static_cast<int>(own.size() + below.size()); }
   };
+  /// The memory that a thread works in.
+  struct Work {
+    std::vector<int> local;      // places of vertices in the front
+    std::vector<double> values;  // the front, of which the lower triangle counts
+    std::vector<int> places;     // of a child's vertices
+  };
+  class WorkPool;
   struct Cut {
     std::vector<int> left, right, separator;
   };
@@ -41,17 +49,23 @@ class Multifrontal {
   Cut smallest_cut(const BlockMatrix& a, const Coordinates& coordinates, std::vector<int>& list);
   int add_front(std::vector<int> own, std::vector<int> children);
   void find_below(const BlockMatrix& a);
-  void find_tasks();
-  bool compute(const BlockMatrix& a, int id, std::vector<int>& local);
-  void add_child(Front& front, Front& child, const std::vector<int>& local) const;
+  void find_subtrees();
+  void place_columns();
+  bool compute_subtree(const BlockMatrix& a, int id, WorkPool& pool);
+  bool compute(const BlockMatrix& a, int id, Work& work);
+  void add_own(const BlockMatrix& a, const Front& front, Work& work) const;
+  void keep(Front& front, const Work& work);
 
   std::vector<Front> m_fronts;  // children before parents
   std::vector<int> m_position;  // of the vertices in the elimination
   std::vector<int> m_mark;
   int m_stamp = 0, m_next = 0;
-  std::vector<std::vector<int>> m_pattern;   // sorted
-  std::vector<std::pair<int, int>> m_tasks;  // first and last front of subtrees, for the threads
-  std::vector<int> m_top;                    // the other fronts
+  std::vector<std::vector<int>> m_pattern;  // sorted
+  struct Subtree {
+    int first = 0, size = 0;  // its first front, and its vertices
+  };
+  std::vector<Subtree> m_subtrees;  // below each front
+  std::vector<double> m_lower;      // L, front by front
 };
 
 }  // namespace trivet::flex

@@ -1,7 +1,9 @@
 #include "core/flex/near_pairs.h"
 
+#include <atomic>
 #include <cstdlib>
 
+#include "core/base/in_parallel.h"
 #include "core/flex/closest.h"
 
 namespace trivet::flex {
@@ -91,6 +93,50 @@ void set_difference(PairPoints& out, const Vec3& difference) {
   out.distance = difference.norm();
 }
 
+// Searches of trees, whose items are shared among threads in pieces; pairs come in their order.
+class Search {
+ public:
+  explicit Search(size_t most) : m_most(most) {}
+
+  // All items of a tree whose boxes are near those of the elements, and that are wanted.
+  template <class Wanted>
+  void add(PairKind kind, std::span<const Aabb> boxes, double margin, const BoxTree& tree,
+           Wanted wanted) {
+    const auto find = [=, this, &tree](size_t first, std::vector<NearPair>& out) {
+      for (size_t i = first; i < std::min(first + kPiece, boxes.size()); ++i) {
+        Aabb box = boxes[i];
+        grow(box, margin);
+        const int a = static_cast<int>(i);
+        tree.visit(box, [&](int b) {
+          if (wanted(a, b)) out.push_back({kind, a, b});
+        });
+        // Too many pairs are given up, whoever made the mesh.
+        if (out.size() + m_found > m_most) break;
+      }
+      m_found += out.size();
+    };
+    for (size_t first = 0; first < boxes.size(); first += kPiece)
+      m_pieces.push_back([=](std::vector<NearPair>& out) { find(first, out); });
+  }
+
+  bool run(std::vector<NearPair>& out) {
+    std::vector<std::vector<NearPair>> found(m_pieces.size());
+    in_parallel(m_pieces.size(), [&](size_t i) { m_pieces[i](found[i]); });
+    out.clear();
+    if (m_found > m_most) return false;
+    out.reserve(m_found);
+    for (const auto& pairs : found) out.insert(out.end(), pairs.begin(), pairs.end());
+    return true;
+  }
+
+ private:
+  static constexpr size_t kPiece = 512;  // elements
+
+  size_t m_most;
+  std::atomic<size_t> m_found = 0;
+  std::vector<std::function<void(std::vector<NearPair>&)>> m_pieces;
+};
+
 }  // namespace
 
 Surroundings::Surroundings(const Body& body, const Obstacles& obstacles)
@@ -105,56 +151,36 @@ bool Surroundings::are_neighbours(const NearPair& pair) const {
          std::abs(pair.a - pair.b) * m_body.cell < kArc * m_body.material.thickness;
 }
 
-void Surroundings::find_outside(std::span<const Aabb> boxes, double margin,
-                                std::vector<NearPair>& out) const {
-  // Too many pairs are given up, whoever made the mesh.
-  const auto search = [&](const BoxTree& tree, PairKind kind, size_t a, Aabb box) {
-    if (out.size() > kMostPairs) return;
-    grow(box, margin);
-    tree.visit(box, [&](int b) { out.push_back({kind, static_cast<int>(a), b}); });
-  };
-  // Vertices against faces, both ways, and edges against edges are all ways in which surfaces meet.
-  for (size_t v = 0; v < boxes.size(); ++v)
-    search(m_obstacles.face_tree(), PairKind::VertexFace, v, boxes[v]);
-  for (size_t e = 0; e < m_body.edges.size(); ++e)
-    search(m_obstacles.edge_tree(), PairKind::EdgeEdge, e, box_of(m_body.edges[e], boxes));
-  for (size_t f = 0; f < m_body.faces.size(); ++f)
-    search(m_obstacles.vertex_tree(), PairKind::FaceVertex, f, box_of(m_body.faces[f], boxes));
-}
-
-void Surroundings::find_own(std::span<const Aabb> boxes, double margin,
-                            std::vector<NearPair>& out) {
+bool Surroundings::find(std::span<const Aabb> boxes, double margin, double own_margin,
+                        std::vector<NearPair>& out,
+                        const std::function<bool(const NearPair&)>& wanted) {
+  const Body& body = m_body;
+  const std::vector<Aabb> of_edges = boxes_of(body.edges, boxes);
+  const std::vector<Aabb> of_faces = boxes_of(body.faces, boxes);
   // The trees keep their order and take the new boxes.
-  m_face_tree.refit(boxes_of(m_body.faces, boxes));
-  m_edge_tree.refit(boxes_of(m_body.edges, boxes));
-  const auto add = [&](PairKind kind, int a, int b) {
-    const NearPair pair{kind, a, b};
-    if (!are_neighbours(pair)) out.push_back(pair);
+  m_face_tree.refit(of_faces);
+  m_edge_tree.refit(of_edges);
+  // Vertices against faces, both ways, and edges against edges are all ways in which surfaces meet.
+  Search search(kMostPairs);
+  const auto outside = [&](PairKind kind, std::span<const Aabb> of, const BoxTree& tree) {
+    search.add(kind, of, margin, tree, [&wanted, kind](int a, int b) {
+      return wanted({kind, a, b});
+    });
   };
-  for (size_t v = 0; v < boxes.size() && out.size() <= kMostPairs; ++v) {
-    // Elements that share a vertex are always near, and no contact.
-    Aabb box = boxes[v];
-    grow(box, margin);
-    const std::array<int, 1> vertex{static_cast<int>(v)};
-    m_face_tree.visit(box, [&](int f) {
-      if (!share_a_vertex(vertex, m_body.faces[f])) add(PairKind::OwnVertexFace, vertex[0], f);
-    });
-  }
-  for (size_t e = 0; e < m_body.edges.size() && out.size() <= kMostPairs; ++e) {
-    Aabb box = box_of(m_body.edges[e], boxes);
-    grow(box, margin);
-    const int a = static_cast<int>(e);
-    m_edge_tree.visit(box, [&](int b) {
-      if (b > a && !share_a_vertex(m_body.edges[e], m_body.edges[b]))
-        add(PairKind::OwnEdgeEdge, a, b);
-    });
-  }
-}
-
-void Surroundings::find(std::span<const Aabb> boxes, double margin, double own_margin,
-                        std::vector<NearPair>& out) {
-  find_outside(boxes, margin, out);
-  find_own(boxes, own_margin, out);
+  outside(PairKind::VertexFace, boxes, m_obstacles.face_tree());
+  outside(PairKind::EdgeEdge, of_edges, m_obstacles.edge_tree());
+  outside(PairKind::FaceVertex, of_faces, m_obstacles.vertex_tree());
+  // Elements that share a vertex are always near, and no contact.
+  search.add(PairKind::OwnVertexFace, boxes, own_margin, m_face_tree, [&](int v, int f) {
+    return !share_a_vertex(std::array<int, 1>{v}, body.faces[f]) &&
+           !are_neighbours({PairKind::OwnVertexFace, v, f}) &&
+           wanted({PairKind::OwnVertexFace, v, f});
+  });
+  search.add(PairKind::OwnEdgeEdge, of_edges, own_margin, m_edge_tree, [&](int a, int b) {
+    return b > a && !share_a_vertex(body.edges[a], body.edges[b]) &&
+           !are_neighbours({PairKind::OwnEdgeEdge, a, b}) && wanted({PairKind::OwnEdgeEdge, a, b});
+  });
+  return search.run(out);
 }
 
 PairPoints Surroundings::vertex_face(const NearPair& pair, const Points& x) const {

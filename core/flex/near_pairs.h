@@ -1,6 +1,8 @@
 // Pairs of vertices, edges and faces that may come near each other, and their closest points.
 #pragma once
 
+#include <functional>
+
 #include "core/flex/obstacles.h"
 
 namespace trivet::flex {
@@ -47,18 +49,18 @@ class Surroundings {
   /// Neighbours along a cable, within three diameters, do not count.
   bool are_neighbours(const NearPair& pair) const;
 
-  /// Appends all pairs whose boxes are no farther apart than a margin, sorted by kind, then as the
-  /// trees have them; more than kMostPairs are incomplete. @param boxes  of the vertices; those of
-  /// edges and faces hold theirs.
+  /// All pairs whose boxes are no farther apart than a margin, sorted by kind, then as the trees
+  /// have them. @param boxes  of the vertices; those of edges and faces hold theirs.
   /// @param margin  from obstacles; @param own_margin  from itself; both in metres.
-  void find(std::span<const Aabb> boxes, double margin, double own_margin,
-            std::vector<NearPair>& out);
+  /// @param wanted  other pairs are left out; called by several threads.
+  /// @return false if there are more than kMostPairs; `out` is empty then.
+  bool find(
+      std::span<const Aabb> boxes, double margin, double own_margin, std::vector<NearPair>& out,
+      const std::function<bool(const NearPair&)>& wanted = [](const NearPair&) { return true; });
 
   PairPoints points(const NearPair& pair, const Points& x) const;
 
  private:
-  void find_outside(std::span<const Aabb> boxes, double margin, std::vector<NearPair>& out) const;
-  void find_own(std::span<const Aabb> boxes, double margin, std::vector<NearPair>& out);
   PairPoints vertex_face(const NearPair& pair, const Points& x) const;
   PairPoints face_vertex(const NearPair& pair, const Points& x) const;
   PairPoints edge_edge(const NearPair& pair, const Points& x) const;

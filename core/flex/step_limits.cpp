@@ -45,7 +45,7 @@ double allowed_part(const std::vector<HalfSpace>& half_spaces, const Aabb& room,
 
 }  // namespace
 
-StepLimits::StepLimits(Surroundings& surroundings, const Contact& contact)
+StepLimits::StepLimits(const Surroundings& surroundings, Contact& contact)
     : m_surroundings(surroundings), m_contact(contact) {}
 
 // Only where it cuts the vertex's room.
@@ -85,7 +85,7 @@ void StepLimits::add_pair(const Points& x, const NearPair& pair) {
       add(points.vertices[i], -normal, plane - height(i) - margin);
 }
 
-void StepLimits::find_half_spaces(const Points& x, const Points& step) {
+bool StepLimits::find_half_spaces(const Points& x, const Points& step) {
   m_half_spaces.assign(x.size(), {});
   m_room.assign(x.size(), {});
   m_length.resize(x.size());
@@ -101,26 +101,36 @@ void StepLimits::find_half_spaces(const Points& x, const Points& step) {
     reached[v] = {x[v] + m_room[v].lower, x[v] + m_room[v].upper};
   }
   // All pairs whose boxes meet are found, so that no pair without a plane can meet.
-  std::vector<NearPair> near;
-  m_surroundings.find(reached, m_contact.distance_outside(),
-                      m_surroundings.body().material.thickness, near);
-  for (const NearPair& pair : near) add_pair(x, pair);
+  const std::vector<NearPair>* const near = m_contact.near(x, reached);
+  if (!near) return false;
+  for (const NearPair& pair : *near) add_pair(x, pair);
+  return true;
 }
 
 std::vector<HalfSpace> StepLimits::limit(const Points& x, Points& step) {
-  find_half_spaces(x, step);
+  // Without all pairs no step is safe.
+  if (!find_half_spaces(x, step)) {
+    step.assign(x.size(), Vec3::Zero());
+    return {};
+  }
   std::vector<HalfSpace> hits;
   // A vertex without planes is free to go its whole step.
   for (size_t v = 0; v < x.size(); ++v) {
     const auto& own = m_half_spaces[v];
     if (own.empty()) continue;
-    // Hits of the wanted step are told, so that the next model knows of them.
-    for (const HalfSpace& h : own)
-      if (h.normal.dot(step[v]) + h.room < -kHit * m_contact.layer()) hits.push_back(h);
+    const Vec3 wanted = step[v];
     project(own, step[v]);
+    // Hits of the wanted step are told, so that the next model knows of them.
+    const Vec3 turned = step[v] - wanted;
+    const double size = turned.norm();
+    if (size > kHit * m_contact.layer()) {
+      const Vec3 normal = turned / size;
+      hits.push_back({static_cast<int>(v), normal, -normal.dot(step[v])});
+    }
     const double part = allowed_part(own, m_room[v], step[v]);
     if (part < 1) step[v] *= part;
   }
+  m_half_spaces = {};  // long steps have many, and the next factorisation needs the memory
   return hits;
 }
 

@@ -21,19 +21,20 @@ struct HalfSpace {
 /// shortened.   @see [Divide and Truncate, Newton Physics 2026]
 class StepLimits {
  public:
-  StepLimits(Surroundings& surroundings, const Contact& contact);
+  StepLimits(const Surroundings& surroundings, Contact& contact);
 
-  /// Shortens and turns the step of each vertex. @return half-spaces that the wanted step would
-  /// have left by more than a tenth of the layer.
+  /// Shortens and turns the step of each vertex. @return for each vertex that was turned by more
+  /// than a tenth of the layer, one half-space, at whose border its step ends. One for each plane
+  /// would hold it along the planes, too, where they are many.
   std::vector<HalfSpace> limit(const Points& x, Points& step);
 
  private:
-  void find_half_spaces(const Points& x, const Points& step);
+  bool find_half_spaces(const Points& x, const Points& step);
   void add_pair(const Points& x, const NearPair& pair);
   void add(int vertex, const Vec3& normal, double distance);
 
-  Surroundings& m_surroundings;
-  const Contact& m_contact;
+  const Surroundings& m_surroundings;
+  Contact& m_contact;
   std::vector<Aabb> m_room;  // in which each vertex's step may end
   std::vector<double> m_length;
   std::vector<std::vector<HalfSpace>> m_half_spaces;  // by vertices

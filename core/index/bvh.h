@@ -12,7 +12,7 @@ namespace trivet {
 inline constexpr int kMaxBvhDepth = 64;
 
 /// Largest number of faces in a leaf.
-inline constexpr Index kMaxLeafFaces = 2;
+inline constexpr Index kMaxLeafFaces = 4;
 
 /// Node of 32 bytes. Boxes are float32, rounded outwards. Nodes are numbered depth-first: the first
 /// child of an inner node is the next one.

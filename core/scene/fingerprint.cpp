@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/flex/flexible.h"
+#include "core/scene/joint.h"
 
 namespace trivet {
 namespace {
@@ -59,6 +60,13 @@ void add_to(Hash& hash, const std::optional<GivenMass>& mass) {
     for (int i = 0; i < 9; ++i) hash.add((*mass->inertia)(i / 3, i % 3));
 }
 
+void add_to(Hash& hash, const LinkJoint& joint) {
+  hash.add(std::uint64_t{joint.turns()}).add(std::uint64_t{joint.parent.index});
+  add_to(hash, joint.axis);
+  add_to(hash, joint.anchor);
+  hash.add(joint.lower).add(joint.upper).add(joint.value).add(joint.friction.value_or(-1));
+}
+
 void add_to(Hash& hash, const Scene& scene) {
   hash.add(std::uint64_t{scene.floor});
   add_to(hash, scene.floor_material);
@@ -95,6 +103,7 @@ void add_to(Hash& hash, const Object& object) {
   for (const ObjectContact& entry : object.contacts)
     if (is_counted(entry)) add_to(hash, entry);
   if (object.flexible) add_to(hash, *object.flexible);
+  if (object.joint) add_to(hash, *object.joint);
 }
 
 std::uint64_t fingerprint(const Scene& scene, std::span<const ObjectId> ids) {

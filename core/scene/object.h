@@ -17,7 +17,8 @@
 
 namespace trivet {
 
-struct Flexible;  // core/flex/flexible.h
+struct Flexible;   // core/flex/flexible.h
+struct LinkJoint;  // core/scene/joint.h
 
 enum class ObjectState {
   Unplaced,     // known, but not in the scene yet
@@ -62,6 +63,8 @@ struct Object {
   bool locked = false;  // no operation may move it, but it is not fixed: it may topple
   std::string group;    // objects of one group move as one; empty: of none
   std::shared_ptr<const Flexible> flexible;  // of a cloth or cable, which is fixed; else null
+  std::shared_ptr<const LinkJoint> joint;    // in which it hangs; it is fixed then; else null
+  std::vector<ObjectId> links;               // that hang in it by joints
 
   Affine world_from_object() const { return trivet::world_from_object(pose, up, scale); }
   Vec3 centre_of_mass() const { return world_from_object().apply(shape->mass.centre); }

@@ -34,6 +34,7 @@ struct [[nodiscard]] Result {
     Blocked,  // by `blocked_by` at `blocked_at`
     Step,     // by a step that is too high
     Edge,     // before an edge that is too deep
+    Limit,    // at the limit of a joint
   };
 
   Status status = Status::Done;

@@ -91,8 +91,12 @@ void World::check_names() const {
   std::map<std::string, int> seen;
   for (const Thing& thing : m_arrangement.things) {
     check_name(scene(), thing.object, TRIVET_SENTENCE("things"));
-    if (scene().at(*scene().find(thing.object)).fixed)
+    const Object& object = scene().at(*scene().find(thing.object));
+    if (object.fixed)
       refuse(say("things: %1 is fixed; accepted: objects that may move", quoted(thing.object)));
+    if (!object.links.empty())
+      refuse(say("things: others hang in %1 by joints; accepted: objects without joints",
+                 quoted(thing.object)));
     if (seen[thing.object]++) refuse(say("things: %1 comes twice", quoted(thing.object)));
   }
   std::map<std::string, Sentence> carried;

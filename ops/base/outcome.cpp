@@ -18,6 +18,8 @@ const char* to_string(OperationResult::End end) {
       return "step";
     case OperationResult::End::Edge:
       return "edge";
+    case OperationResult::End::Limit:
+      return "limit";
   }
   return "?";
 }

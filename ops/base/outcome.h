@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,12 +68,14 @@ struct OperationResult {
     Blocked,  // by `blocked_by` at `blocked_at`
     Step,     // the same, by a step that is too high
     Edge,     // before an edge that is too deep; pulled back
+    Limit,    // MOVE_JOINT: at the joint's limit
   };
   End end = End::AtRest;
   Named blocked_by;                             // its name is empty when nothing did
   Vec3 blocked_at = Vec3::Zero();               // world
   double moved = 0;                             // metres from where its position was
-  double turned_deg = 0;                        // by TURN and ROTATE
+  double turned_deg = 0;                        // by TURN, ROTATE and MOVE_JOINT
+  std::optional<double> joint_value;            // MOVE_JOINT: where it is; metres or degrees
   std::vector<std::string> carried;             // loads and group members that moved along
   std::vector<std::string> unsupported;         // free objects that nothing holds any more
   std::vector<std::string> settled;             // released objects, in order
@@ -91,7 +94,7 @@ struct OperationResult {
   }
 };
 
-/// "done", "at_rest", "reached", "blocked", "step", "edge"
+/// "done", "at_rest", "reached", "blocked", "step", "edge", "limit"
 const char* to_string(OperationResult::End end);
 
 /// A result that is nothing but a refusal.

@@ -11,6 +11,7 @@
 #include "core/scene/transaction.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/draped_rest.h"
+#include "ops/operations/joint_hold.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
 #include "ops/placement/verify.h"
@@ -162,6 +163,7 @@ void add_rest_findings(const PlacedObject& o, const Neighbourhood& others, const
   for (const ContactsWith& c : contacts)
     for (const ContactPoint& p : c.points) check.smallest_gap = std::min(check.smallest_gap, p.gap);
   if (o.object().flexible) add_flexible_findings(o, others.scene(), check);
+  if (gives_way_in_joint(others.scene(), o.id)) check.not_at_rest.push_back(o.object().name);
   // A fixed object needs nothing that holds it.
   if (o.object().fixed || rests_at(o.object(), o.object().pose, others, rules)) return;
   check.not_at_rest.push_back(o.object().name);

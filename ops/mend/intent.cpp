@@ -18,6 +18,7 @@ constexpr double kGapsToTolerance = 3.5;  // times the median gap
 constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimit = 5;
 constexpr double kNearShare = 0.35;    // of the tolerance: what is hardly off
 constexpr double kLeastShare = 0.12;   // of a support
+constexpr double kUnsureScore = 0.25;  // of who lies above: below it is a guess
 constexpr double kInsideShare = 0.45;  // of columns within the container
 
 double at_share(std::vector<double> values, double share) {
@@ -96,7 +97,7 @@ class IntentFinder {
                                    [&](const Placement& p) { return p.id == l.intent.id; });
       l.columns =
           columns_of(m_scene, m_all, static_cast<size_t>(at - m_all.begin()), num, m_tolerance);
-      l.above.clear();
+      l.above.clear(), l.unsure.clear();
       l.intent.inside.reset();
       m_index[l.intent.id.index] = i;
     }
@@ -207,6 +208,7 @@ class IntentFinder {
       const double score =
           ((up ? std::abs(*up) : 4 * m_tolerance) - std::abs(*down)) / m_tolerance +
           natural_logarithm(area(*o) / area(l));
+      if (std::abs(score) < kUnsureScore) l.unsure.insert(other.index);
       if (score > 0 || (score == 0 && l.intent.id.index > other.index)) l.above.insert(other.index);
     }
   }
@@ -261,7 +263,8 @@ class IntentFinder {
       const auto known = std::find_if(l.intent.on.begin(), l.intent.on.end(),
                                       [&](const IntendedSupport& s) { return s.on == g.on; });
       if (known == l.intent.on.end())
-        l.intent.on.push_back({g.on, 1});
+        l.intent.on.push_back(
+            {g.on, 1, !g.on.is_floor() && l.unsure.count(g.on.object().index) > 0});
       else
         known->share += 1;
     }

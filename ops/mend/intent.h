@@ -11,7 +11,8 @@ namespace trivet {
 /// A support that an object was meant to have.
 struct IntendedSupport {
   Support on;
-  double share = 0;  // of the object's underside near the first contact
+  double share = 0;         // of the object's underside near the first contact
+  bool either_way = false;  // poses do not tell which of the two lies on the other
 };
 
 struct ObjectIntent {

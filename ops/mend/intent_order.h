@@ -1,6 +1,5 @@
 // Findings on each object while the intent is inferred, and the order to put them in.
 // Private.
-// Private.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +16,8 @@ struct Looked {
   Placement level;
   ObjectIntent intent;
   Columns columns;
-  std::set<std::uint32_t> above;  // slots of what it lies above
+  std::set<std::uint32_t> above;   // slots of what it lies above
+  std::set<std::uint32_t> unsure;  // slots of those of which that is a guess
 };
 
 /// The lowest z of its columns, metres.

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "core/io/foreign/scene.h"
+#include "ops/mend/attitudes.h"
+#include "ops/mend/in_place.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
 #include "ops/placement/clearance.h"
@@ -16,15 +18,16 @@ namespace trivet {
 namespace {
 
 constexpr double kLeastAir = 2e-5;  // metres between an object and its place when it is let go
-constexpr int kPartings = 8;        // shifts until an object is free
 // Lifts and radii, in tolerances.
 constexpr double kLiftsInTolerances[] = {0, 0.06, 0.25, 0.7, 1.5, 3, 8};
 constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
 constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
-constexpr int kAims = 3;        // tries to hit the place, from where it came to rest
-constexpr double kAimed = 0.1;  // tolerances: near enough
+constexpr int kAims = 3;                 // tries to hit the place, from where it came to rest
+constexpr double kAimed = 0.1;           // tolerances: near enough
+constexpr double kNearInTolerances = 2;  // of objects in a heap: nothing better is looked for
+constexpr double kMayBeLevelDeg = 15;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
 // Pose `then`, carried along by what moves `from` to `to`.
@@ -64,22 +67,72 @@ class Mender {
 
   MendedScene run() {
     // Objects without findings stay; only the others leave the scene, and come back.
-    const std::vector<ObjectId> moving = unsettled_objects(m_scene, m_options);
-    Rearrangement rearrangement(m_scene, m_options, in_order(moving));
-    m_moving = moving;
-    // Supports come before what they carry, so that each object sees where its support is now.
-    for (const ObjectId id : in_order(moving)) {
-      m_object = m_meant.find(id);
-      place(rearrangement, id);
-    }
+    m_moving = unsettled_objects(m_scene, m_options);
+    const std::vector<ObjectId> order = in_order(m_moving);
+    SettledScene settled = is_heap(m_meant, m_moving) ? as_heap(order) : bottom_up(order);
     MendedScene out;
-    static_cast<SettledScene&>(out) = rearrangement.finish();
+    static_cast<SettledScene&>(out) = std::move(settled);
     out.tolerance = m_meant.tolerance;
-    for (const ObjectId id : moving) compare(*m_meant.find(id), out);
+    for (const ObjectId id : m_moving) compare(*m_meant.find(id), out);
     return out;
   }
 
  private:
+  // Supports come before what they carry, so that each object sees where its support is now.
+  SettledScene bottom_up(const std::vector<ObjectId>& order) {
+    Rearrangement rearrangement(m_scene, m_options, order);
+    for (const ObjectId id : order) {
+      m_object = m_meant.find(id);
+      place(rearrangement, id);
+    }
+    return rearrangement.finish();
+  }
+
+  // In place, and what then has no place bottom up; or all bottom up, if that is cheaper.
+  SettledScene as_heap(const std::vector<ObjectId>& order) {
+    MendOptions half = m_options;
+    half.seconds /= 2;
+    const Scene before = m_scene;
+    SettledScene out = mend_in_place(m_scene, half, m_meant, order);
+    if (!out.unable.empty()) place_rest(out);
+    if (are_all_near(out)) return out;
+    Scene heap = std::move(m_scene);
+    m_scene = before;
+    m_nominal_given.clear(), m_in_row.clear();
+    SettledScene other = bottom_up(order);
+    if (cost_of(other) < cost_of(out)) return other;
+    m_scene = std::move(heap);
+    return out;
+  }
+
+  // Once more, as what one needs may have been placed behind it.
+  void place_rest(SettledScene& out) {
+    for (int round = 0; round < 2; ++round) {
+      std::vector<ObjectId> left;
+      for (const UnsettledObject& o : out.unable) left.push_back(o.id);
+      SettledScene rest = bottom_up(left);
+      out.unable = std::move(rest.unable);
+      for (SettledObject& o : rest.moved) out.moved.push_back(std::move(o));
+    }
+    std::stable_sort(
+        out.moved.begin(), out.moved.end(),
+        [](const SettledObject& a, const SettledObject& b) { return a.id.index < b.id.index; });
+  }
+
+  bool are_all_near(const SettledScene& settled) const {
+    return settled.unable.empty() &&
+           std::all_of(settled.moved.begin(), settled.moved.end(), [&](const SettledObject& o) {
+             return o.moved <= kNearInTolerances * m_meant.tolerance;
+           });
+  }
+
+  // The number of those without a place, then metres.
+  static std::pair<size_t, double> cost_of(const SettledScene& settled) {
+    double way = 0;
+    for (const SettledObject& o : settled.moved) way += o.moved;
+    return {settled.unable.size(), way};
+  }
+
   // Objects that stand level on one thing are moved apart together, when the first of them comes
   // back: a row has no order in which each finds room for itself.
   void spread_row_of(const Rearrangement& scene, const ObjectIntent& first) {
@@ -202,11 +255,14 @@ class Mender {
       as_given.translation += middle_of(id, nominal) - middle_of(id, given);
       attitudes.push_back(as_given);
     }
+    // An object that leans a little may have been meant level all the same.
+    if (!m_object->is_level && m_object->tilt_deg <= kMayBeLevelDeg)
+      attitudes.push_back(levelled(m_scene.at(id), downs_of(m_scene.at(id))));
     for (size_t j = 0; j < attitudes.size(); ++j) {
       const double more = static_cast<double>(j) * 0.3 * tol;
       const Pose& base = attitudes[j];
       // Starts: parted from what it crosses, lifted, and in rings around the place.
-      add(out, parted(id, base), base, more);
+      add(out, parted(m_scene, *m_object, base), base, more);
       for (const double lift : kLiftsInTolerances)
         add(out, shifted(base, 0, 0, kLeastAir + lift * tol), base, more);
       for (const double ring : kRings)
@@ -230,34 +286,6 @@ class Mender {
   static void add(std::vector<Start>& out, const Pose& pose, const Pose& base, double extra) {
     const Vec3 way = pose.translation - base.translation;
     out.push_back({way.head<2>().norm() + 0.25 * std::abs(way.z()) + extra, pose});
-  }
-
-  // Out of each that it passes through by the shortest way: up from what carries it, sideways from
-  // others.
-  Pose parted(ObjectId id, Pose pose) const {
-    pose.translation.z() += kLeastAir;
-    // Each round parts it from all that it crosses; it may then cross others.
-    for (int round = 0; round < kPartings; ++round) {
-      const Placement here{id, pose};
-      const auto found = interpenetrations(m_scene, {&here, 1}, false, 8);
-      if (found.empty()) break;
-      const Vec3 origin = origin_with(m_scene, {&here, 1});
-      const ObjectInWorld mine = in_world(m_scene.at(id), pose, origin);
-      for (const Interpenetration& x : found) pose.translation += way_out(mine, x.with, origin);
-    }
-    return pose;
-  }
-
-  Vec3 way_out(const ObjectInWorld& mine, const Support& with, const Vec3& origin) const {
-    if (with.is_floor()) return depth_below_floor(mine).metres * Vec3::UnitZ();
-    const Object& other = m_scene.at(with.object());
-    const Depth depth = depth_of(mine, in_world(other, other.pose, origin));
-    Vec3 way = (depth.metres + kLeastAir) * depth.way;
-    // The way out of what does not carry it is sideways, unless it is steep.
-    const bool carries = std::any_of(m_object->on.begin(), m_object->on.end(),
-                                     [&](const IntendedSupport& s) { return s.on == with; });
-    if (!carries && std::abs(way.z()) < way.head<2>().norm()) way.z() = 0;
-    return way;
   }
 
   Landing judged(ObjectId id, const Object& there, const Pose& nominal, const Pose& start) const {

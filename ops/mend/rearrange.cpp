@@ -34,12 +34,12 @@ bool Rearrangement::is_out_of_time() const {
   return m_options.seconds > 0 && m_watch.milliseconds() > 1000 * m_options.seconds;
 }
 
-bool Rearrangement::keep(ObjectId id) {
+bool Rearrangement::stand_still(ObjectId id, const Pose& pose) {
   // The object is kept only if it stands there and is stable.
   Transaction transaction(m_scene);
   StandOperation there;
   there.object = m_scene.at(id).name;
-  there.pose = given(id);
+  there.pose = pose;
   const OperationResult result =
       perform(transaction, Operation(there), m_options.settle, m_options.context);
   if (!result.ok() || m_scene.at(id).state != ObjectState::Stable) return false;

@@ -21,7 +21,9 @@ class Rearrangement {
   bool is_out_of_time() const;
 
   /// Where it was, if it is free and at rest there.
-  bool keep(ObjectId id);
+  bool keep(ObjectId id) { return stand_still(id, given(id)); }
+  /// The same of another pose.
+  bool stand_still(ObjectId id, const Pose& pose);
   /// PUT from a start pose.
   OperationResult put(ObjectId id, const Pose& start) { return put_in(m_scene, id, start); }
   /// The same, taken back after `judge` has seen the scene.

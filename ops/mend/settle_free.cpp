@@ -49,6 +49,9 @@ void let_down(Rearrangement& scene, ObjectId id) {
   scene.give_up(id, std::move(why));
 }
 
+// An object that others hang in by joints stays with them.
+bool is_free_alone(const Object& object) { return !object.fixed && object.links.empty(); }
+
 // The slots, and what they hold, and what that holds.
 Slots and_their_loads(const Scene& scene, Slots slots) {
   std::map<std::uint32_t, std::vector<ObjectId>> loads;
@@ -59,7 +62,8 @@ Slots and_their_loads(const Scene& scene, Slots slots) {
     const std::uint32_t slot = open.back();
     open.pop_back();
     for (const ObjectId load : loads[slot])
-      if (!scene.at(load).fixed && slots.insert(load.index).second) open.push_back(load.index);
+      if (is_free_alone(scene.at(load)) && slots.insert(load.index).second)
+        open.push_back(load.index);
   }
   return slots;
 }
@@ -89,7 +93,7 @@ std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOpt
   Slots slots;
   for (const ObjectId id : judged.ids()) {
     const Object& object = judged.at(id);
-    if (object.placed && !object.fixed && names.count(object.name)) slots.insert(id.index);
+    if (object.placed && is_free_alone(object) && names.count(object.name)) slots.insert(id.index);
   }
   slots = and_their_loads(judged, std::move(slots));
   std::vector<ObjectId> out;

@@ -3,16 +3,12 @@
 #include <algorithm>
 
 #include "core/flex/flexible.h"
+#include "core/motion/compose.h"
 #include "ops/operations/drape.h"
 #include "ops/operations/edit_parts.h"
 
 namespace trivet {
 namespace {
-
-bool is_same(const Pose& a, const Pose& b) {
-  const Rotation &p = a.rotation, &q = b.rotation;
-  return a.translation == b.translation && p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z;
-}
 
 bool holds_any(const Scene& scene, const std::string& name) {
   for (const ObjectId id : scene.ids()) {
@@ -81,7 +77,7 @@ void CarriedDrapes::follow(Transaction& transaction, OperationRun& run,
   const Scene& scene = transaction.scene();
   const auto has_moved = [&](const std::pair<ObjectId, Pose>& holder) {
     return scene.contains(holder.first) && scene.at(holder.first).placed &&
-           !is_same(scene.at(holder.first).pose, holder.second);
+           !is_same_pose(scene.at(holder.first).pose, holder.second);
   };
   for (const Held& held : m_held) {
     if (!scene.contains(held.draped)) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/tunables.h"
 #include "ops/stability/contact_forces.h"
 
 namespace trivet {
@@ -45,7 +46,8 @@ std::vector<ContactsWith> carriers(const Scene& scene, ObjectId id, const RestRu
   if (auto close = carriers_among(linked_bodies(scene, ids, friction), rules.clearance))
     return std::move(*close);
   const auto is_ground = [](ObjectId, const Object&) { return true; };
-  return carriers_among(near_bodies(scene, ids, rules.clearance, is_ground, friction),
+  const double reach = rules.perfect_friction ? kBalanceTolerance : kCarryingTolerance;
+  return carriers_among(near_bodies(scene, ids, rules.clearance, is_ground, friction, reach),
                         rules.clearance)
       .value_or(std::vector<ContactsWith>{});
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
+#include "core/scene/friction.h"
 #include "ops/operations/carriers.h"
 #include "ops/operations/leaning.h"
 #include "ops/settle/rest.h"
@@ -145,6 +146,7 @@ class GroupCommit {
     const std::span<const Body> bodies = m_group.bodies();
     for (size_t i = 0; i < bodies.size(); ++i)
       for (size_t j = i + 1; j < bodies.size(); ++j) {
+        if (may_pass(m_scene, m_scene.at(m_group.ids()[i]), m_scene.at(m_group.ids()[j]))) continue;
         std::vector<ContactPoint> points =
             contact_points(bodies[i], bodies[j], kContactTolerance * m_group.clearance(),
                            kFootSlack * m_group.clearance());
@@ -257,7 +259,8 @@ void rate_again(Transaction& transaction, std::vector<ObjectId> ids, const RestR
 
 void rate_left_alone(Transaction& transaction, ObjectId id, const RestRules& rules,
                      OperationResult& result) {
-  rate_as(transaction, id, rules, [&](const auto& rests) {
+  const RestRules known = rules_by_links(transaction.scene().at(id), rules);
+  rate_as(transaction, id, known, [&](const auto& rests) {
     return rests() ? ObjectState::Stable : left_alone(transaction.scene(), id, result);
   });
 }

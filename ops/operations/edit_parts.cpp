@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/scene/joint.h"
 #include "ops/base/names.h"
 #include "ops/operations/commit.h"
 #include "ops/settle/rest.h"
@@ -12,6 +13,16 @@ std::optional<Refusal> refuse_name(const Scene& scene, const std::string& name) 
   if (!is_object_name(name)) return Refusal{Refusal::Cause::InvalidName, {{name, std::nullopt}}};
   if (scene.find(name)) return Refusal{Refusal::Cause::NameTaken, {named(scene, name)}};
   return std::nullopt;
+}
+
+std::optional<Refusal> refuse_in_joint(const Scene& scene, ObjectId id) {
+  const Object& object = scene.at(id);
+  if (!object.joint && object.links.empty()) return std::nullopt;
+  const Object& link = object.joint ? object : scene.at(object.links[0]);
+  Refusal out{Refusal::Cause::InvalidArgument};
+  out.detail = say("\"%1\" hangs in \"%2\" by a joint; accepted: objects without joints", link.name,
+                   scene.at(link.joint->parent).name);
+  return out;
 }
 
 OperationResult done_result() {

@@ -21,6 +21,9 @@ std::optional<Refusal> refuse_stand(const Scene& scene, ObjectId id, const Pose&
                                     const SettleOptions& options);
 Refusal locked_refusal(const Scene& scene, ObjectId id);
 
+/// An object that hangs in a joint, or in which others hang, stays in the scene as it is.
+std::optional<Refusal> refuse_in_joint(const Scene& scene, ObjectId id);
+
 OperationResult done_result();
 ObjectId id_named(const Transaction& transaction, const std::string& name);
 
@@ -38,6 +41,7 @@ OperationResult take_away(Transaction& transaction, ObjectId id, const MoveOptio
                           const char* op, OperationRun& run, const Remove& remove) {
   const Scene& scene = transaction.scene();
   if (scene.at(id).locked) return refused(locked_refusal(scene, id));
+  if (auto why = refuse_in_joint(scene, id)) return refused(std::move(*why));
   const double clearance = clearance_near(scene, run.options, scene.world_box(id));
   const Named name = named(scene, Support(id));
   const std::vector<ObjectId> dependents = dependents_of(scene, id);

@@ -30,6 +30,8 @@ OperationResult apply(Transaction& transaction, const FixOperation& o, Operation
   const ObjectId id = id_named(transaction, o.object);
   // An operation that changes nothing leaves no trace.
   if (scene.at(id).fixed == o.fixed) return done_result();
+  // A link is held by its joint, not by being free.
+  if (scene.at(id).joint) return refused(std::move(*refuse_in_joint(scene, id)));
   transaction.edit(id, [&](Object& object) {
     object.fixed = o.fixed;
     if (!o.fixed) object.flexible.reset();  // stiff from now on: it moves as one

@@ -2,23 +2,20 @@
 // first contact.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/scene/joint_load.h"
+#include "ops/operations/moving_group.h"
 #include "ops/operations/operation_run.h"
-#include "ops/placement/neighbourhood.h"
 
 namespace trivet {
 
-/// A joint whose links are fixed objects of a scene. Metres, or degrees where it turns; world.
-struct JointToMove {
+/// A joint whose links are fixed objects of a scene.
+struct JointToMove : JointPlace {
   std::string name;
-  bool turns = false;           // a hinge; else a slide
   std::vector<ObjectId> links;  // that move, the one in the joint first
-  Vec3 axis = Vec3::UnitZ();    // unit; a turn is right-handed about it
-  Vec3 anchor = Vec3::Zero();   // a point on the axis of a hinge
-  double value = 0;
-  double lower = -kInfinity, upper = kInfinity;
 };
 
 struct JointMove {
@@ -28,6 +25,11 @@ struct JointMove {
   Support blocker = Support::floor();  // Blocked: what stopped it, and where
   Vec3 point = Vec3::Zero();
 };
+
+/// Moves a group, the links of the joint and what they carry, to a value, or until the first of
+/// them meets something. @param stepped  called after each motion; may be empty.
+JointMove drive_joint(MovingGroup& group, const JointToMove& joint, double to,
+                      const std::function<void()>& stepped = {});
 
 /// Moves a joint to a value. What lies on or in the links comes along; nothing passes through
 /// anything but by the scene's pair rules, which must let links pass what they hang in. Objects

@@ -17,7 +17,10 @@
 namespace trivet {
 namespace {
 
-constexpr double kSteps[] = {0.1, 0.02};  // of the size of the fastest
+/// Parts of the size of the fastest. In the last one gaps of some clearances may close that longer
+/// ones keep open, as contacts part in these; it is made only where there are such gaps.
+constexpr double kSteps[] = {0.1, 0.02, 1e-3};
+constexpr double kClosingStep = 1e-3;
 /// Twists that differ by less, relative to the faster one, count as equal. Coarser groups where
 /// finer ones block each other.
 constexpr double kSame[] = {2e-3, 0.03, 0.3};
@@ -71,16 +74,24 @@ class JointMotion {
 
   // Until one gets far enough, or what blocks them is known.
   void search() {
+    m_may_close = std::any_of(m_motion.contacts.begin(), m_motion.contacts.end(),
+                              [](const CoulombContact& c) { return c.room > 0; });
     // Long steps come first; short ones get on where long ones are blocked.
     for (const double step : kSteps)
-      for (int round = 0; round <= kMaxBlockedRounds; ++round) {
-        solve(step);
-        // Bodies that do not sink have no motion to make.
-        if (!(m_motion.duration > 0) || !(predicted() > 0)) return;
-        if (try_groups() || has_tried_enough() || m_run.interrupt.reason()) return;
-        // Blockers join the contacts, and the first motion is found again.
-        if (!join_blockers()) break;
-      }
+      if ((step > kClosingStep || m_may_close) && !search_with(step)) return;
+  }
+
+  // @return whether another step may get farther.
+  bool search_with(double step) {
+    for (int round = 0; round <= kMaxBlockedRounds; ++round) {
+      solve(step);
+      // Bodies that do not sink have no motion to make, unless gaps may close.
+      if (!(m_motion.duration > 0) || !(predicted() > 0)) return m_may_close;
+      if (try_groups() || has_tried_enough() || m_run.interrupt.reason()) return false;
+      // Blockers join the contacts, and the first motion is found again.
+      if (!join_blockers()) break;
+    }
+    return true;
   }
 
   bool has_tried_enough() const {
@@ -130,8 +141,11 @@ class JointMotion {
     // The contact is told from the side of a body that moves.
     if (on == CoulombContact::kGround) std::swap(on, from), normal = -normal;
     if (on == CoulombContact::kGround) return;
+    // A contact across a gap may still close.
+    const double gap = t.contact.gap;
+    const double room = gap > kContactTolerance * m_clearance ? gap - m_clearance : 0;
     m_motion.contacts.push_back(
-        {on, from, t.contact.point, normal, kSlidingFriction * t.friction, 0});
+        {on, from, t.contact.point, normal, kSlidingFriction * t.friction, room});
   }
 
   void solve(double step) {
@@ -267,6 +281,7 @@ class JointMotion {
   std::vector<ObjectId> m_ids;                         // of its bodies
   std::vector<std::pair<Blocker, double>> m_blockers;  // of the last attempts; seconds until then
   std::optional<Attempt> m_best;
+  bool m_may_close = false;  // some gaps, from the start
   int m_num_attempts = 0;
   std::int64_t m_num_queries = 0;
 };

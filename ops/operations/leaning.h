@@ -1,7 +1,7 @@
 // Objects that may be held by others that they do not touch.
 //
 // An object whose centre of mass is inside the support polygon of its contacts rests whatever else
-// is near. Any other also rests on contacts that are open by up to kBalanceTolerance clearances,
+// is near. Any other also rests on contacts that are open by up to kCarryingTolerance clearances,
 // and on what obstructs the motions that would lower it: nothing farther away than its own size.
 #pragma once
 

@@ -75,6 +75,18 @@ MovePlanner::MovePlanner(const Scene& scene, ObjectId id, const MoveOptions& mov
   begin(id, {}, {{id, expected_box(scene, scene.at(id), start)}});
 }
 
+MovePlanner::MovePlanner(const Scene& scene, ObjectId link, const MoveOptions& move,
+                         OperationRun& run)
+    : m_scene(scene),
+      m_run(run),
+      m_op("move_joint"),
+      m_settle_left(move.settle_left),
+      m_in_joint(true) {
+  begin(link, {}, {});
+  if (!refused())
+    if (auto why = refuse_start(false)) refuse(*why);
+}
+
 void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
                         const std::vector<PlacedBox>& started) {
   const Object& object = m_scene.at(id);
@@ -90,7 +102,7 @@ void MovePlanner::begin(ObjectId id, const std::vector<ObjectId>& together,
   // Objects that may not move are refused first, then scenes that are too coarse for this
   // clearance.
   std::optional<Refusal> why;
-  if (!comes_in) why = refuse_immovable(m_scene, m_group->ids());
+  if (!comes_in) why = refuse_immovable(m_scene, m_group->ids(), m_in_joint);
   if (!why) why = refuse_too_coarse(m_scene, started, options().clearance);
   if (!why) why = refuse_clearance(clearance, range);
   if (why) refuse(*why);

@@ -40,6 +40,9 @@ class MovePlanner {
   MovePlanner(const Scene& scene, ObjectId id, const MoveOptions& move, const Pose& start,
               OperationRun& run);
 
+  /// For a link in its joint, with what hangs in it.
+  MovePlanner(const Scene& scene, ObjectId link, const MoveOptions& move, OperationRun& run);
+
   bool refused() const { return !m_result.ok(); }
   void refuse(Refusal why) { m_result.refuse(std::move(why)); }
   /// Refuses when the operation is to stop; checked between motions.
@@ -88,6 +91,7 @@ class MovePlanner {
   bool m_settle_left;
   OperationResult m_result;
   std::optional<MovingGroup> m_group;
+  bool m_in_joint = false;
   bool m_is_put = false, m_joint = false, m_released = false, m_wedged = false;
   std::optional<Refusal> m_why_wedged;  // unless it is accepted
 };

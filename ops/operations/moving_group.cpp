@@ -6,6 +6,8 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
+#include "core/scene/friction.h"
+#include "core/scene/joint.h"
 #include "ops/settle/separation.h"
 #include "ops/stability/carried.h"
 
@@ -58,9 +60,39 @@ bool touches_others(const Scene& scene, const std::vector<ObjectId>& group) {
   });
 }
 
-void append_group_members(const Scene& scene, ObjectId id, IdList& ids) {
+// Members of its group, and what hangs in it by joints: these go along whether they may move by
+// themselves or not.
+void append_tied(const Scene& scene, ObjectId id, IdList& ids) {
   for (const ObjectId other : scene.group_members(scene.at(id).group))
     if (scene.at(other).placed) ids.add(other);
+  for (const ObjectId link : scene.at(id).links)
+    if (scene.at(link).placed) ids.add(link);
+}
+
+// Rules for an object alone, whatever they say of those that move with it: these it may pass.
+std::vector<Support> passed_by(const Scene& scene, const Object& object) {
+  std::vector<Support> out;
+  if (may_pass_floor(scene, object)) out.push_back(Support::floor());
+  for (const ObjectId id : scene.ids())
+    if (may_pass(scene, object, scene.at(id))) out.push_back(id);
+  return out;
+}
+
+// Rules of single members: those of all together are too strict where a link goes with contents.
+std::vector<Neighbourhood> outsides_of(const Scene& scene, const std::vector<ObjectId>& ids) {
+  std::vector<Neighbourhood> out;
+  if (!scene.pair_rules || ids.size() == 1) return out;
+  for (const ObjectId id : ids) {
+    Neighbourhood outside(scene, ids);
+    outside.leave_out(passed_by(scene, scene.at(id)));
+    out.push_back(std::move(outside));
+  }
+  return out;
+}
+
+// A link goes with what it hangs in.
+bool goes_with_parent(const Object& object, std::span<const ObjectId> ids) {
+  return object.joint && std::find(ids.begin(), ids.end(), object.joint->parent) != ids.end();
 }
 
 }  // namespace
@@ -70,7 +102,7 @@ std::vector<ObjectId> driven_with(const Scene& scene, ObjectId object,
   IdList ids(object);
   for (const ObjectId id : together) ids.add(id);
   // Members of groups bring their groups, transitively.
-  for (size_t i = 0; i < ids.size(); ++i) append_group_members(scene, ids[i], ids);
+  for (size_t i = 0; i < ids.size(); ++i) append_tied(scene, ids[i], ids);
   return ids.take();
 }
 
@@ -84,7 +116,7 @@ std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
   // Loads bring their loads, and group members theirs, until none is new.
   for (size_t i = 0; i < found.size(); ++i) {
     append_loads(scene, found[i], found);
-    append_group_members(scene, found[i], found);
+    append_tied(scene, found[i], found);
   }
   std::vector<ObjectId> ids = found.take();
   // The object stays first; the others are ordered by slot, so that results repeat.
@@ -111,12 +143,15 @@ std::vector<ObjectId> loads_by_forces(const Scene& scene, ObjectId object,
   return out;
 }
 
-std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids) {
+std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids,
+                                        bool in_joint) {
   // A fixed or locked member holds the whole group.
   for (const ObjectId id : ids) {
     const Object& object = scene.at(id);
-    if (!object.fixed && !object.locked) continue;
-    Refusal why{object.fixed ? Refusal::Cause::Fixed : Refusal::Cause::Locked,
+    const bool is_fixed =
+        object.fixed && !goes_with_parent(object, ids) && !(in_joint && id == ids[0]);
+    if (!is_fixed && !object.locked) continue;
+    Refusal why{is_fixed ? Refusal::Cause::Fixed : Refusal::Cause::Locked,
                 {named(scene, Support(id))}};
     if (id != ids[0]) why.objects.push_back(named(scene, Support(ids[0])));
     return why;
@@ -131,6 +166,7 @@ MovingGroup::MovingGroup(const Scene& scene, ObjectId object, std::span<const Ob
       m_ids(carried_with(scene, object, together, more_loads)),
       m_driven(driven_with(scene, object, together)),
       m_outside(scene, m_ids),
+      m_outside_of(outsides_of(scene, m_ids)),
       m_clearance(clearance),
       m_motion_clearance(clearance),
       m_options(options),
@@ -180,6 +216,13 @@ void MovingGroup::place(const Pose& pose) {
   update();
 }
 
+void MovingGroup::correct(Index member, const Pose& pose) {
+  m_origins = m_poses;
+  m_origins[member] = pose;
+  m_offset.setZero();
+  update();
+}
+
 void MovingGroup::advance(const Motion& motion, double time) {
   // A rotation rounds poses anyway, and takes the offset into them.
   if (motion.kind == Motion::Kind::Translation) {
@@ -209,10 +252,24 @@ bool MovingGroup::has_moved() const {
 }
 
 ObstacleContact MovingGroup::first_contact(const Motion& motion) {
+  if (m_outside_of.empty()) return first_contact(m_bodies, m_outside, motion);
+  ObstacleContact earliest;
+  // Each member has its own obstacles: the first of all counts, of equal ones that of the first
+  // member.
+  for (size_t i = 0; i < m_bodies.size(); ++i) {
+    const ObstacleContact found = first_contact({&m_bodies[i], 1}, m_outside_of[i], motion);
+    if (found.status == FirstContact::Status::Crossing) return found;
+    if (found.status == FirstContact::Status::Contact && found.time < earliest.time)
+      earliest = found;
+  }
+  return earliest;
+}
+
+ObstacleContact MovingGroup::first_contact(std::span<const Body> bodies,
+                                           const Neighbourhood& others, const Motion& motion) {
   Clearance keep;
   keep.distance = m_motion_clearance;
-  const ObstacleContact found =
-      trivet::first_contact(m_bodies, m_outside, motion, keep, m_detector);
+  const ObstacleContact found = trivet::first_contact(bodies, others, motion, keep, m_detector);
   ++m_num_queries;
   m_num_face_pairs += found.work.face_pairs;
   return found;
@@ -220,7 +277,9 @@ ObstacleContact MovingGroup::first_contact(const Motion& motion) {
 
 const std::vector<ContactsWith>& MovingGroup::contacts(Index member) const {
   std::optional<std::vector<ContactsWith>>& known = m_contacts[member];
-  if (!known) known = touching(m_bodies[member], m_outside, m_clearance);
+  if (!known)
+    known = touching(m_bodies[member], m_outside_of.empty() ? m_outside : m_outside_of[member],
+                     m_clearance);
   return *known;
 }
 

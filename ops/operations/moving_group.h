@@ -10,8 +10,9 @@
 
 namespace trivet {
 
-/// The object, its loads, transitively [Shinya 1995, 4.2], and the members of their groups with
-/// their loads. The object first, the others by slot. Fixed objects are never carried.
+/// The object, its loads, transitively [Shinya 1995, 4.2], the members of their groups and what
+/// hangs in them by joints, with their loads. The object first, the others by slot. Fixed objects
+/// are never carried, but in joints.
 /// @param together  in the scene, treated as members of the object's group.
 /// @param more_loads  that no link shows, with all that they carry.
 std::vector<ObjectId> carried_with(const Scene& scene, ObjectId object,
@@ -24,13 +25,15 @@ std::vector<ObjectId> loads_by_forces(const Scene& scene, ObjectId object,
                                       std::span<const ObjectId> together,
                                       const SettleOptions& options);
 
-/// Objects that a hand moves: the object, those `together` with it, and their groups. The rest of
-/// carried_with() only lies on these.
+/// Objects that a hand moves: the object, those `together` with it, their groups, and what hangs in
+/// them. The rest of carried_with() only lies on these.
 std::vector<ObjectId> driven_with(const Scene& scene, ObjectId object,
                                   std::span<const ObjectId> together = {});
 
-/// Refuses to move fixed and locked objects. @param ids  the object of the operation first.
-std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids);
+/// Refuses to move fixed and locked objects; links may go with what they hang in.
+/// @param ids  the object of the operation first. @param in_joint  that one moves in its joint.
+std::optional<Refusal> refuse_immovable(const Scene& scene, std::span<const ObjectId> ids,
+                                        bool in_joint = false);
 
 /// A contact point of a member with an object outside the group or the floor.
 struct GroupContact {
@@ -65,6 +68,8 @@ class MovingGroup {
   /// Moves all so that the object has this pose.
   void place(const Pose& pose);
   void advance(const Motion& motion, double time);
+  /// Gives a member a pose that differs from the one it has by rounding alone.
+  void correct(Index member, const Pose& pose);
   /// First contact with the outside, from where the group is.
   ObstacleContact first_contact(const Motion& motion);
   /// Contacts of a member with the outside, within kContactTolerance clearances; cached until the
@@ -97,6 +102,8 @@ class MovingGroup {
 
  private:
   void update();
+  ObstacleContact first_contact(std::span<const Body> bodies, const Neighbourhood& others,
+                                const Motion& motion);
   SettleOutcome settle(SettleProblem problem, bool loads_weigh);
   std::optional<Vec3> separating_motion_for_sliding(const std::vector<ContactPoint>& points,
                                                     double part) const;
@@ -104,6 +111,7 @@ class MovingGroup {
   const Scene* m_scene;
   std::vector<ObjectId> m_ids, m_driven;
   Neighbourhood m_outside;
+  std::vector<Neighbourhood> m_outside_of;  // of each member, if rules may part them; else empty
   double m_clearance, m_motion_clearance;
   SettleOptions m_options;
   Detector* m_detector;

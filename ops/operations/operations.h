@@ -15,6 +15,7 @@
 #include "ops/operations/group.h"
 #include "ops/operations/lock.h"
 #include "ops/operations/material.h"
+#include "ops/operations/move_joint.h"
 #include "ops/operations/pick_up.h"
 #include "ops/operations/push.h"
 #include "ops/operations/put.h"
@@ -28,11 +29,12 @@
 
 namespace trivet {
 
-using Operation = std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation,
-                               TranslateOperation, RotateOperation, AppendOperation,
-                               DuplicateOperation, DeleteOperation, LockOperation, FixOperation,
-                               MaterialOperation, GroupOperation, StandOperation, UnplaceOperation,
-                               ArrangeOperation, RenameOperation, DrapeOperation, RepairOperation>;
+using Operation =
+    std::variant<PutOperation, PushOperation, TurnOperation, PickUpOperation, TranslateOperation,
+                 RotateOperation, AppendOperation, DuplicateOperation, DeleteOperation,
+                 LockOperation, FixOperation, MaterialOperation, GroupOperation, StandOperation,
+                 UnplaceOperation, ArrangeOperation, RenameOperation, DrapeOperation,
+                 RepairOperation, MoveJointOperation>;
 
 /// Its name in layouts: "put", "push", "unlock", ...
 const char* op_name(const Operation& operation);

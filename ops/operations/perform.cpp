@@ -6,6 +6,7 @@
 #include "ops/operations/commit.h"
 #include "ops/operations/commit_at_rest.h"
 #include "ops/operations/draped_rest.h"
+#include "ops/operations/joint_hold.h"
 #include "ops/operations/put_parts.h"
 #include "ops/operations/tries.h"
 #include "ops/operations/validate.h"
@@ -170,6 +171,10 @@ OperationResult perform(Transaction& outer, const Operation& operation,
       },
       operation);
   if (result.ok()) carried.follow(inner, run, result);
+  // A change of material is told, not refused.
+  if (result.ok() && keeps_whole_at_rest(options) &&
+      !std::holds_alternative<MaterialOperation>(operation))
+    refuse_links_that_give_way(inner, named(inner.scene(), name), result);
   // Supports that a hand holds, or that are unsupported or invalid, are named: the result stands on
   // them.
   if (result.ok() && object && inner.scene().contains(*object))

@@ -26,10 +26,25 @@ Push::Push(MovePlanner& planner, const PushOperation& o)
   find_contacts();
   note_way(false);
   // An object that nothing carries has no surface to slide on.
-  const bool carried = std::any_of(
-      m_group_contacts.begin(), m_group_contacts.end(),
-      [&](const GroupContact& t) { return from_world(t.point.normal).z() > kSupportNormalZ; });
+  const bool carried = std::any_of(m_group_contacts.begin(), m_group_contacts.end(),
+                                   [&](const GroupContact& t) { return carries(t.point); }) ||
+                       is_known_to_lie();
   if (!carried) m_planner.refuse({Refusal::Cause::NothingToSlideOn, {m_planner.name()}});
+}
+
+bool Push::carries(const ContactPoint& p) const {
+  return from_world(p.normal).z() > kSupportNormalZ;
+}
+
+// The object may have come to rest on it across a gap, or with a clearance a little larger: the
+// push first goes down onto it.
+bool Push::is_known_to_lie() const {
+  const std::vector<ObjectContact>& links = m_group.object().contacts;
+  return std::any_of(links.begin(), links.end(), [&](const ObjectContact& entry) {
+    const std::vector<ContactPoint>& points = entry.contact.points;
+    return std::any_of(points.begin(), points.end(),
+                       [&](const ContactPoint& p) { return carries(p); });
+  });
 }
 
 // Contacts are looked for again only where the group has moved.

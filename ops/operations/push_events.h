@@ -78,6 +78,8 @@ class Push {
   Vec3 to_world(const Vec3& v) const { return m_is_level ? v : Vec3(m_axes.transpose() * v); }
   Vec3 from_world(const Vec3& v) const { return m_is_level ? v : Vec3(m_axes * v); }
   Vec3 position() const { return from_world(m_group.pose().translation); }
+  bool carries(const ContactPoint& p) const;
+  bool is_known_to_lie() const;
   void find_contacts();
   void note_way(bool straight);
   std::optional<SettleOutcome> settled_from(const Vec3& offset);

@@ -21,6 +21,8 @@ constexpr int kStartsOfTry = 2;   // looked at for each try: some interpenetrate
 /// most other starts it stands at once, in a tenth of the time.
 constexpr int kTriesToStand = 4;
 constexpr Budget kBudgetToStand{40, 0}, kBudgetOfTry{40}, kBudgetOfLast{600};
+/// The first starts have this once more where all were refused: others may move now.
+constexpr Budget kBudgetOfSecondLook{300};
 
 // Between half a turn either way.
 double wrapped_deg(double deg) { return std::remainder(deg, 360); }
@@ -73,6 +75,7 @@ class Tries {
     }
     // No try was better than the rest across a gap.
     if (m_gap) return take(*m_gap);
+    if (auto result = look_again()) return *result;
     if (num_tries > 1) {
       first.refusal->numbers.push_back({"tries", static_cast<double>(num_tries)});
       first.refusal->numbers.push_back({"within", m_operation.within * size_of(object())});
@@ -81,6 +84,17 @@ class Tries {
   }
 
  private:
+  // From the first starts, at which others hardly could move.
+  std::optional<OperationResult> look_again() {
+    for (int n = 1; n <= std::min(kTriesToStand, m_operation.tries); ++n) {
+      const auto result = try_number(n, kBudgetOfSecondLook);
+      if (result && (result->ok() || result->status != OperationResult::Status::Refused))
+        return result;
+    }
+    if (m_gap) return take(*m_gap);
+    return std::nullopt;
+  }
+
   Budget budget_of(int try_number) const {
     if (try_number == m_operation.tries) return kBudgetOfLast;
     return try_number <= kTriesToStand ? kBudgetToStand : kBudgetOfTry;

@@ -9,7 +9,8 @@
 //   else                     an operation of its own, proved as any other; the first that is done
 //                            and ends in the container is taken. From starts 2 to 4 the whole has
 //                            to stand at once, from the next ones after few motions, from the last
-//                            after more
+//                            after more. Where all are refused, starts 1 to 4 once more, after
+//                            motions of any number of objects
 #pragma once
 
 #include <functional>

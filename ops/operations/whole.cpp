@@ -134,8 +134,9 @@ class Whole {
   bool give_way(const PartVerdict& verdict) {
     // Single objects move first; a joint motion is searched for when each holds alone.
     if (move_each(m_transaction, verdict.topples)) return true;
+    // The motion will meet what is near, but too far to carry.
     const FreeBodies part =
-        near_part(m_scene, parts(), m_clearance, is_fixed_or_held, std::nullopt);
+        near_part(m_scene, parts(), m_clearance, is_fixed_or_held, std::nullopt, kBalanceTolerance);
     // Members of groups and locked objects take no part in joint motions.
     std::vector<ObjectId> free = verdict.topples;
     std::erase_if(free, [&](ObjectId id) { return !may_move_alone(id); });
@@ -184,10 +185,11 @@ class Whole {
            object.state != ObjectState::Invalid;
   }
 
-  // In a joint motion bodies of a group would part.
+  // In a joint motion bodies of a group would part, and links from what they hang in.
   bool may_move_alone(ObjectId id) const {
     const Object& object = m_scene.at(id);
-    return may_move(id) && !object.locked && m_scene.group_members(object.group).size() <= 1;
+    return may_move(id) && !object.locked && object.links.empty() &&
+           m_scene.group_members(object.group).size() <= 1;
   }
 
   std::vector<ObjectId> partners(ObjectId id) const {

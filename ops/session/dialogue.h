@@ -54,8 +54,8 @@ class Dialogue {
   Answer answer(const std::string& line, const std::atomic<bool>& cancelled);
   /// The scene as it is, judged from its poses alone. Its points count from the session's floor.
   SceneVerdict verdict() const;
-  /// Joints as they are; none in scenes of Trivet's own.
-  const std::vector<SceneJoint>& joints() const;
+  /// Joints as they are.
+  std::vector<SceneJoint> joints() const;
 
  private:
   OrderedJson state() const;
@@ -74,6 +74,7 @@ class Dialogue {
   void begin(MendOptions& options) const;
   OrderedJson repaired(const char* step, const SettledScene& repaired, const OrderedJson& told);
   OrderedJson move_joint(const JsonPlace& request);
+  OrderedJson move_own_joint(const std::string& link, double goal);
   void check_room(const std::vector<Operation>& operations, const JsonPlace& place) const;
   Operation read(const JsonPlace& place) const;
   std::vector<Operation> read_all(const JsonPlace& place) const;

@@ -2,6 +2,7 @@
 #include "core/base/quoted.h"
 #include "core/io/json.h"
 #include "ops/files/foreign/joint_moves.h"
+#include "ops/files/foreign/own_joints.h"
 #include "ops/files/foreign/repair_json.h"
 #include "ops/files/report/repaired.h"
 #include "ops/mend/mend.h"
@@ -71,9 +72,9 @@ OrderedJson Dialogue::check() const {
   return out;
 }
 
-const std::vector<SceneJoint>& Dialogue::joints() const {
-  static const std::vector<SceneJoint> none;
-  return m_opened.others ? m_opened.others->joints(m_session.num_done()) : none;
+std::vector<SceneJoint> Dialogue::joints() const {
+  return m_opened.others ? m_opened.others->joints(m_session.num_done())
+                         : joints_in(m_session.scene());
 }
 
 OrderedJson Dialogue::joint_list() const {
@@ -125,21 +126,36 @@ void Dialogue::begin(MendOptions& options) const {
 OrderedJson Dialogue::move_joint(const JsonPlace& request) {
   request.expect_object({"move_joint"}, {"to", "by"});
   const JsonPlace name = request.at("move_joint");
-  if (!m_opened.others) name.refuse("a joint of a scene in MJCF, URDF or SDF: this scene has none");
   std::string known;
   const SceneJoint* found = nullptr;
-  for (const SceneJoint& joint : joints()) {
+  const std::vector<SceneJoint> all = joints();
+  for (const SceneJoint& joint : all) {
     if (joint.name == name.text()) found = &joint;
     known += (known.empty() ? "" : ", ") + quoted(joint.name);
   }
   if (!found)
-    name.refuse(known.empty() ? Sentence("none: no slides and hinges were read") : Sentence(known));
+    name.refuse(known.empty() ? Sentence("none: the scene has no slides and hinges")
+                              : Sentence(known));
   const double goal = goal_of(request, *found);
+  if (!m_opened.others) return move_own_joint(name.text(), goal);
   const JointMove move = m_opened.others->move(m_session, name.text(), goal,
                                                OperationRun(m_options.settle, m_options.context));
   OrderedJson out = state();
   for (const SceneJoint& joint : joints())
     if (joint.name == name.text()) out.update(joint_move_json(m_session.scene(), 0, joint, move));
+  return out;
+}
+
+// An operation as any other; its answer has the same keys as that of other programs' joints.
+OrderedJson Dialogue::move_own_joint(const std::string& link, double goal) {
+  MoveJointOperation operation;
+  operation.object = link, operation.to = goal;
+  OrderedJson out = perform({operation});
+  if (out["status"] != "ok") return out;
+  for (const SceneJoint& joint : joints())
+    if (joint.name == link) out.update(joint_json(m_session.scene(), joint));
+  out["end"] = out["ended"];
+  if (!out.contains("carried")) out["carried"] = OrderedJson::array();
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
+#include "core/motion/compose.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/files/foreign/joint_moves.h"
@@ -10,11 +11,6 @@
 
 namespace trivet {
 namespace {
-
-bool is_same_pose(const Pose& a, const Pose& b) {
-  const Rotation &r = a.rotation, &s = b.rotation;
-  return a.translation == b.translation && r.w == s.w && r.x == s.x && r.y == s.y && r.z == s.z;
-}
 
 ModelSource no_models() {
   return [](const std::string& name, const Tessellation&) -> Model {

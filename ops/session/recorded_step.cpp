@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scene/joint.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
 
@@ -50,6 +51,16 @@ void place(Transaction& transaction, const RecordedPose& recorded) {
   });
 }
 
+// Values of joints follow from where the links are.
+void follow_joint(Transaction& transaction, const RecordedPose& recorded) {
+  const Scene& scene = transaction.scene();
+  const auto id = scene.find(recorded.object);
+  if (!id || !recorded.pose || !scene.at(*id).joint) return;
+  auto joint = std::make_shared<LinkJoint>(*scene.at(*id).joint);
+  joint->value = joint_value(*joint, scene.at(joint->parent).pose, *recorded.pose);
+  transaction.edit(*id, [&](Object& object) { object.joint = std::move(joint); });
+}
+
 }  // namespace
 
 void repeat_recorded(Transaction& transaction, const std::vector<Operation>& operations,
@@ -57,6 +68,7 @@ void repeat_recorded(Transaction& transaction, const std::vector<Operation>& ope
   for (const Operation& operation : operations)
     std::visit(ListEdits(transaction, settle), operation);
   for (const RecordedPose& recorded : poses) place(transaction, recorded);
+  for (const RecordedPose& recorded : poses) follow_joint(transaction, recorded);
   std::vector<ObjectId> touched = transaction.touched();
   std::erase_if(touched, [&](ObjectId id) { return !transaction.scene().contains(id); });
   update_contacts(transaction, touched, settle.clearance, settle);

@@ -43,6 +43,7 @@ Layout layout_as_it_is(const Scene& scene, const Layout& layout) {
     out.objects.back().fixed = object.fixed;
     out.objects.back().material = object.material;
     out.objects.back().mass = object.given_mass;
+    if (object.joint) out.objects.back().joint = named_joint(scene, *object.joint);
   }
   return out;
 }

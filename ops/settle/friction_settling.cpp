@@ -112,7 +112,7 @@ class FrictionSettling {
     if (!lies_on_something()) return Hold::No;
     // Contacts a little farther away may hold it, once their gaps are closed; the place is
     // remembered for then.
-    const std::vector<FrictionContact> near = m_body.friction_points(kBalanceTolerance);
+    const std::vector<FrictionContact> near = m_body.friction_points(kCarryingTolerance);
     if (are_the_same(near, m_close) || !balances(near) || !none_topples(m_close)) return Hold::No;
     if (!m_held_at) m_held_at = {m_body.here(), object().centre};
     return Hold::Nearly;

@@ -5,6 +5,11 @@
 
 namespace trivet {
 
+/// Contacts within this many clearances may carry once nothing can sink any further. A support that
+/// is farther away is none to other programs, which look for it within 8 default clearances; with
+/// less, more starts are refused. (With perfect friction: kBalanceTolerance.)
+inline constexpr double kCarryingTolerance = 7;
+
 /// As settle(). Rest is tested before every motion, by forces: where they balance, nothing moves,
 /// even if something could. Motions, best first: a fall; turns at which all other contacts part;
 /// the first motion with friction (coulomb.h) as a turn or a translation; down as if nothing

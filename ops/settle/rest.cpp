@@ -7,6 +7,7 @@
 #include "core/scene/friction.h"
 #include "ops/placement/verify.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/friction_settling.h"
 #include "ops/settle/least_friction.h"
 #include "ops/settle/settle.h"
 
@@ -77,6 +78,19 @@ RestRules rest_rules(const SettleOptions& options, double clearance) {
   return {clearance, !has_finite_friction(options)};
 }
 
+RestRules rules_by_links(const Object& object, const RestRules& rules) {
+  const double reach = rules.perfect_friction ? kBalanceTolerance : kCarryingTolerance;
+  double known = 0;
+  for (const ObjectContact& entry : object.contacts)
+    for (const ContactPoint& p : entry.contact.points)
+      known = std::max(known, p.gap / (entry.across_gap ? reach : kContactTolerance));
+  RestRules out = rules;
+  // Rounding makes no other clearance.
+  if (known > 1.001 * rules.clearance)
+    out.clearance = std::min(known, kMostShrunk * rules.clearance);
+  return out;
+}
+
 bool rests_at(const Object& object, const Pose& pose, const Neighbourhood& others,
               const RestRules& rules) {
   return is_at_rest(problem_at(object, pose, others, rules));
@@ -109,7 +123,7 @@ RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
                  least(contacts, kContactTolerance * rules.clearance)};
   // Contacts that close under load may hold with less friction.
   if (rules.perfect_friction || out.least_friction <= object.material.friction) return out;
-  const double distance = kBalanceTolerance * rules.clearance;
+  const double distance = kCarryingTolerance * rules.clearance;
   const double of_near = least(contacts_with(body_of(object, pose), Neighbourhood(scene, id),
                                              distance, kFootSlack * rules.clearance),
                                distance);

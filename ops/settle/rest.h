@@ -18,6 +18,12 @@ struct RestRules {
 
 RestRules rest_rules(const SettleOptions& options, double clearance);
 
+/// For an object where the scene has it. Its links were within their tolerance when they were made:
+/// they stay contacts where the scene, and with it the clearance, has become smaller since, by
+/// kMostShrunk at most.
+RestRules rules_by_links(const Object& object, const RestRules& rules);
+inline constexpr double kMostShrunk = 2;
+
 /// True if an object would be at rest at `pose`; see is_at_rest().
 bool rests_at(const Object& object, const Pose& pose, const Neighbourhood& others,
               const RestRules& rules);
@@ -47,7 +53,7 @@ struct RestRating {
   double stability_margin = 0, least_friction = 0;
 };
 /// With finite friction an object that its contacts do not hold at its material's may be held by
-/// them together with those within kBalanceTolerance clearances, as in settling: then these give
+/// them together with those within kCarryingTolerance clearances, as in settling: then these give
 /// the least friction.
 RestRating rate_rest(const Scene& scene, ObjectId id, const Pose& pose,
                      const std::vector<ContactsWith>& contacts, const RestRules& rules);

@@ -1,6 +1,5 @@
 #include "ops/simulation/joints_of_scene.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,9 +10,7 @@
 namespace trivet {
 namespace {
 
-constexpr double kHoldingShare = 1.5;      // of the load that friction bears
-constexpr double kLeastJointForce = 1e-6;  // newtons or newton metres
-constexpr double kAtJointLimit = 1e-9;     // metres or degrees
+constexpr double kHoldingShare = 1.5;  // of the load that friction bears
 constexpr double kRadiansOfDegree = std::numbers::pi / 180;
 
 class JointMaker {
@@ -74,20 +71,16 @@ class JointMaker {
          carried_with(m_scene, joint.links[0], std::span(joint.links).subspan(1))) {
       if (!has(id)) continue;
       const SimulationBody& body = m_bodies[m_body_of.at(id)];
-      const Vec3 weight(0, 0, -kGravity * body.mass);
       const Vec3 centre =
           body.world_from_link.translation + body.world_from_link.rotation.matrix() * body.centre;
-      out += joint.turns ? joint.axis.dot((centre - joint.anchor).cross(weight))
-                         : joint.axis.dot(weight);
+      out += joint_load(joint, centre, kGravity * body.mass);
     }
     return out;
   }
 
   double holding(const SceneJoint& joint) {
     const double load = load_on(joint);
-    const bool stopped = load > 0 ? joint.value >= joint.upper - kAtJointLimit
-                                  : joint.value <= joint.lower + kAtJointLimit;
-    if (stopped || std::abs(load) <= joint.friction + kLeastJointForce) return joint.friction;
+    if (!moves_joint(joint, joint.friction, load)) return joint.friction;
     const double friction = kHoldingShare * std::abs(load);
     m_out.notes.push_back(joint.turns
                               ? say("the joint \"%1\" would swing: friction of %2 N m holds it",

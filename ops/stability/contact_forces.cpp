@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "ops/stability/force_program.h"
 #include "ops/stability/unbalanced.h"
@@ -52,6 +53,32 @@ bool PartForces::balanced() const {
   return std::all_of(missing.begin(), missing.end(), [](double m) { return m <= kMissing; });
 }
 
+std::vector<double> carried_weights(const FreeBodies& part) {
+  const size_t n = part.bodies.size();
+  // Contacts that face up or down tell who lies on whom.
+  std::vector<std::vector<Index>> loads(n);
+  for (const BodyContact& t : part.touches) {
+    if (t.from == BodyContact::kGround) continue;
+    if (t.contact.normal.z() > kSupportNormalZ) loads[t.from].push_back(t.on);
+    if (t.contact.normal.z() < -kSupportNormalZ) loads[t.on].push_back(t.from);
+  }
+  std::vector<double> out(n, 0.0);
+  for (size_t i = 0; i < n; ++i) {
+    std::vector<char> seen(n, 0);
+    // The search walks up through everything that lies on the body.
+    std::vector<Index> open{static_cast<Index>(i)};
+    seen[i] = 1;
+    while (!open.empty()) {
+      const Index body = open.back();
+      open.pop_back();
+      out[i] += part.bodies[body].weight + part.bodies[body].load.norm();
+      for (const Index load : loads[body])
+        if (!std::exchange(seen[load], 1)) open.push_back(load);
+    }
+  }
+  return out;
+}
+
 PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
   while (true) {
     // The program grows by contacts until the forces balance or no contact would help.
@@ -64,6 +91,13 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
     // Without a contact that lowers what is missing, this is the optimum over all contacts.
     if (out.balanced() || !join_best(part, gain)) return out;
   }
+}
+
+PartForces least_forces(const FreeBodies& part, double clearance, double price_of_push) {
+  ForceProgram program(part, clearance, 1, {}, price_of_push);
+  program.add_missing(1, kInfinity);
+  const LinearProgram::Solution solution = program.solve_by_dual(kInfinity);
+  return solution.optimal ? program.forces_of(solution) : PartForces{};
 }
 
 std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,

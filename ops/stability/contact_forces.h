@@ -33,6 +33,18 @@ struct PartForces {
 /// @param factor  of all coefficients of friction.
 PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1);
 
+/// The same by `touches` alone, where pushes have a price.
+/// @param price_of_push  as heavy as what a body carries; a missing weight costs 1.
+PartForces least_forces(const FreeBodies& part, double clearance, double price_of_push);
+
+/// Each body's weight with all that lies on it by the touches, directly or not, in newtons. Limits
+/// of friction and pushes are in parts of it.
+std::vector<double> carried_weights(const FreeBodies& part);
+
+/// Most friction at a body, and most pushes, the parts along the normals, in weights that it
+/// carries.
+inline constexpr double kFrictionLimit = 10, kPushLimit = 20;
+
 /// Whom a touch may carry: its body `on`, its body `from`.
 struct MayCarry {
   bool on = true, from = true;

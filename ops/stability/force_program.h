@@ -17,9 +17,14 @@ namespace trivet {
 
 class ForceProgram {
  public:
+  /// @param price_of_push  of a push as heavy as what its body carries.
   ForceProgram(const FreeBodies& part, double clearance, double factor = 1,
-               std::span<const MayCarry> may = {})
-      : m_part(part), m_clearance(clearance), m_factor(factor), m_carried(carried_weights(part)) {
+               std::span<const MayCarry> may = {}, double price_of_push = 0)
+      : m_part(part),
+        m_clearance(clearance),
+        m_factor(factor),
+        m_price_of_push(price_of_push),
+        m_carried(part.carried.empty() ? carried_weights(part) : part.carried) {
     add_rows();
     for (size_t k = 0; k < m_part.touches.size(); ++k)
       add_touch(m_part.touches[k], may.empty() ? MayCarry{} : may[k]);
@@ -132,8 +137,6 @@ class ForceProgram {
  private:
   using Entry = LinearProgram::Entry;
 
-  static constexpr double kFrictionLimit = 10;  // at one body, in weights that it carries
-  static constexpr double kPushLimit = 20;      // the same, of the parts along the normals
   static constexpr double kMoves = 1e-6;  // virtual velocities, at most 1: rounding below this
   // Rows of a body, all in parts of what it carries: force x y z, torque x y z, friction, pushes,
   // what is missing beyond the tolerance.
@@ -198,33 +201,6 @@ class ForceProgram {
 
   static int row_of(size_t body) { return static_cast<int>(body) * kRowsPerBody; }
 
-  // Each body's weight with all that lies on it, directly or not.
-  static std::vector<double> carried_weights(const FreeBodies& part) {
-    const size_t n = part.bodies.size();
-    // Contacts that face up or down tell who lies on whom.
-    std::vector<std::vector<Index>> loads(n);
-    for (const BodyContact& t : part.touches) {
-      if (t.from == BodyContact::kGround) continue;
-      if (t.contact.normal.z() > kSupportNormalZ) loads[t.from].push_back(t.on);
-      if (t.contact.normal.z() < -kSupportNormalZ) loads[t.on].push_back(t.from);
-    }
-    std::vector<double> out(n, 0.0);
-    for (size_t i = 0; i < n; ++i) {
-      std::vector<char> seen(n, 0);
-      // The search walks up through everything that lies on the body.
-      std::vector<Index> open{static_cast<Index>(i)};
-      seen[i] = 1;
-      while (!open.empty()) {
-        const Index body = open.back();
-        open.pop_back();
-        out[i] += part.bodies[body].weight + part.bodies[body].load.norm();
-        for (const Index load : loads[body])
-          if (!std::exchange(seen[load], 1)) open.push_back(load);
-      }
-    }
-    return out;
-  }
-
   // Force and torque: contacts have to balance the weight and what certified bodies press with.
   std::array<Vec3, 2> balance_of(size_t i) const {
     const FreeBody& body = m_part.bodies[i];
@@ -278,7 +254,8 @@ class ForceProgram {
       spanned.edges.push_back(edge);
       // Pushing up what it is not meant to carry has its price.
       const double up = spanned.unit * edge.z();
-      double cost = may.on ? 0 : std::max(0.0, up) / m_carried[t.on];
+      double cost = m_price_of_push * spanned.unit / m_carried[t.on];
+      if (!may.on) cost += std::max(0.0, up) / m_carried[t.on];
       if (!may.from && t.from != BodyContact::kGround)
         cost += std::max(0.0, -up) / m_carried[t.from];
       add_column(entries, cost);
@@ -309,7 +286,7 @@ class ForceProgram {
 
   const FreeBodies& m_part;
   const double m_clearance;
-  const double m_factor;
+  const double m_factor, m_price_of_push;
   const std::vector<double> m_carried;
   LinearProgram m_program;
   std::vector<Spanned> m_spanned;

@@ -7,9 +7,11 @@
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
 #include "core/scene/friction.h"
+#include "core/scene/joint.h"
 #include "ops/placement/contacts.h"
 #include "ops/placement/slot_order.h"
 #include "ops/settle/equilibrium.h"
+#include "ops/settle/rest.h"
 
 namespace trivet {
 
@@ -23,9 +25,10 @@ constexpr double kLeastSize = 1e-9;     // metres
 // Where ids are in a list of them; ground: nowhere.
 class BodyIndex {
  public:
-  explicit BodyIndex(std::span<const ObjectId> ids) {
-    for (const ObjectId id : ids)
-      m_sorted.emplace_back(id.index, static_cast<Index>(m_sorted.size()));
+  BodyIndex(const Scene& scene, std::span<const ObjectId> ids) {
+    for (size_t i = 0; i < ids.size(); ++i)
+      for (const ObjectId id : one_body(scene, ids[i]))
+        m_sorted.emplace_back(id.index, static_cast<Index>(i));
     std::sort(m_sorted.begin(), m_sorted.end());
   }
 
@@ -47,15 +50,59 @@ bool contains(const std::vector<ContactPoint>& points, const ContactPoint& p) {
   });
 }
 
+// With the weights of its links.
+FreeBody body_with_links(const Scene& scene, ObjectId id) {
+  const Object& object = scene.at(id);
+  // Weight and size are never zero, as rows are divided by them.
+  FreeBody out{id, object.centre_of_mass(), std::max(weight_of(object), kLeastWeight),
+               std::max(size_of(object), kLeastSize)};
+  if (object.links.empty()) return out;
+  Vec3 moment = Vec3::Zero();
+  out.weight = 0;
+  for (const ObjectId member : one_body(scene, id)) {
+    const double weight = std::max(weight_of(scene.at(member)), kLeastWeight);
+    moment += weight * scene.at(member).centre_of_mass();
+    out.weight += weight;
+  }
+  out.centre = moment / out.weight;
+  return out;
+}
+
 FreeBodies bodies_only(const Scene& scene, std::span<const ObjectId> ids) {
   FreeBodies out;
-  for (const ObjectId id : ids) {
-    // Weight and size are never zero, as rows are divided by them.
-    const Object& object = scene.at(id);
-    out.bodies.push_back({id, object.centre_of_mass(), std::max(weight_of(object), kLeastWeight),
-                          std::max(size_of(object), kLeastSize)});
-  }
+  for (const ObjectId id : ids) out.bodies.push_back(body_with_links(scene, id));
   return out;
+}
+
+// Contacts of a member of a body, by the links of the scene.
+void add_touches(const Scene& scene, ObjectId member, Index body, const BodyIndex& index,
+                 std::optional<double> friction, FreeBodies& out) {
+  for (const ObjectContact& entry : scene.at(member).contacts) {
+    // A contact across a gap carries nothing.
+    if (entry.across_gap) continue;
+    const Index from = index.find(entry.with);
+    if (from != BodyContact::kGround && from <= body) continue;  // seen from the other side already
+    const double of_pair = friction.value_or(friction_between(scene, member, entry.with));
+    for (const ContactPoint& p : entry.contact.points)
+      out.touches.push_back({body, from, entry.with, of_pair, p});
+  }
+}
+
+// All members of these bodies.
+std::vector<ObjectId> members_up_to(const Scene& scene, std::span<const ObjectId> ids) {
+  std::vector<ObjectId> out;
+  for (const ObjectId id : ids)
+    for (const ObjectId member : one_body(scene, id)) out.push_back(member);
+  return out;
+}
+
+// A link across a gap still carries where the clearance has become smaller since.
+double reach_of(const Object& object, double tolerance) {
+  double out = tolerance;
+  for (const ObjectContact& entry : object.contacts)
+    if (entry.across_gap)
+      for (const ContactPoint& p : entry.contact.points) out = std::max(out, p.gap);
+  return std::min(out, kMostShrunk * tolerance);
 }
 
 }  // namespace
@@ -75,47 +122,83 @@ FreeBodies free_bodies(const Scene& scene, std::optional<double> friction) {
 FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
                          std::optional<double> friction) {
   FreeBodies out = bodies_only(scene, ids);
-  const BodyIndex index(ids);
+  const BodyIndex index(scene, ids);
   for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
-    for (const ObjectContact& entry : scene.at(ids[i]).contacts) {
-      // A contact across a gap carries nothing.
-      if (entry.across_gap) continue;
-      const Index from = index.find(entry.with);
-      if (from != BodyContact::kGround && from < i) continue;  // seen from the other side already
-      const double of_pair = friction.value_or(friction_between(scene, ids[i], entry.with));
-      for (const ContactPoint& p : entry.contact.points)
-        out.touches.push_back({i, from, entry.with, of_pair, p});
-    }
+    for (const ObjectId member : one_body(scene, ids[i]))
+      add_touches(scene, member, i, index, friction, out);
   return out;
 }
 
-FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
-                       const IsGround& is_ground, std::optional<double> friction) {
-  FreeBodies out = bodies_only(scene, ids);
-  const BodyIndex index(ids);
-  const double tolerance = kBalanceTolerance * clearance;
-  for (Index i = 0; i < static_cast<Index>(ids.size()); ++i) {
-    // Earlier bodies have seen their contacts with this one already.
-    const Neighbourhood later(scene, ids.first(i + 1));
+namespace {
+
+class NearContacts {
+ public:
+  NearContacts(const Scene& scene, std::span<const ObjectId> ids, double clearance,
+               const IsGround& is_ground, std::optional<double> friction, double num_clearances,
+               FreeBodies& out)
+      : m_scene(scene),
+        m_ids(ids),
+        m_clearance(clearance),
+        m_is_ground(is_ground),
+        m_friction(friction),
+        m_num_clearances(num_clearances),
+        m_index(scene, ids),
+        m_out(out) {}
+
+  void add_all() {
+    for (Index i = 0; i < static_cast<Index>(m_ids.size()); ++i) {
+      // Earlier bodies have seen their contacts with this one already.
+      const Neighbourhood later(m_scene, members_up_to(m_scene, m_ids.first(i + 1)));
+      for (const ObjectId member : one_body(m_scene, m_ids[i])) add(member, i, later);
+    }
+  }
+
+ private:
+  void add(ObjectId member, Index body, const Neighbourhood& later) {
+    const double tolerance = reach_of(m_scene.at(member), m_num_clearances * m_clearance);
     for (const ContactsWith& c :
-         contacts_with(body_of(scene.at(ids[i])), later, tolerance, kFootSlack * clearance)) {
-      const Index from = index.find(c.with);
+         contacts_with(body_of(m_scene.at(member)), later, tolerance, kFootSlack * m_clearance)) {
+      const Index from = m_index.find(c.with);
       // A neighbour that could move is not ground. The caller decides whether it joins these
       // bodies.
-      if (from == BodyContact::kGround && c.with.is_object() &&
-          !is_ground(c.with.object(), scene.at(c.with.object()))) {
-        out.left_out.push_back(c.with.object());
-        continue;
-      }
-      const double of_pair = friction.value_or(friction_between(scene, ids[i], c.with));
+      if (from == BodyContact::kGround && could_move(c.with)) continue;
+      const double of_pair = m_friction.value_or(friction_between(m_scene, member, c.with));
       // The program begins with points that span the contact; the others wait until they are worth
       // it.
       const std::vector<ContactPoint> all = merged(c.points, tolerance);
       const std::vector<ContactPoint> chosen = reduced(all, kPairContacts);
       for (const ContactPoint& p : all)
-        (contains(chosen, p) ? out.touches : out.more).push_back({i, from, c.with, of_pair, p});
+        (contains(chosen, p) ? m_out.touches : m_out.more)
+            .push_back({body, from, c.with, of_pair, p});
     }
   }
+
+  // It is then left out.
+  bool could_move(const Support& with) {
+    if (with.is_floor()) return false;
+    const ObjectId root = root_of(m_scene, with.object());
+    if (m_is_ground(root, m_scene.at(root))) return false;
+    m_out.left_out.push_back(root);
+    return true;
+  }
+
+  const Scene& m_scene;
+  std::span<const ObjectId> m_ids;
+  double m_clearance;
+  const IsGround& m_is_ground;
+  std::optional<double> m_friction;
+  double m_num_clearances;
+  BodyIndex m_index;
+  FreeBodies& m_out;
+};
+
+}  // namespace
+
+FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
+                       const IsGround& is_ground, std::optional<double> friction,
+                       double num_clearances) {
+  FreeBodies out = bodies_only(scene, ids);
+  NearContacts(scene, ids, clearance, is_ground, friction, num_clearances, out).add_all();
   std::sort(out.left_out.begin(), out.left_out.end(), by_slot);
   out.left_out.erase(std::unique(out.left_out.begin(), out.left_out.end()), out.left_out.end());
   return out;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "ops/settle/friction_settling.h"
 #include "ops/stability/stability.h"
 
 namespace trivet {
@@ -37,10 +38,13 @@ struct FreeBodies {
   std::vector<BodyContact> more;
   /// For near_bodies(): objects that are neither bodies nor ground, and touch some; sorted by slot.
   std::vector<ObjectId> left_out;
+  /// Newtons that each body carries, with its own weight, where these are a few of a larger part;
+  /// empty: carried_weights() of these alone.
+  std::vector<double> carried;
 };
 
-/// All placed objects that are not fixed, with the contacts of the scene's links, but for those
-/// across gaps.
+/// All placed objects that are not fixed, each one with what hangs in it by joints, with the
+/// contacts of the scene's links, but for those across gaps.
 /// @param friction  of all contacts; none: friction_between() each pair.
 FreeBodies free_bodies(const Scene& scene, std::optional<double> friction = {});
 
@@ -53,11 +57,12 @@ using IsGround = std::function<bool(ObjectId, const Object&)>;
 bool is_fixed(ObjectId id, const Object& object);
 bool is_fixed_or_held(ObjectId id, const Object& object);
 
-/// These objects in this order, with all contacts within kBalanceTolerance clearances, found anew,
-/// at most 12 of a pair among the touches. Contacts with other objects that are no ground are left
+/// These objects in this order, with all contacts within so many clearances, found anew, at most
+/// 12 of a pair among the touches. Contacts with other objects that are no ground are left
 /// out.
 FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
-                       const IsGround& is_ground, std::optional<double> friction);
+                       const IsGround& is_ground, std::optional<double> friction,
+                       double num_clearances = kCarryingTolerance);
 
 /// Connected part of each body, by contacts between bodies; parts are numbered in the order of
 /// their first body.

@@ -5,7 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "core/scene/joint.h"
 #include "ops/placement/slot_order.h"
+#include "ops/stability/block_balance.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
 #include "ops/stability/unbalanced.h"
@@ -96,23 +98,30 @@ class Judgement {
     note(chosen, contact_forces(chosen, m_clearance));
   }
 
-  // Bodies of which some are certified and others do not stand alone are seldom balanced: no quick
-  // look then.
+  // Many bodies are judged block by block; where that leaves it open, the quick proof mostly
+  // answers at once.
   void judge_together(const Members& part, FreeBodies whole, bool may_stand_alone) {
     const bool is_large = whole.bodies.size() > kManyBodies;
+    if (is_large && judge_by_blocks(whole)) return;
     if (is_large && m_proof == Proof::Quickest) {
       const bool stands =
           (may_stand_alone && stands_alone(part, {})) || quickly_balanced(whole, m_clearance);
       if (!stands) note_all(whole);
       return;
     }
-    const bool is_quick = is_large && part.open.size() == part.all.size();
-    if (is_quick && quickly_balanced(whole, m_clearance)) return;
+    if (is_large && quickly_balanced(whole, m_clearance)) return;
     const PartForces forces = contact_forces(whole, m_clearance);
     if (forces.solved && forces.balanced()) return;
     const Larger larger{whole, forces};
     if (may_stand_alone && stands_alone(part, larger)) return;
     note(whole, forces);
+  }
+
+  // @return false: that leaves it open.
+  bool judge_by_blocks(const FreeBodies& whole) {
+    const BlockBalance found = balance_by_blocks(whole, m_clearance);
+    if (found.verdict == BlockBalance::Verdict::Topples) note(whole, found.moves);
+    return found.verdict != BlockBalance::Verdict::Open;
   }
 
   /// A part with others, which does not stand.
@@ -138,6 +147,11 @@ class Judgement {
     // Bodies that the proof moves are those that topple.
     for (size_t k = 0; k < part.bodies.size(); ++k)
       if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
+  }
+
+  void note(const FreeBodies& part, const std::vector<Index>& moves) {
+    m_out.stands = false;
+    for (const Index i : moves) m_out.topples.push_back(part.bodies[i].id);
   }
 
   void note_all(const FreeBodies& part) {
@@ -207,10 +221,11 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
       out.push_back(id);
   };
   const auto add_partners = [&](ObjectId id) {
-    for (const ObjectContact& entry : scene.at(id).contacts)
-      if (entry.with.is_object() && !entry.across_gap) add(entry.with.object());
+    for (const ObjectId member : one_body(scene, id))
+      for (const ObjectContact& entry : scene.at(member).contacts)
+        if (entry.with.is_object() && !entry.across_gap) add(root_of(scene, entry.with.object()));
   };
-  for (const ObjectId id : seeds) add(id);
+  for (const ObjectId id : seeds) add(root_of(scene, id));
   // Neighbours of a seed that stands still may have been unbalanced by it.
   for (const ObjectId id : seeds)
     if (is_fixed_or_held(id, scene.at(id))) add_partners(id);
@@ -220,12 +235,13 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
 }
 
 FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
-                     const IsGround& is_ground, std::optional<double> friction) {
+                     const IsGround& is_ground, std::optional<double> friction,
+                     double num_clearances) {
   while (true) {
     std::sort(ids.begin(), ids.end(), by_name(scene));
     // Contacts within the tolerance may reach bodies outside of the part: these join it, until none
     // is left out.
-    FreeBodies part = near_bodies(scene, ids, clearance, is_ground, friction);
+    FreeBodies part = near_bodies(scene, ids, clearance, is_ground, friction, num_clearances);
     if (part.left_out.empty()) return part;
     std::vector<ObjectId> more = connected_with(scene, part.left_out);
     more.insert(more.end(), part.left_out.begin(), part.left_out.end());

@@ -17,7 +17,8 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
 /// near_bodies() of these and of all that such contacts connect with them, sorted by name: what is
 /// held across a gap wider than a link's is of the same part.
 FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
-                     const IsGround& is_ground, std::optional<double> friction);
+                     const IsGround& is_ground, std::optional<double> friction,
+                     double num_clearances = kCarryingTolerance);
 
 enum class Proof {
   Whole,     // and, where there is none, who moves

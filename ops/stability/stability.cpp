@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "core/scene/joint.h"
 #include "core/scene/materials.h"
 #include "ops/placement/clearance.h"
 #include "ops/stability/carried.h"
@@ -26,10 +27,12 @@ std::vector<ObjectId> linked_with(const Scene& scene, std::vector<ObjectId> ids)
   std::set<std::uint32_t> seen;
   for (const ObjectId id : ids) seen.insert(id.index);
   for (size_t i = 0; i < ids.size(); ++i)
-    for (const ObjectContact& entry : scene.at(ids[i]).contacts) {
-      if (entry.with.is_floor() || scene.at(entry.with.object()).fixed) continue;
-      if (seen.insert(entry.with.object().index).second) ids.push_back(entry.with.object());
-    }
+    for (const ObjectId member : one_body(scene, ids[i]))
+      for (const ObjectContact& entry : scene.at(member).contacts) {
+        if (entry.with.is_floor()) continue;
+        const ObjectId with = root_of(scene, entry.with.object());
+        if (!scene.at(with).fixed && seen.insert(with.index).second) ids.push_back(with);
+      }
   scene.sort(ids);
   return ids;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/joint_load.h"
 #include "core/scene/scene.h"
 
 namespace trivet {
@@ -78,7 +79,7 @@ const char* to_string(Stability::Status status);  // "stable", "marginal", "unst
 const char* to_string(Stability::Method method);  // "certificate", "linear program"
 
 /// Uses the links of the scene; see update_contacts(). Contacts of parts that fail the certificate
-/// are looked for again, within kBalanceTolerance clearances, as settling does.
+/// are looked for again, within kCarryingTolerance clearances, as settling does.
 Stability stability(const Scene& scene, const StabilityOptions& options = {});
 
 /// The same of the part that contacts connect with an object alone: its objects and forces are
@@ -98,7 +99,6 @@ std::vector<CarriedBy> carried_by_forces(const Scene& scene, const Stability& st
 inline constexpr double kCarriedPart = 0.01;
 
 inline constexpr double kMarginalFriction = 0.99, kMarginalShift = 1e-3;
-inline constexpr double kGravity = 9.80665;  // m/s^2
 /// Metres of wall by which an object without volume weighs: kWallThickness of its size, at most as
 /// thick as sheets of its material are.
 double wall_thickness(const Object& object);

@@ -117,6 +117,25 @@ class Checking(ScenesCase):
         self.assertEqual(sdf["findings"][0]["kind"], "floats")
         self.assertAlmostEqual(sdf["findings"][0]["height"], 0.1, places=9)
 
+    def test_usd_that_trivet_exports_comes_back(self):
+        """The same verdict, pairs, joints and poses, to the last digit."""
+        self.trivet("run", self.two_cubes(), "-o", "ours.glb", "--quiet")
+        self.write("drawer.usda", (CASES / "drawer.usda").read_bytes())
+        for name, status in (("ours.glb", 0), ("drawer.usda", 1)):
+            self.trivet("export", name, "-o", "back.usda", "--quiet")
+            before, after = self.checked(name, "back.usda", status=status)
+            self.assertEqual(after["format"], "USD")
+            for key in ("ok", "whole", "objects", "free", "joints", "pairs"):
+                self.assertEqual(after[key], before[key], key)
+            self.assertEqual([f["object"] for f in after["findings"]], [f["object"] for f in before["findings"]])
+            poses = []
+            for scene in (name, "back.usda"):
+                self.trivet("export", scene, "-o", "poses.jsonl", "--quiet")
+                rows = [json.loads(line) for line in self.read("poses.jsonl").decode().splitlines()]
+                poses.append({row["name"]: [row[k] for k in ("x", "y", "z", "qw", "qx", "qy", "qz", "fixed")] for row in rows})
+            self.assertEqual(poses[0], poses[1])
+        self.assertEqual(self.trivet("joint", "back.usda")[0], self.trivet("joint", "drawer.usda")[0])
+
     def test_a_layout_and_a_scene_of_ours_are_judged_as_ever(self):
         self.trivet("run", self.two_cubes(), "-o", "ours.glb", "--quiet")
         self.assertIn("stable", self.trivet("check", "ours.glb")[0])
@@ -230,6 +249,27 @@ class Joints(ScenesCase):
             self.assertIn("the values of joints are those of closed-%s.joints.json" % name, verdict["notes"])
             self.refused("joint", "closed-" + name, slide, "--to", "0.1", "-o", "closed-" + name, says="overwritten")
 
+    def test_of_usd(self):
+        self.write("drawer.usda", (CASES / "drawer.usda").read_bytes())
+        out, _ = self.trivet("joint", "drawer.usda")
+        self.assertIn('"slide": slide of "drawer", at 0.2 m of 0 to 0.3', out)
+        (verdict,) = self.checked("drawer.usda", status=1)
+        self.assertEqual((verdict["format"], verdict["joints"], verdict["whole"]), ("USD", 2, True))
+        (floating,) = verdict["findings"]
+        self.assertEqual((floating["kind"], floating["object"], floating["other"]), ("floats", "cube", "drawer"))
+        self.assertAlmostEqual(floating["height"], 0.01, places=9)
+        self.trivet("settle", "drawer.usda", "-o", "settled.usda")
+        layer = self.read("settled.usda").decode()
+        self.assertIn("@./drawer.usda@", layer)
+        self.assertEqual((layer.count("over "), layer.count("xformOp")), (2, 1))
+        out, _ = self.trivet("joint", "settled.usda", "slide", "--to", "lower", "-o", "closed.usda")
+        self.assertIn('"cube" came along', out)
+        self.assertTrue(self.checked("closed.usda")[0]["ok"])
+        self.assertIn("at 0 m", self.trivet("joint", "closed.usda")[0])
+        self.assertEqual(self.read("drawer.usda"), (CASES / "drawer.usda").read_bytes())
+        self.refused("settle", "drawer.usda", "-o", "drawer.usda", says="input")
+        self.refused("settle", "drawer.usda", "-o", "drawer.xml", says="accepted: .usda")
+
     def test_values_that_mimic(self):
         self.write("cabinet.urdf", (CASES / "cabinet.urdf").read_bytes())
         out, _ = self.trivet("joint", "cabinet.urdf")
@@ -249,6 +289,34 @@ class Meaning(ScenesCase):
         self.assertIn('"b": on "table" 100 %; floats by 10 mm', out)
         intent = json.loads(self.trivet("intent", "table.xml", "--json")[0])
         self.assertEqual([o["on"][0]["object"] for o in intent["objects"]], ["table", "table"])
+
+    def test_what_stands_beside_what_and_leans(self):
+        leaning = """<mujoco><worldbody><geom type="plane" size="2 2 .1"/>
+<body name="wall" pos="0 0 .2"><geom type="box" size=".05 .3 .2"/></body>
+<body name="board" pos=".15 0 .1523" euler="0 -30 0"><freejoint/><geom type="box" size=".01 .1 .17"/></body>
+<body name="a" pos=".5 0 .05"><freejoint/><geom type="box" size=".05 .05 .05"/></body>
+<body name="b" pos=".602 0 .05"><freejoint/><geom type="box" size=".05 .05 .05"/></body>
+<body name="c" pos=".8 0 .05"><freejoint/><geom type="box" size=".05 .05 .05"/></body>
+</worldbody></mujoco>"""
+        self.write("lean.xml", leaning)
+        found = {o["object"]: o for o in
+                 json.loads(self.trivet("intent", "lean.xml", "--tolerance", "0.01", "--json")[0])["objects"]}
+        self.assertEqual((found["board"]["leans_on"], found["board"]["level"]), (["wall"], False))
+        self.assertEqual((found["a"]["beside"], found["b"]["beside"]), (["b"], ["a"]))
+        self.assertNotIn("beside", found["c"])
+        out, _ = self.trivet("intent", "lean.xml", "--tolerance", "0.01")
+        self.assertIn('"board": on "floor" 100 %', out)
+        self.assertIn('leans on "wall"', out)
+        self.assertIn('beside "b"', out)
+
+    def test_two_sheets_may_lie_either_way(self):
+        sheets = """<mujoco><worldbody><geom type="plane" size="2 2 .1"/>
+<body name="a" pos="0 0 .001"><freejoint/><geom type="box" size=".1 .1 .001"/></body>
+<body name="b" pos=".001 0 .001"><freejoint/><geom type="box" size=".1 .1 .001"/></body>
+</worldbody></mujoco>"""
+        self.write("sheets.xml", sheets)
+        found = json.loads(self.trivet("intent", "sheets.xml", "--tolerance", "0.005", "--json")[0])["objects"]
+        self.assertEqual([s.get("either_way") for o in found for s in o["on"]], [None, True])
 
 
 class Hostile(ScenesCase):
@@ -273,7 +341,7 @@ class Hostile(ScenesCase):
     def test_changed_bytes_never_crash(self):
         random.seed(5)
         text = (CASES / "drawer.xml").read_bytes() + (CASES / "world.sdf").read_bytes()
-        for name in ("drawer.xml", "frames.xml", "cabinet.urdf", "world.sdf", "drawer.urdf", "drawer.sdf"):
+        for name in ("drawer.xml", "frames.xml", "cabinet.urdf", "world.sdf", "drawer.urdf", "drawer.sdf", "drawer.usda"):
             bytes_ = bytearray((CASES / name).read_bytes())
             for trial in range(25):
                 changed = bytearray(bytes_)
@@ -287,7 +355,7 @@ class Hostile(ScenesCase):
                         changed[at:at + random.randrange(40)] = text[begin:begin + length]
                 self.write("set/%s.%d%s" % (name, trial, os.path.splitext(name)[1]), bytes(changed))
         out, err = self.trivet("check", "set", status=(0, 1, 2))
-        self.assertIn("150 scenes", out, err)
+        self.assertIn("175 scenes", out, err)
 
 
 if __name__ == "__main__":

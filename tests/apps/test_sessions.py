@@ -138,7 +138,8 @@ class Sessions(SessionCase):
 
     def test_objects_are_arranged_in_a_drawer(self):
         for name, slide, drawer, thing in (("drawer.xml", "slide", "drawer", "sunk"), ("drawer.urdf", "slide", "drawer", "cube"),
-                                           ("drawer.sdf", "unit::slide", "unit::drawer", "cube")):
+                                           ("drawer.sdf", "unit::slide", "unit::drawer", "cube"),
+                                           ("drawer.usda", "slide", "drawer", "cube")):
             for file in (name, name + ".joints.json"):
                 if (CASES / file).exists():
                     self.write(file, (CASES / file).read_bytes())

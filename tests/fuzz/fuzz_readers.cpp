@@ -3,10 +3,10 @@
 //
 //   fuzz_readers CORPUS COUNT [SEED [KEEP]]
 //
-// Cycles through the files of CORPUS that are in formats of own readers, glTF among them, COUNT
-// times in all, in a process for each core. Fails if a process is killed, if a file takes longer
-// than 10 s, if a model violates the guarantees of core/io/model.h, or if the error does not name
-// the file. Such files are kept in KEEP.
+// Cycles through the files of CORPUS that are in formats of own readers, glTF and the scenes of
+// other programs in CORPUS/scenes among them, COUNT times in all, in a process for each core. Fails
+// if a process is killed, if a file takes longer than 10 s, if a model violates the guarantees of
+// core/io/model.h, or if the error does not name the file. Such files are kept in KEEP.
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -23,6 +23,10 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/foreign/mjcf/read_mjcf.h"
+#include "core/io/foreign/sdf.h"
+#include "core/io/foreign/urdf.h"
+#include "core/io/foreign/usd/read_usda.h"
 #include "core/io/read_model.h"
 #include "fuzz/mutants.h"
 
@@ -33,6 +37,16 @@ using trivet::test::Seed;
 
 constexpr unsigned kSeconds = 10;
 constexpr rlim_t kMemoryBytes = rlim_t{1} << 30;  // of addresses, with the program itself
+
+using SceneReader = trivet::ForeignScene (*)(const std::string&, const trivet::ForeignOptions&,
+                                             const trivet::MeshSource&);
+/// Null: files of that extension are models.
+SceneReader scene_reader(const std::string& extension) {
+  if (extension == ".xml") return trivet::read_mjcf;
+  if (extension == ".urdf") return trivet::read_urdf;
+  if (extension == ".sdf") return trivet::read_sdf;
+  return extension == ".usda" ? trivet::read_usda : nullptr;
+}
 
 /// Shared by all processes.
 struct Counts {
@@ -106,8 +120,16 @@ class Worker {
 
   void read(std::uint64_t number, const std::string& file) {
     try {
-      const std::string why = trivet::test::why_invalid(trivet::read_model(file, m_limits));
-      if (!why.empty()) return fail(number, "a model with " + why);
+      const std::string& extension = m_corpus[number % m_corpus.size()].extension;
+      const auto model = [&](const std::string& path) {
+        return trivet::read_model(path, m_limits);
+      };
+      if (const SceneReader scene = scene_reader(extension)) {
+        scene(file, {}, model);
+      } else {
+        const std::string why = trivet::test::why_invalid(model(file));
+        if (!why.empty()) return fail(number, "a model with " + why);
+      }
       ++m_counts.read;
     } catch (const trivet::Error& e) {
       const std::string message = e.what();
@@ -180,6 +202,9 @@ int main(int argc, char** argv) {
     if (trivet::test::is_own(seed.extension) || seed.extension == ".mtl" ||
         seed.extension == ".glb" || seed.extension == ".gltf")
       corpus.push_back(seed);
+  if (const fs::path scenes = fs::path(argv[1]) / "scenes"; fs::is_directory(scenes))
+    for (const Seed& seed : trivet::test::read_corpus(scenes.string()))
+      if (scene_reader(seed.extension)) corpus.push_back(seed);
   if (corpus.empty()) {
     std::cout << "the corpus is empty\n";
     return 1;

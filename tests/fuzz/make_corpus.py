@@ -243,6 +243,11 @@ def main():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
     for packed in (Path(__file__).resolve().parent.parent / "support/gltf").glob("*.glb"):
         (folder / packed.name).write_bytes(packed.read_bytes())
+    scenes = folder / "scenes"
+    scenes.mkdir(exist_ok=True)
+    for case in (Path(__file__).resolve().parent.parent / "core/io/foreign/cases").glob("*"):
+        if case.suffix in (".xml", ".urdf", ".sdf", ".usda"):
+            (scenes / case.name).write_bytes(case.read_bytes())
     models = folder / "models"
     models.mkdir(exist_ok=True)
     make_models.lamp(models)

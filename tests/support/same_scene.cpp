@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scene/joint.h"
 #include "core/scene/materials.h"
 
 namespace trivet::test {
@@ -25,6 +26,13 @@ bool same(const Contact& x, const Contact& y) {
                     [](const ContactPoint& p, const ContactPoint& q) { return same(p, q); });
 }
 
+// But for the parent's id.
+bool same(const LinkJoint& a, const LinkJoint& b) {
+  return a.kind == b.kind && a.axis == b.axis && a.anchor == b.anchor && a.lower == b.lower &&
+         a.upper == b.upper && a.value == b.value && a.friction == b.friction &&
+         same(a.parent_then, b.parent_then) && same(a.at_zero, b.at_zero);
+}
+
 // @param same_partner  of two supports.
 template <class SamePartner>
 std::string difference(const Object& a, const Object& b, const SamePartner& same_partner) {
@@ -34,6 +42,7 @@ std::string difference(const Object& a, const Object& b, const SamePartner& same
   if (a.locked != b.locked || a.group != b.group) return "lock or group";
   if (a.fixed != b.fixed || a.placed != b.placed || a.state != b.state) return "state";
   if (!same(a.pose, b.pose)) return "pose";
+  if (!a.joint != !b.joint || (a.joint && !same(*a.joint, *b.joint))) return "joint";
   if (a.stability_margin != b.stability_margin || a.least_friction != b.least_friction)
     return "rating";
   const bool object_contacts =

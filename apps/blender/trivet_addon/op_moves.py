@@ -62,7 +62,8 @@ class Moving(Pointing):
 
 
 def _told(outcome: Outcome, named=lambda name: name) -> str:
-    parts = [{"blocked": f"blocked by {named(outcome.blocked_by)}", "step": "ends at a step", "edge": "ends at an edge"}.get(
+    parts = [{"blocked": f"blocked by {named(outcome.blocked_by)}", "step": "ends at a step", "edge": "ends at an edge",
+              "limit": "ends at its limit"}.get(
         outcome.end, "done")]
     if outcome.carried:
         parts.append(f"{len(outcome.carried)} come along")

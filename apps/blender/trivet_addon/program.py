@@ -208,9 +208,11 @@ class ProgramLayout:
         return outcome_of(self._ask(operation))
 
     def mend(self) -> Mapping[str, str]:
-        """A layout that begins with it stands as it is given, so all begins again."""
-        entries = self._open(*self._given, [{"op": "mend"}]) if self._given[0] else []
-        return {one["object"]: "no place near is free" for one in entries if one["state"] in ("invalid", "unsupported")}
+        """A layout that begins with it stands as it is given, so all begins again. Once more names what has no place."""
+        if not self._given[0]:
+            return {}
+        self._open(*self._given, [{"op": "mend"}])
+        return {one["object"]: one["why"] for one in self._ask({"mend": True}).get("unable", ())}
 
     def undo(self) -> None:
         self._ask({"undo": True})

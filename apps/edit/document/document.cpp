@@ -19,7 +19,8 @@ Document::Document(DocumentOptions options, QObject* parent)
   empty->support = std::make_shared<const LoadSupport>();
   m_snapshot = std::move(empty);
   m_title = "Untitled";
-  m_engine = std::make_unique<Engine>(*this, m_options);
+  EngineNews& news = *this;
+  m_engine = std::make_unique<Engine>(*this, news, m_options);
   new_scene();
 }
 
@@ -34,6 +35,20 @@ Document::Job Document::start(const std::string& what, std::function<bool(Engine
   m_engine->post(job, what, std::move(work));
   if (m_num_jobs == 1) Q_EMIT busy_changed();
   return job;
+}
+
+void Document::begin(const std::string& what) {
+  m_busy_with = what;
+  Q_EMIT busy_changed();
+}
+
+void Document::show_progress(const std::string& what, int done, int total) {
+  Q_EMIT progressed(QString::fromStdString(what), done, total);
+}
+
+void Document::show_modified(bool modified) {
+  m_modified = modified;
+  Q_EMIT history_changed();
 }
 
 void Document::end(Job job, bool ok) {

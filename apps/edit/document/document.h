@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "apps/edit/document/document_options.h"
+#include "apps/edit/document/engine_news.h"
 #include "apps/edit/document/ghost.h"
 #include "apps/edit/document/layout_ghost.h"
 #include "apps/edit/document/look_steps.h"
@@ -41,11 +42,11 @@ namespace trivet::edit {
 class Engine;
 struct DragGoal;
 
-class Document : public QObject {
+class Document : public QObject, private EngineNews {
   Q_OBJECT
 
  public:
-  using Job = quint64;  // never 0
+  using Job = EngineNews::Job;
 
   explicit Document(DocumentOptions options, QObject* parent = nullptr);
   /// Cancels the running job. A modified scene can be recovered unless close() was called.
@@ -230,39 +231,44 @@ class Document : public QObject {
   void finished(quint64 job, bool ok);
 
  private:
-  /// Results of jobs: the state shown by windows.
-  struct State {
-    std::shared_ptr<const SceneSnapshot> snapshot;
-    History history;
-    std::string file, title;
-    bool modified = false;
-  };
-  friend class Engine;
   Job start(const std::string& what, std::function<bool(Engine&)> work);
   void steer(const DragGoal& goal);
-  void end(Job job, bool ok);
-  void show(State state);
   void restore_selection(size_t steps_before);
   void follow(const ObjectChanges& changes);
-  void forget_scene(std::uint64_t next);
-  void show_scene(std::shared_ptr<const SceneSnapshot> snapshot);
-  void show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag, double ms);
-  void show_verdict(std::shared_ptr<const SceneVerdict> verdict);
-  void show_ghost(std::uint64_t request, Ghost ghost);
-  void show_wishes(const std::string& json);
-  void show_layout(std::uint64_t number, std::shared_ptr<const LayoutGhost> layout);
-  void show_zlists(std::shared_ptr<const ZListView> view);
-  void show_moves_by(const Answering& answering);
-  void show_previews_by(const Answering& answering);
-  void show_detection_note(const Sentence& note);
-  void drag_refused(std::uint64_t drag);
+
+  // News of the engine.
+  void begin(const std::string& what) override;
+  void end(Job job, bool ok) override;
+  void tell(const Message& told) override { Q_EMIT message(told); }
+  void show_progress(const std::string& what, int done, int total) override;
+  void show(State state) override;
+  void show_modified(bool modified) override;
+  void forget_scene(std::uint64_t next) override;
+  void show_scene(std::shared_ptr<const SceneSnapshot> snapshot) override;
+  void show_verdict(std::shared_ptr<const SceneVerdict> verdict) override;
+  void select_named(const std::vector<std::string>& names) override;
+  void show_drag(std::shared_ptr<const SceneSnapshot> snapshot, std::uint64_t drag,
+                 double ms) override;
+  void drag_refused(std::uint64_t drag) override;
+  void finish_drag(bool committed) override { Q_EMIT drag_ended(committed); }
+  void show_ghost(std::uint64_t request, Ghost ghost) override;
+  void show_ways(const WaysToLie& ways) override { Q_EMIT ways_found(ways); }
+  void show_wishes(const std::string& json) override;
+  void show_layout(std::uint64_t number, std::shared_ptr<const LayoutGhost> layout) override;
+  void show_layout_progress(std::uint64_t number, const std::string& thing, int done,
+                            int total) override;
+  void show_zlists(std::shared_ptr<const ZListView> view) override;
+  void show_moves_by(const Answering& answering) override;
+  void show_previews_by(const Answering& answering) override;
+  void show_detection_note(const Sentence& note) override;
+  void show_looks(const SceneLooks& looks) override;
+  void show_saved_looks(const SceneLooks& looks) override { m_saved_looks = looks; }
+  void show_looks_of_step(const Looks& from, const Looks& to) override;
+  void show_look_step(const History& history, const Selection& before) override;
+  void show_history(const History& history) override;
+
   void set_selection(Selection selection);
   void put_looks(Looks looks);
-  void show_looks(const SceneLooks& looks);
-  void show_looks_of_step(const Looks& from, const Looks& to);
-  void show_look_step(const History& history, const Selection& before);
-  void show_history(const History& history);
-  void select_named(const std::vector<std::string>& names);
 
   DocumentOptions m_options;
   std::shared_ptr<const SceneSnapshot> m_snapshot;

@@ -109,6 +109,12 @@ void Document::clear_layout() {
   Q_EMIT layout_changed();
 }
 
+void Document::show_layout_progress(std::uint64_t number, const std::string& thing, int done,
+                                    int total) {
+  if (number == m_layout_request)
+    Q_EMIT layout_progressed(QString::fromStdString(thing), done, total);
+}
+
 void Document::show_layout(std::uint64_t number, std::shared_ptr<const LayoutGhost> layout) {
   if (number != m_layout_request || layout->committed != m_snapshot->committed) return;
   m_seeking = false;

@@ -2,6 +2,7 @@
 
 #include <QMetaObject>
 
+#include "apps/edit/document/document.h"
 #include "apps/edit/document/results.h"
 #include "apps/edit/document/words.h"
 #include "core/base/error.h"
@@ -24,8 +25,9 @@ DocumentOptions with_importer(DocumentOptions options) {
 
 }  // namespace
 
-Engine::Engine(Document& document, DocumentOptions options)
-    : m_document(document),
+Engine::Engine(QObject& receiver, EngineNews& news, DocumentOptions options)
+    : m_receiver(receiver),
+      m_news(news),
       m_options(with_importer(std::move(options))),
       m_detector(until_measured(m_options.detection = with_notes(m_options.detection))),
       m_chosen(m_options.detection),
@@ -44,7 +46,7 @@ Engine::~Engine() {
   m_thread.join();
 }
 
-void Engine::post(Document::Job job, const std::string& what, Work work) {
+void Engine::post(EngineNews::Job job, const std::string& what, Work work) {
   post({job, what, std::move(work), 0});
 }
 
@@ -78,18 +80,14 @@ void Engine::run() {
       if (item.generation == m_generation) m_cancel = false;
     }
     const bool ok = !forgotten && run(item);
-    if (item.job != 0) tell([job = item.job, ok](Document& shown) { shown.end(job, ok); });
+    if (item.job != 0) tell([job = item.job, ok](EngineNews& shown) { shown.end(job, ok); });
     renew_detector();
     --m_num_open;
   }
 }
 
 bool Engine::run(const Item& item) {
-  if (item.job != 0)
-    tell([what = item.what](Document& shown) {
-      shown.m_busy_with = what;
-      Q_EMIT shown.busy_changed();
-    });
+  if (item.job != 0) tell([what = item.what](EngineNews& shown) { shown.begin(what); });
   try {
     return item.work(*this);
   } catch (const Cancelled&) {
@@ -106,19 +104,19 @@ bool Engine::run(const Item& item) {
   return false;
 }
 
-void Engine::tell(std::function<void(Document&)> what) {
+void Engine::tell(std::function<void(EngineNews&)> what) {
   ++m_num_open;
   QMetaObject::invokeMethod(
-      &m_document,
+      &m_receiver,
       [this, what = std::move(what)] {
         --m_num_open;
-        what(m_document);
+        what(m_news);
       },
       Qt::QueuedConnection);
 }
 
 void Engine::tell(Message message) {
-  tell([message = std::move(message)](Document& shown) { Q_EMIT shown.message(message); });
+  tell([message = std::move(message)](EngineNews& shown) { shown.tell(message); });
 }
 
 void Engine::tell(const OperationResult& result, const Operation& operation) {
@@ -147,15 +145,14 @@ void Engine::show_progress(const std::string& what, size_t done, size_t total) {
 }
 
 void Engine::tell_progress(const std::string& what, size_t done, size_t total) {
-  tell([what, done, total](Document& shown) {
-    Q_EMIT shown.progressed(QString::fromStdString(what), static_cast<int>(done),
-                            static_cast<int>(total));
+  tell([what, done, total](EngineNews& shown) {
+    shown.show_progress(what, static_cast<int>(done), static_cast<int>(total));
   });
 }
 
 void Engine::publish(std::optional<SettledWay> way) {
   const Session& session = m_opened->session;
-  Document::State state;
+  EngineNews::State state;
   state.snapshot = m_snapshots.make(session.scene(), settled_clearance(*m_opened), std::move(way));
   state.history = history();
   state.file = m_file;
@@ -163,7 +160,7 @@ void Engine::publish(std::optional<SettledWay> way) {
   state.modified = session.is_modified();
   m_ghosts_know = m_is_behind = false;
   m_published = state.snapshot->committed;
-  tell([state](Document& shown) { shown.show(state); });
+  tell([state](EngineNews& shown) { shown.show(state); });
   post({0, "verdict", [committed = m_published](Engine& engine) {
           engine.judge(committed);
           return true;
@@ -178,7 +175,7 @@ void Engine::judge(std::uint64_t committed) {
   auto verdict = std::make_shared<SceneVerdict>();
   verdict->committed = committed;
   verdict->stability = stability(m_opened->session.scene(), options);
-  tell([verdict](Document& shown) { shown.show_verdict(verdict); });
+  tell([verdict](EngineNews& shown) { shown.show_verdict(verdict); });
 }
 
 // --- operations --------------------------------------------------------------------------------
@@ -233,7 +230,7 @@ bool Engine::perform_all(const std::vector<Operation>& operations,
   bool is_falling_shown = false;
   const DrapeWatch watch([&](const std::shared_ptr<const Object>& falling, double) {
     is_falling_shown = true;
-    tell([snapshot = m_snapshots.make_falling(falling)](Document& shown) {
+    tell([snapshot = m_snapshots.make_falling(falling)](EngineNews& shown) {
       shown.show_scene(snapshot);
     });
   });
@@ -243,7 +240,7 @@ bool Engine::perform_all(const std::vector<Operation>& operations,
   else if (is_falling_shown)
     show_again();
   if (result.ok() && !select.empty())
-    tell([select](Document& shown) { shown.select_named(select); });
+    tell([select](EngineNews& shown) { shown.select_named(select); });
   tell(result, operations.back());
   return result.ok();
 }
@@ -265,16 +262,16 @@ bool Engine::perform_first(const std::vector<OperationGroup>& choices,
     OperationResult result = m_opened->session.perform_all(choice, settle_options(), context());
     if (result.ok()) {
       show_done(choice, result, from);
-      if (!select.empty()) tell([select](Document& shown) { shown.select_named(select); });
+      if (!select.empty()) tell([select](EngineNews& shown) { shown.select_named(select); });
       tell(result, choice.back());
-      if (drags) tell([](Document& shown) { Q_EMIT shown.drag_ended(true); });
+      if (drags) tell([](EngineNews& shown) { shown.finish_drag(true); });
       return true;
     }
     if (!first) first = std::move(result);
     if (first->status != OperationResult::Status::Refused) break;
   }
   if (drags) show_again();
-  if (drags) tell([](Document& shown) { Q_EMIT shown.drag_ended(false); });
+  if (drags) tell([](EngineNews& shown) { shown.finish_drag(false); });
   if (first) tell(*first, choices.front().back());
   return false;
 }

@@ -1,6 +1,7 @@
 // Document thread: runs the session, its files, its journal. Private.
 #pragma once
 
+#include <QObject>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -9,12 +10,13 @@
 #include <thread>
 
 #include "apps/edit/document/arrange_worker.h"
-#include "apps/edit/document/document.h"
 #include "apps/edit/document/drag_goal.h"
 #include "apps/edit/document/drag_motion.h"
+#include "apps/edit/document/engine_news.h"
 #include "apps/edit/document/file_lock.h"
 #include "apps/edit/document/ghost_worker.h"
 #include "apps/edit/document/look_steps.h"
+#include "apps/edit/document/many.h"
 #include "apps/edit/document/snapshot_maker.h"
 #include "apps/edit/document/thread_detector.h"
 #include "ops/operations/live_move.h"
@@ -25,12 +27,13 @@ namespace trivet::edit {
 /// Functions above the line are for the thread of the windows, those below for jobs.
 class Engine {
  public:
-  Engine(Document& document, DocumentOptions options);
+  /// @param receiver  object of the thread of the windows, on which the news are told.
+  Engine(QObject& receiver, EngineNews& news, DocumentOptions options);
   ~Engine();
 
   using Work = std::function<bool(Engine&)>;
   /// @param work  @return whether it succeeded.
-  void post(Document::Job job, const std::string& what, Work work);
+  void post(EngineNews::Job job, const std::string& what, Work work);
   void cancel();
   void begin_drag(std::uint64_t drag, const Operation& operation);
   /// Sets the goal; the latest wins.
@@ -84,7 +87,7 @@ class Engine {
 
  private:
   struct Item {
-    Document::Job job = 0;  // 0: none that windows wait for, such as a part of a drag
+    EngineNews::Job job = 0;  // 0: none that windows wait for, such as a part of a drag
     std::string what;
     Work work;
     std::uint64_t generation = 0;
@@ -104,7 +107,7 @@ class Engine {
   ArrangeWorker::Listener layout_listener();
   SettleOptions settle_options() const;
   RunContext context() const;
-  void tell(std::function<void(Document&)> what);
+  void tell(std::function<void(EngineNews&)> what);
   void tell(Message message);
   void tell(const OperationResult& result, const Operation& operation);
   bool tell_if_true(const RepairOperation& repair);
@@ -132,7 +135,8 @@ class Engine {
   void judge(std::uint64_t committed);
   std::optional<Pose> pose_before(const std::vector<Operation>& operations) const;
 
-  Document& m_document;
+  QObject& m_receiver;
+  EngineNews& m_news;
   DocumentOptions m_options;
   std::atomic<bool> m_cancel = false;
   std::atomic<int> m_num_open = 0;  // posts and signals not yet delivered; detectors send notes

@@ -20,7 +20,7 @@ void Engine::begin_drag(std::uint64_t drag, const Operation& operation) {
           }
           e.tell(e.m_live->result(), operation);
           e.m_live.reset();
-          e.tell([drag](Document& shown) { shown.drag_refused(drag); });
+          e.tell([drag](EngineNews& shown) { shown.drag_refused(drag); });
           return false;
         }});
 }
@@ -52,7 +52,7 @@ void Engine::follow() {
   if (m_live->refused()) return;  // end_drag() reports the reason
   const std::optional<Motion> motion = m_motion->next(m_live->placements().front().pose, *goal);
   const auto snapshot = m_snapshots.make_drag(m_opened->session.scene(), *m_live, motion);
-  tell([snapshot, drag = m_drag, when = goal->when](Document& shown) {
+  tell([snapshot, drag = m_drag, when = goal->when](EngineNews& shown) {
     const std::chrono::duration<double, std::milli> took = DragGoal::Clock::now() - when;
     shown.show_drag(snapshot, drag, took.count());
   });
@@ -78,7 +78,7 @@ bool Engine::end_drag(std::uint64_t drag) {
   } else {
     show_again();
   }
-  tell([committed](Document& shown) { Q_EMIT shown.drag_ended(committed); });
+  tell([committed](EngineNews& shown) { shown.finish_drag(committed); });
   tell(result, operation);
   return result.ok();
 }
@@ -88,14 +88,14 @@ void Engine::cancel_drag(std::uint64_t drag) {
           if (!engine.m_live || drag != engine.m_drag) return false;
           engine.m_live.reset();
           engine.show_again();
-          engine.tell([](Document& shown) { Q_EMIT shown.drag_ended(false); });
+          engine.tell([](EngineNews& shown) { shown.finish_drag(false); });
           return true;
         }});
 }
 
 // Shows the committed scene, without the dragged objects.
 void Engine::show_again() {
-  tell([snapshot = m_snapshots.make_again()](Document& shown) { shown.show_scene(snapshot); });
+  tell([snapshot = m_snapshots.make_again()](EngineNews& shown) { shown.show_scene(snapshot); });
 }
 
 }  // namespace trivet::edit

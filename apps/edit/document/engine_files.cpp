@@ -100,12 +100,12 @@ void Engine::adopt(OpenedSession opened, const std::string& file, const std::str
   m_title = title;
   m_lock = std::move(lock);
   m_snapshots.forget();
-  tell([scene = ++m_scene, wishes = m_opened->session.arrange()](Document& shown) {
+  tell([scene = ++m_scene, wishes = m_opened->session.arrange()](EngineNews& shown) {
     shown.forget_scene(scene);
     shown.show_wishes(wishes);
   });
   publish();
-  tell([looks = m_opened->session.layout().looks](Document& shown) { shown.show_looks(looks); });
+  tell([looks = m_opened->session.layout().looks](EngineNews& shown) { shown.show_looks(looks); });
   for (const Sentence& note : m_opened->notes)
     tell(Message{Message::Kind::Info, in_words(note), {}, {}});
 }
@@ -189,7 +189,7 @@ bool Engine::save_as(const std::string& file, const Looks& looks) {
   if (lock) m_lock = std::move(lock);
   m_file = file;
   m_title = fs::path(file).filename().string();
-  tell([kept](Document& shown) { shown.m_saved_looks = kept; });
+  tell([kept](EngineNews& shown) { shown.show_saved_looks(kept); });
   publish();
   return true;
 }

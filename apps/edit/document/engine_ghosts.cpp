@@ -6,14 +6,15 @@ namespace trivet::edit {
 GhostWorker::Listener Engine::ghost_listener() {
   GhostWorker::Listener listener;
   listener.ghost = [this](std::uint64_t request, Ghost ghost) {
-    tell(
-        [request, ghost = std::move(ghost)](Document& shown) { shown.show_ghost(request, ghost); });
+    tell([request, ghost = std::move(ghost)](EngineNews& shown) {
+      shown.show_ghost(request, ghost);
+    });
   };
   listener.zlists = [this](std::shared_ptr<const ZListView> view) {
-    tell([view = std::move(view)](Document& shown) { shown.show_zlists(view); });
+    tell([view = std::move(view)](EngineNews& shown) { shown.show_zlists(view); });
   };
   listener.answering = [this](const Answering& answering) {
-    tell([answering](Document& shown) { shown.show_previews_by(answering); });
+    tell([answering](EngineNews& shown) { shown.show_previews_by(answering); });
   };
   listener.measured = [this] { use_measured(); };
   return listener;
@@ -24,7 +25,7 @@ GhostWorker::Listener Engine::ghost_listener() {
 // A loss is told once, by whichever thread meets it first.
 BackendOptions Engine::with_notes(BackendOptions options) {
   options.note = [this](const Sentence& note) {
-    tell([note](Document& shown) { shown.show_detection_note(note); });
+    tell([note](EngineNews& shown) { shown.show_detection_note(note); });
   };
   options.gpu_notes = once_each(options.note);
   return options;
@@ -61,7 +62,7 @@ void Engine::renew_detector() {
   if (!m_live) m_detector.renew();
   if (const Answering now = m_detector.answering(); !(now == m_told)) {
     m_told = now;
-    tell([now](Document& shown) { shown.show_moves_by(now); });
+    tell([now](EngineNews& shown) { shown.show_moves_by(now); });
   }
 }
 
@@ -88,7 +89,7 @@ void Engine::request_ways(ObjectId object) {
           const Scene& scene = engine.m_opened->session.scene();
           if (!scene.contains(object)) return false;
           WaysToLie ways{object, ways_to_lie(scene.at(object))};
-          engine.tell([ways](Document& shown) { Q_EMIT shown.ways_found(ways); });
+          engine.tell([ways](EngineNews& shown) { shown.show_ways(ways); });
           return true;
         }});
 }

@@ -1,6 +1,7 @@
 // Arrangements on the document's thread: wishes kept with the scene, previews, problem files.
 #include <nlohmann/json.hpp>
 
+#include "apps/edit/document/document.h"
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/layout_paths.h"
 #include "core/base/error.h"
@@ -13,16 +14,14 @@ namespace trivet::edit {
 ArrangeWorker::Listener Engine::layout_listener() {
   ArrangeWorker::Listener out;
   out.found = [this](std::uint64_t number, LayoutGhost ghost) {
-    tell([number, ghost = std::move(ghost)](Document& shown) {
+    tell([number, ghost = std::move(ghost)](EngineNews& shown) {
       shown.show_layout(number, std::make_shared<const LayoutGhost>(ghost));
     });
   };
   out.progressed = [this](std::uint64_t number, const std::string& thing, size_t done,
                           size_t total) {
-    tell([number, thing, done, total](Document& shown) {
-      if (number == shown.m_layout_request)
-        Q_EMIT shown.layout_progressed(QString::fromStdString(thing), static_cast<int>(done),
-                                       static_cast<int>(total));
+    tell([number, thing, done, total](EngineNews& shown) {
+      shown.show_layout_progress(number, thing, static_cast<int>(done), static_cast<int>(total));
     });
   };
   return out;
@@ -32,9 +31,8 @@ void Engine::set_wishes(std::uint64_t scene, std::string json) {
   post({0, "wishes", [scene, json = std::move(json)](Engine& engine) {
           if (scene != engine.m_scene) return false;
           engine.m_opened->session.set_arrange(json);
-          engine.tell([modified = engine.m_opened->session.is_modified()](Document& shown) {
-            shown.m_modified = modified;
-            Q_EMIT shown.history_changed();
+          engine.tell([modified = engine.m_opened->session.is_modified()](EngineNews& shown) {
+            shown.show_modified(modified);
           });
           return true;
         }});

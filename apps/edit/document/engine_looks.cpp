@@ -11,7 +11,7 @@ void Engine::add_look_step(std::uint64_t scene, LookStep step, Selection selecti
           LookStep placed = step;
           placed.after = engine.m_opened->session.num_done();
           engine.m_look_steps.add(std::move(placed));
-          engine.tell([history = engine.history(), selection](Document& shown) {
+          engine.tell([history = engine.history(), selection](EngineNews& shown) {
             shown.show_look_step(history, selection);
           });
           return true;
@@ -58,7 +58,7 @@ bool Engine::redo_one() {
 // Looks follow objects that are made anew by steps: the scene of the steps before comes first.
 void Engine::show_looks(const Looks& from, const Looks& to) {
   if (m_is_behind) publish();
-  tell([from, to](Document& shown) { shown.show_looks_of_step(from, to); });
+  tell([from, to](EngineNews& shown) { shown.show_looks_of_step(from, to); });
 }
 
 bool Engine::go_to_step(size_t wanted) {
@@ -69,7 +69,7 @@ bool Engine::go_to_step(size_t wanted) {
   if (m_is_behind)
     publish();
   else
-    tell([history = history()](Document& shown) { shown.show_history(history); });
+    tell([history = history()](EngineNews& shown) { shown.show_history(history); });
   return num_done() == wanted;
 }
 

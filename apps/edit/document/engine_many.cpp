@@ -1,4 +1,5 @@
 // Jobs on many objects of the document's thread.
+#include "apps/edit/document/document.h"
 #include "apps/edit/document/engine.h"
 #include "apps/edit/document/words.h"
 #include "core/scene/transaction.h"

@@ -112,6 +112,8 @@ QString why_it_ended(const Operation& operation, const OperationResult& result) 
     case OperationResult::End::Edge:
       return phrase(QT_TRANSLATE_NOOP("results", "stopped at a drop deeper than %1"))
           .arg(millimetres(push ? push->step_down : 0));
+    case OperationResult::End::Limit:
+      return phrase(QT_TRANSLATE_NOOP("results", "at its limit"));
     case OperationResult::End::Done:
     case OperationResult::End::AtRest:
     case OperationResult::End::Reached:

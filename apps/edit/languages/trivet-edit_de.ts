@@ -3311,10 +3311,6 @@
         <translation>„to“ oder „by“</translation>
     </message>
     <message>
-        <source>a joint of a scene in MJCF, URDF or SDF: this scene has none</source>
-        <translation>ein Gelenk einer Szene in MJCF, URDF oder SDF: diese Szene hat keines</translation>
-    </message>
-    <message>
         <source>a number, &quot;lower&quot;, &quot;upper&quot;</source>
         <translation>eine Zahl, „lower“, „upper“</translation>
     </message>
@@ -3329,10 +3325,6 @@
     <message>
         <source>heights count from the floor, which is at %1 m in the file</source>
         <translation>Höhen zählen ab dem Boden, der in der Datei bei %1 m liegt</translation>
-    </message>
-    <message>
-        <source>none: no slides and hinges were read</source>
-        <translation>keine: es wurden weder Schubgelenke noch Scharniere gelesen</translation>
     </message>
     <message>
         <source>not read: %1</source>
@@ -3734,6 +3726,58 @@
         <source>there is no object %1; accepted: names of objects</source>
         <translation>es gibt kein Objekt %1; erlaubt: Namen von Objekten</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; hangs in &quot;%2&quot; by a joint; accepted: objects without joints</source>
+        <translation>„%1“ hängt mit einem Gelenk an „%2“; erlaubt: Objekte ohne Gelenke</translation>
+    </message>
+    <message>
+        <source>a joint without a position; accepted: both</source>
+        <translation>ein Gelenk ohne Position; erlaubt: beides</translation>
+    </message>
+    <message>
+        <source>a limit that the joint has</source>
+        <translation>eine Grenze, die das Gelenk hat</translation>
+    </message>
+    <message>
+        <source>a number from &quot;lower&quot; on</source>
+        <translation>eine Zahl ab „lower“</translation>
+    </message>
+    <message>
+        <source>a slide has no place; accepted: with &quot;hinge&quot;</source>
+        <translation>ein Schubgelenk hat keinen Ort; erlaubt: mit „hinge“</translation>
+    </message>
+    <message>
+        <source>accepted: &quot;slide&quot;, the axis of a drawer, or &quot;hinge&quot;, that of a door</source>
+        <translation>erlaubt: „slide“, die Achse einer Schublade, oder „hinge“, die einer Tür</translation>
+    </message>
+    <message>
+        <source>accepted: one of &quot;to&quot;, &quot;by&quot; and &quot;until&quot;</source>
+        <translation>erlaubt: eines von „to“, „by“ und „until“</translation>
+    </message>
+    <message>
+        <source>an object that hangs in a joint: %1</source>
+        <translation>ein Objekt, das an einem Gelenk hängt: %1</translation>
+    </message>
+    <message>
+        <source>an object that hangs in a joint: there is none</source>
+        <translation>ein Objekt, das an einem Gelenk hängt: es gibt keines</translation>
+    </message>
+    <message>
+        <source>none: the scene has no slides and hinges</source>
+        <translation>keines: die Szene hat keine Schub- und Drehgelenke</translation>
+    </message>
+    <message>
+        <source>things: others hang in %1 by joints; accepted: objects without joints</source>
+        <translation>things: an %1 hängen andere mit Gelenken; erlaubt: Objekte ohne Gelenke</translation>
+    </message>
+    <message>
+        <source>the name of one of /objects before it, with a position</source>
+        <translation>der Name eines der /objects davor, das eine Position hat</translation>
+    </message>
+    <message>
+        <source>the joint of &quot;%1&quot; was changed</source>
+        <translation>das Gelenk von „%1“ wurde geändert</translation>
+    </message>
 </context>
 <context>
     <name>results</name>
@@ -3799,6 +3843,10 @@
     <message>
         <source>%1 stays where it was: %2</source>
         <translation>%1 bleibt, wo es war: %2</translation>
+    </message>
+    <message>
+        <source>at its limit</source>
+        <translation>an seiner Grenze</translation>
     </message>
 </context>
 <context>
@@ -6495,6 +6543,14 @@
         <source>With all that it touches, at the friction of the materials. Margin: how far all weights may shift sideways before it gives way: %1</source>
         <translation>Mit allem, was es berührt, bei der Reibung der Materialien. Spielraum: wie weit sich alle Gewichte seitlich verschieben dürfen, bevor es nachgibt: %1</translation>
     </message>
+    <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>Opens and closes it with all that lies in and on it, up to what is in the way</source>
+        <translation>Öffnet und schließt es mit allem, was darin und darauf liegt, bis etwas im Weg ist</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::QuickActions</name>
@@ -6705,49 +6761,6 @@
     <message>
         <source>A towel on a peg</source>
         <translation>Ein Handtuch an einem Haken</translation>
-    </message>
-</context>
-<context>
-    <name>trivet::edit::StatusLine</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop the running operation; the scene stays unchanged (Escape)</source>
-        <translation>Laufende Operation abbrechen; die Szene bleibt unverändert (Escape)</translation>
-    </message>
-    <message>
-        <source>Stored as view %1: Alt+%1 shows it again</source>
-        <translation>Als Ansicht %1 gemerkt: Alt+%1 zeigt sie wieder</translation>
-    </message>
-    <message>
-        <source>In hand: %1</source>
-        <translation>In der Hand: %1</translation>
-    </message>
-    <message>
-        <source>Objects: %1</source>
-        <translation>Objekte: %1</translation>
-    </message>
-    <message>
-        <source>, selected: %1</source>
-        <translation>, ausgewählt: %1</translation>
-    </message>
-    <message>
-        <source> (last: %1)</source>
-        <translation> (zuletzt: %1)</translation>
-    </message>
-    <message>
-        <source>Detection: %1</source>
-        <translation>Erkennung: %1</translation>
-    </message>
-    <message>
-        <source>Collision detection. Moves: %1. Previews: %2. See Preferences.</source>
-        <translation>Kollisionserkennung. Bewegungen: %1. Vorschau: %2. Siehe Einstellungen.</translation>
-    </message>
-    <message>
-        <source>The scene as a whole, at the friction of the materials: %1</source>
-        <translation>Die Szene als Ganzes, mit der Reibung der Materialien: %1</translation>
     </message>
 </context>
 <context>

@@ -89,6 +89,9 @@ Properties::Properties(Document& document, QWidget* parent)
                             "it rests."))),
       m_form(new QFormLayout),
       m_content(new QWidget),
+      m_joint(new QWidget),
+      m_joint_slider(new QSlider(Qt::Horizontal)),
+      m_joint_value(new QDoubleSpinBox),
       m_preset(new QComboBox),
       m_position(new VectorField("position", 1e6, 4, 0.01)),
       m_rotation(new VectorField("rotation", 360, 2, 5)),
@@ -114,6 +117,7 @@ Properties::Properties(Document& document, QWidget* parent)
   m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   m_content->setLayout(m_form);
   add_pose();
+  add_joint();
   add_scale();
   add_frame();
   add_material();
@@ -298,6 +302,7 @@ void Properties::show_object() {
   m_name->setText(name);
   set(tr("State"), state_text(object.state));
   show_pose(object);
+  show_joint(object);
   show_rest(object, found->id);
   show_material(object.material);
   set(tr("Weight"), weight_text(object), tr("Objects are of uniform density"));

@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSlider>
 #include <map>
 
 #include "apps/edit/document/document.h"
@@ -35,6 +36,9 @@ class Properties : public QScrollArea {
   void take_height(double metres);
   void show_frame(const Object& object);
   void stand(PosePart part, int axis, double value);
+  void add_joint();
+  void show_joint(const Object& object);
+  void take_joint(double value);
   void add_material();
   void show_material(const PhysicsMaterial& material);
   /// Makes all selected objects of it, as one step.
@@ -47,6 +51,9 @@ class Properties : public QScrollArea {
   QFormLayout* m_form;
   QWidget* m_content;
   std::map<QString, QLabel*> m_values;
+  QWidget* m_joint;
+  QSlider* m_joint_slider;
+  QDoubleSpinBox* m_joint_value;
   PhysicsMaterial m_material;  // of the active object
   QComboBox* m_preset;
   VectorField *m_position, *m_rotation;

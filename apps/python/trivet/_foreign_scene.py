@@ -17,7 +17,7 @@ Verdict = dict[str, Any]
 
 
 class Foreign:
-    """A scene of another program: MJCF, URDF, SDF or glTF. Made by `Foreign.load`.
+    """A scene of another program: MJCF, URDF, SDF, USD or glTF. Made by `Foreign.load`.
 
     What is written differs from what was read in the numbers of poses that changed; all other bytes are equal.
     """
@@ -36,7 +36,7 @@ class Foreign:
         Parameters
         ----------
         path : path
-            .xml or .mjcf, .urdf, .sdf or .world, .glb or .gltf.
+            .xml or .mjcf, .urdf, .sdf or .world, .usda, .glb or .gltf.
         key : str
             Keyframe of MJCF with the poses; "none": where the bodies stand. Default: the first, if it has
             positions.
@@ -71,7 +71,7 @@ class Foreign:
 
     @property
     def format(self) -> str:
-        """"MJCF", "URDF", "SDF" or "glTF"."""
+        """"MJCF", "URDF", "SDF", "USD" or "glTF"."""
         return self._opened.format
 
     @property

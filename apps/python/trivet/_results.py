@@ -38,7 +38,7 @@ class Result:
     code, reason, objects, numbers
         Of a refusal: its cause (see ``trivet.CAUSES``), the sentence for people, the names in it, and its
         figures by name.
-    end : "done", "at_rest", "reached", "blocked", "step" or "edge"
+    end : "done", "at_rest", "reached", "blocked", "step", "edge" or "limit"
         Why it ended; means nothing when refused. Blocked by `blocked_by` at the point `blocked_at`, world, metres.
     moved, turned_deg : float
         Metres from where the object's position was, and degrees by `turn` and `rotate`.

@@ -1,36 +1,30 @@
 #include "core/io/foreign/joint_loads.h"
 
-#include <Eigen/Geometry>
-#include <cmath>
+#include "core/scene/joint_load.h"
 
 namespace trivet {
 namespace {
 
-constexpr double kGravity = 9.81;         // m/s^2
-constexpr double kLeastJointLoad = 1e-6;  // newtons or newton metres that count
-constexpr double kAtLimit = 1e-9;         // metres or degrees
-
-// Force along the axis, or torque about it, of the weight of a body.
-double load_of(const ForeignBody& body, const ForeignJoint& joint) {
+double load_of(const ForeignBody& body, const JointPlace& joint) {
   if (!body.mass) return 0;
-  const Vec3 weight(0, 0, -kGravity * body.mass->kilograms);
   const Vec3 centre =
       composed(body.pose, {{}, body.mass->centre.value_or(Vec3::Zero())}).translation;
-  return joint.kind == ForeignJoint::Kind::Slide
-             ? joint.axis.dot(weight)
-             : joint.axis.dot((centre - joint.anchor).cross(weight));
+  return joint_load(joint, centre, kGravity * body.mass->kilograms);
 }
 
 }  // namespace
 
 void note_if_gravity_moves(const ForeignJoint& joint, std::span<const ForeignBody* const> bodies,
                            std::vector<Sentence>& notes) {
+  const JointPlace place{joint.kind == ForeignJoint::Kind::Hinge,
+                         joint.axis,
+                         joint.anchor,
+                         joint.value,
+                         joint.lower,
+                         joint.upper};
   double load = 0;
-  for (const ForeignBody* body : bodies) load += load_of(*body, joint);
-  // The joint stands at the limit that the weight pulls it to.
-  const bool stopped =
-      load > 0 ? joint.value >= joint.upper - kAtLimit : joint.value <= joint.lower + kAtLimit;
-  if (stopped || !(std::abs(load) > joint.friction + kLeastJointLoad)) return;
+  for (const ForeignBody* body : bodies) load += load_of(*body, place);
+  if (!moves_joint(place, joint.friction, load)) return;
   note_once(notes,
             joint.kind == ForeignJoint::Kind::Hinge
                 ? say("the link in the joint \"%1\" would swing: its weight turns it with %2 N m",

@@ -127,8 +127,8 @@ class TreeOfJoints {
     TreeJoint& joint = m_joints[j];
     if (!joint.kind || !m_held[j].empty()) return;
     joint.value = value_of(j);
-    if (joint.value == 0) return;
-    const Pose by = displacement(joint, joint.value);
+    if (joint.value == joint.stands_at) return;
+    const Pose by = displacement(joint, joint.value - joint.stands_at);
     // All that hangs in the link goes with it, joints included: these are in the world.
     std::vector<size_t> joints;
     for (const size_t b : subtree(joint.child, &joints)) {

@@ -17,7 +17,7 @@ struct MimicRule {
   double multiplier = 1, offset = 0;
 };
 
-/// A joint as its file has it, with everything at zero.
+/// A joint as its file has it, with everything at zero, or where it stands.
 struct TreeJoint {
   std::string name;
   std::optional<ForeignJoint::Kind> kind;            // nothing: of a kind that stays where it is
@@ -26,6 +26,7 @@ struct TreeJoint {
   Vec3 axis = Vec3::UnitX(), anchor = Vec3::Zero();  // world
   double lower = -kInfinity, upper = kInfinity;      // metres or radians
   double value = 0;                                  // where no file of values says another
+  double stands_at = 0;                              // value at which the file has its bodies
   double friction = 0;                               // that holds it: newtons or newton metres
   std::optional<MimicRule> mimic;
   bool driven = false;  // something else holds it

@@ -135,8 +135,11 @@ Mesh hull_mesh(std::span<const Vec3> points) {
 }
 
 void append(const Mesh& mesh, const Pose& pose, Mesh& out) {
+  append(mesh, world_from_object(pose, UpAxis::Z, 1), out);
+}
+
+void append(const Mesh& mesh, const Affine& place, Mesh& out) {
   const auto first = static_cast<Index>(out.vertices.size());
-  const Affine place = world_from_object(pose, UpAxis::Z, 1);
   for (const Vec3& v : mesh.vertices) out.vertices.push_back(place.apply(v));
   for (const Index3& t : mesh.triangles)
     out.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});

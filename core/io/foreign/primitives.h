@@ -21,7 +21,8 @@ Mesh capsule_mesh(double radius, double half);
 /// The hull of points, seen from outside. Empty if they have no solid hull.
 Mesh hull_mesh(std::span<const Vec3> points);
 
-/// Vertices moved into the frame that `pose` is in.
+/// Vertices moved into the frame that `pose` is in, or by a transform.
 void append(const Mesh& mesh, const Pose& pose, Mesh& out);
+void append(const Mesh& mesh, const Affine& place, Mesh& out);
 
 }  // namespace trivet

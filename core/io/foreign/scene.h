@@ -14,18 +14,12 @@
 #include "core/mesh/given_mass.h"
 #include "core/mesh/mesh.h"
 #include "core/model/model.h"
-#include "core/motion/pose.h"
+#include "core/motion/compose.h"
 
 namespace trivet {
 
-/// First b, then a: pose of b's frame in the frame that `a` is in.
-Pose composed(const Pose& a, const Pose& b);
-Pose inverse(const Pose& pose);
-/// Angle of any size, degrees, about a unit axis.
-Rotation turn_about(const Vec3& axis, double degrees);
-
 /// Engine's rule for the friction of two surfaces.
-enum class FrictionRule { Larger, Smaller, Product };
+enum class FrictionRule { Larger, Smaller, Product, Mean };
 
 /// These decide whether and how a collider meets others.
 struct ContactBits {
@@ -47,14 +41,15 @@ struct ForeignCollider {
 
 /// Where the pose of a body stands.
 struct PosePlace {
-  enum class Kind { Nowhere, Tag, Key, Element } kind = Kind::Nowhere;
+  enum class Kind { Nowhere, Tag, Key, Element, Prim } kind = Kind::Nowhere;
   size_t file = 0;                 // into ForeignScene::files
   size_t begin = 0;                // byte of the start tag
   size_t content = 0;              // Element: where a <pose> is put that is not there yet
   std::optional<XmlNode> element;  // Element: its <pose>
-  size_t number = 0;               // MJCF: of the first of its seven numbers in a keyframe
-  Pose world_from_place;           // what the numbers are relative to
-  Sentence why_not;                // Nowhere: the reason
+  // MJCF: of the first of its seven numbers in a keyframe. Prim: in UsdaSource::places.
+  size_t number = 0;
+  Pose world_from_place;  // what the numbers are relative to
+  Sentence why_not;       // Nowhere: the reason
 };
 
 struct ForeignBody {
@@ -84,8 +79,10 @@ struct ForeignJoint {
   Sentence held;                                     // why it cannot be moved; empty: it can
 };
 
+struct UsdaSource;
+
 struct ForeignScene {
-  std::string format;          // "MJCF", "URDF", "SDF"
+  std::string format;          // "MJCF", "URDF", "SDF", "USD"
   std::vector<XmlFile> files;  // the main one first
   std::vector<ForeignBody> bodies;
   std::vector<std::pair<std::string, std::string>> excluded;  // bodies that never collide
@@ -102,7 +99,8 @@ struct ForeignScene {
   std::vector<double> numbers;
   size_t key_file = 0, key_begin = 0;  // of the start tag of `key`
   std::optional<size_t> new_key;
-  Sentence why_no_key;  // where there is no place for one
+  Sentence why_no_key;                     // where there is no place for one
+  std::shared_ptr<const UsdaSource> usda;  // of USD; see read_usda.h
 };
 
 /// Gives the model of that file. @throws Error (BadInput).

@@ -164,6 +164,7 @@ class Editor {
     if (m_has_new_key && body.place.kind == PosePlace::Kind::Tag)
       return set_numbers(body, pose, m_new_key);
     switch (body.place.kind) {
+      case PosePlace::Kind::Prim:  // of layers, which are not edited
       case PosePlace::Kind::Nowhere:
         bad_input("\"%1\" has no place for a pose in %2: %3", body.name, m_scene.files[0].path,
                   body.place.why_not);

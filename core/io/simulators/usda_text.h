@@ -66,7 +66,7 @@ inline std::string usda_apis(std::initializer_list<const char*> names) {
   return "prepend apiSchemas = [" + list + "]";
 }
 
-/// Adds what MjcCollisionAPI has: by these values MuJoCo computes contacts of the prim.
+/// The way in which MuJoCo computes contacts of a prim with MjcCollisionAPI.
 void add_mujoco_contacts(UsdaText& text);
 
 }  // namespace trivet

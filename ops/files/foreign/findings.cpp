@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/io/foreign/primitives.h"
 #include "core/io/mesh_model.h"
 #include "core/scene/given_mass.h"
 #include "ops/base/stopwatch.h"
@@ -74,6 +75,8 @@ class FindingCollector {
   }
 
   std::string way_of(const std::string& name) const {
+    if (const auto id = m_run.scene.find(name); id && m_run.scene.at(*id).joint)
+      return "its joint does not hold it";
     for (const ObjectStability& o : m_run.stability.objects)
       if (o.topples && m_run.scene.at(o.object).name == name)
         return way_text(m_run.scene.at(o.object), o.motion);
@@ -98,12 +101,9 @@ Object as_one(const Scene& scene, const std::vector<ObjectId>& ids) {
   Vec3 moment = Vec3::Zero();
   for (const ObjectId id : ids) {
     const Object& object = scene.at(id);
-    const Affine world = object.world_from_object();
-    const auto first = static_cast<Index>(mesh.vertices.size());
-    for (const Vec3& v : object.shape->mesh.vertices)
-      mesh.vertices.push_back(world.apply(v) - out.pose.translation);
-    for (const Index3& t : object.shape->mesh.triangles)
-      mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    Affine in_piece = object.world_from_object();
+    in_piece.translation -= out.pose.translation;
+    append(object.shape->mesh, in_piece, mesh);
     const double weight = weight_of(object);
     newtons += weight;
     moment += weight * (object.centre_of_mass() - out.pose.translation);

@@ -1,6 +1,5 @@
 #include "ops/files/foreign/joint_moves.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -13,22 +12,6 @@
 
 namespace trivet {
 namespace {
-
-constexpr double kLeastBearing = 1e-6;  // newtons or newton metres that count
-constexpr double kAtStop = 1e-9;        // metres or degrees
-
-// Force along the axis of a joint, or torque about it.
-double bearing_of(const Object& object, const SceneJoint& joint) {
-  const Vec3 weight(0, 0, -weight_of(object));
-  return joint.turns ? joint.axis.dot((object.centre_of_mass() - joint.anchor).cross(weight))
-                     : joint.axis.dot(weight);
-}
-
-bool is_moved(const SceneJoint& joint, double load) {
-  const bool stopped =
-      load > 0 ? joint.value >= joint.upper - kAtStop : joint.value <= joint.lower + kAtStop;
-  return !stopped && std::abs(load) > joint.friction + kLeastBearing;
-}
 
 Rotation inverse_of(const Rotation& r) { return {r.w, -r.x, -r.y, -r.z}; }
 
@@ -111,12 +94,13 @@ std::vector<Sentence> joints_moved_by_contents(const Scene& scene,
           std::find(joint.links.begin(), joint.links.end(), id) != joint.links.end();
       // Links without a mass of the file's have none for its engine.
       if (is_link && !scene.at(id).given_mass) continue;
-      const double load = bearing_of(scene.at(id), joint);
+      const double load = joint_load(joint, scene.at(id).centre_of_mass(), weight_of(scene.at(id)));
       all += load;
       if (is_link) links += load;
     }
     // Readers have told of joints that their links move alone.
-    if (is_moved(joint, links) || !is_moved(joint, all)) continue;
+    if (moves_joint(joint, joint.friction, links) || !moves_joint(joint, joint.friction, all))
+      continue;
     out.push_back(joint.turns
                       ? say("the link in the joint \"%1\" would swing: with what lies on it "
                             "%2 N m turn it",

@@ -1,14 +1,13 @@
 // Joints of an opened scene, moved with what lies in and on their links.
 #pragma once
 
+#include "core/scene/joint.h"
 #include "ops/files/foreign/open_scene.h"
 
 namespace trivet {
 
 /// @throws Error (BadInput) naming the joints that there are.
 SceneJoint& joint_named(OpenedScene& opened, const std::string& name);
-
-inline constexpr double kMaxJointValue = 1e6;  // metres or degrees that a user may ask for
 
 /// @throws Error (BadInput): the joint has no such limit.
 double limit_of(const JointToMove& joint, bool upper);

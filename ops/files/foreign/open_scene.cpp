@@ -1,5 +1,6 @@
 #include "ops/files/foreign/open_scene.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 
@@ -9,6 +10,7 @@
 #include "core/io/foreign/mjcf/read_mjcf.h"
 #include "core/io/foreign/sdf.h"
 #include "core/io/foreign/urdf.h"
+#include "core/io/foreign/usd/read_usda.h"
 #include "core/io/foreign/write_back.h"
 #include "core/io/overwrites.h"
 #include "core/io/process/sandboxed_import.h"
@@ -20,21 +22,45 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSceneTags =
-    "<mujoco> (MJCF), <robot> (URDF) or <sdf> (SDF) as the first element";
+    "<mujoco> (MJCF), <robot> (URDF) or <sdf> (SDF) as the first element, or USD as text";
+
+/// A format of scenes.
+struct SceneFormat {
+  const char* tag;  // first element; "": none, it is no XML
+  std::vector<std::string> extensions;
+  ForeignScene (*read)(const std::string&, const ForeignOptions&, const MeshSource&);
+};
+
+const std::vector<SceneFormat>& scene_formats_of_others() {
+  static const std::vector<SceneFormat> formats = {
+      {"mujoco", {".xml", ".mjcf"}, read_mjcf},
+      {"robot", {".urdf"}, read_urdf},
+      {"sdf", {".sdf", ".world"}, read_sdf},
+      {"", {".usda", ".usd"}, read_usda},
+  };
+  return formats;
+}
 
 bool is_gltf(const std::string& path) {
   const std::string extension = lower_extension(path);
   return extension == ".glb" || extension == ".gltf";
 }
 
-// By the first element, whatever the file is called.
-ForeignScene read_by_content(const std::string& path, const ForeignOptions& options,
+bool has_extension_of(const SceneFormat& format, const std::string& path) {
+  const auto& all = format.extensions;
+  return std::find(all.begin(), all.end(), lower_extension(path)) != all.end();
+}
+
+// XML by its first element, whatever the file is called.
+ForeignScene read_scene_file(const std::string& path, const ForeignOptions& options,
                              const MeshSource& meshes) {
+  for (const SceneFormat& format : scene_formats_of_others())
+    if (*format.tag == 0 && has_extension_of(format, path))
+      return format.read(path, options, meshes);
   std::vector<XmlFile> files;
   const std::string tag = read_xml_tree(path, 0, options.limits, files).tag;
-  if (tag == "mujoco") return read_mjcf(path, options, meshes);
-  if (tag == "robot") return read_urdf(path, options, meshes);
-  if (tag == "sdf") return read_sdf(path, options, meshes);
+  for (const SceneFormat& format : scene_formats_of_others())
+    if (tag == format.tag) return format.read(path, options, meshes);
   bad_file(path, "begins with <%1>; accepted: %2", tag, kSceneTags);
 }
 
@@ -135,8 +161,26 @@ bool needs_values(const ForeignScene& scene, const JointNumbers& changed, const 
   return !changed.empty() || !scene.values_file.empty() || fs::exists(path, error);
 }
 
+// The scene's layers stay as they are: a new one lies over them.
+void write_over_layer(const ForeignScene& scene, const std::map<size_t, Pose>& poses,
+                      const std::string& out) {
+  if (lower_extension(out) != ".usda")
+    bad_file(out, "is no name for a layer over a scene of USD; accepted: .usda");
+  std::vector<std::string> inputs;
+  for (const XmlFile& file : scene.files) inputs.push_back(file.path);
+  check_not_the_same(out, inputs);
+  std::string below = fs::absolute(scene.files[0].path)
+                          .lexically_relative(fs::absolute(out).parent_path())
+                          .generic_string();
+  if (!below.starts_with("..")) below = "./" + below;
+  StagedFiles staged;
+  staged.add(out, usda_over_layer(scene, poses, below));
+  staged.commit();
+}
+
 void write_files(const ForeignScene& scene, const std::map<size_t, Pose>& poses,
                  const JointNumbers& joints, const std::string& out) {
+  if (scene.usda) return write_over_layer(scene, poses, out);
   const bool apart = scene.format != "MJCF";
   const std::vector<std::string> bytes =
       files_with_poses(scene, poses, apart ? JointNumbers() : joints);
@@ -161,9 +205,10 @@ void write_files(const ForeignScene& scene, const std::map<size_t, Pose>& poses,
 }  // namespace
 
 bool is_scene_of_others(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  return is_gltf(path) || extension == ".xml" || extension == ".mjcf" || extension == ".urdf" ||
-         extension == ".sdf" || extension == ".world";
+  const auto& formats = scene_formats_of_others();
+  return is_gltf(path) ||
+         std::any_of(formats.begin(), formats.end(),
+                     [&](const SceneFormat& format) { return has_extension_of(format, path); });
 }
 
 OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
@@ -173,7 +218,7 @@ OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
     return import_model(file, options.limits);
   };
   auto foreign =
-      std::make_shared<const ForeignScene>(read_by_content(path, options.foreign, meshes));
+      std::make_shared<const ForeignScene>(read_scene_file(path, options.foreign, meshes));
   OpenedScene out;
   out.path = path, out.format = foreign->format, out.key = foreign->key;
   out.notes = foreign->notes, out.unread = foreign->unread;
@@ -191,7 +236,8 @@ OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
                               const std::string& target) {
     std::map<size_t, Pose> by_body;
     for (size_t i = 0; i < ids.size(); ++i)
-      if (ids[i] && !foreign->bodies[i].is_link)
+      // Links stand where their joints have them; USD has their poses, too.
+      if (ids[i] && (foreign->usda || !foreign->bodies[i].is_link))
         if (const auto it = poses.find(*ids[i]); it != poses.end())
           by_body[i] = {it->second.rotation, it->second.translation - lift * Vec3::UnitZ()};
     write_files(*foreign, by_body, numbers_of(moved), target);

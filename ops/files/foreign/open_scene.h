@@ -42,7 +42,7 @@ struct SceneJoint : JointToMove {
 /// A scene and the way back into its files.
 struct OpenedScene {
   std::vector<std::string> files;  // that were read, but for meshes; the main one first
-  std::string path, format;        // "MJCF", "URDF", "SDF", "glTF"
+  std::string path, format;        // "MJCF", "URDF", "SDF", "USD", "glTF"
   JudgedScene judged;
   std::vector<Sentence> notes;
   std::vector<Sentence> unread;  // the verdict then holds for a part
@@ -64,8 +64,8 @@ struct OpenedScene {
       write_with_joints;
 };
 
-/// True for files that open_scene() reads, by their names: .xml, .mjcf, .urdf, .sdf, .world, .glb
-/// and .gltf.
+/// True for files that open_scene() reads, by their names: .xml, .mjcf, .urdf, .sdf, .world, .usda,
+/// .usd, .glb and .gltf.
 bool is_scene_of_others(const std::string& path);
 
 /// @throws Error (BadInput) naming the file and what is accepted.

@@ -75,6 +75,8 @@ double pair_friction(const ContactBits& a, const ContactBits& b, FrictionRule ru
       return std::max(a.friction, b.friction);
     case FrictionRule::Smaller:
       return std::min(a.friction, b.friction);
+    case FrictionRule::Mean:
+      return (a.friction + b.friction) / 2;
     case FrictionRule::Product:
       break;
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ops/files/report/repaired.h"
+#include "ops/mend/neighbours.h"
 
 namespace trivet {
 namespace {
@@ -23,15 +24,29 @@ const char* end_text(JointMove::End end) {
   return "blocked";
 }
 
+Json support_json(const Scene& scene, const IntendedSupport& support) {
+  Json json = {{"object", named(scene, support.on).name}, {"share", support.share}};
+  if (support.either_way) json["either_way"] = true;
+  return json;
+}
+
+Json names_json(const Scene& scene, const std::vector<ObjectId>& ids) {
+  Json json = Json::array();
+  for (const ObjectId id : ids) json.push_back(scene.at(id).name);
+  return json;
+}
+
 }  // namespace
 
 Json intent_json(const Scene& scene, const Intent& intent) {
   Json json = {{"tolerance", intent.tolerance}, {"objects", Json::array()}};
   for (const ObjectIntent& o : intent.objects) {
     Json object = {{"object", scene.at(o.id).name}, {"on", Json::array()}};
-    for (const IntendedSupport& s : o.on)
-      object["on"].push_back({{"object", named(scene, s.on).name}, {"share", s.share}});
+    for (const IntendedSupport& s : o.on) object["on"].push_back(support_json(scene, s));
     if (o.inside) object["in"] = scene.at(*o.inside).name;
+    const IntendedNeighbours around = intended_neighbours(scene, intent, o);
+    if (!around.leans_on.empty()) object["leans_on"] = names_json(scene, around.leans_on);
+    if (!around.beside.empty()) object["beside"] = names_json(scene, around.beside);
     object["gap"] = o.gap;
     object["level"] = o.is_level;
     object["tilt_deg"] = o.tilt_deg;

@@ -7,6 +7,7 @@
 #include "core/base/nearest_name.h"
 #include "ops/files/arrange/marks_json.h"
 #include "ops/files/arrange/operation.h"
+#include "ops/files/foreign/articulation.h"
 #include "ops/files/json/input_text.h"
 #include "ops/files/json/looks_json.h"
 #include "ops/files/json/mass_json.h"
@@ -16,6 +17,7 @@
 #include "ops/files/json/text.h"
 #include "ops/files/layout/label_keys.h"
 #include "ops/files/layout/named_objects.h"
+#include "ops/files/layout/paths.h"
 
 namespace trivet {
 namespace {
@@ -62,9 +64,10 @@ LayoutObject read_scene_object(const JsonPlace& place) {
 
 // Its marks for the section "arrange" go there.
 LayoutObject read_object(const JsonPlace& place) {
-  place.expect_object({"name", "model"}, {"collision", "scale", "up", "fixed", "material", "mass",
-                                          "chord", "facet_angle_deg", "position", "rotation",
-                                          "class", "attributes", "front", "zones", "surfaces"});
+  place.expect_object(
+      {"name", "model"},
+      {"collision", "scale", "up", "fixed", "material", "mass", "chord", "facet_angle_deg",
+       "position", "rotation", "joint", "class", "attributes", "front", "zones", "surfaces"});
   LayoutObject object;
   read_labels(place, object);
   object.name = read_name(place.at("name"));
@@ -76,6 +79,10 @@ LayoutObject read_object(const JsonPlace& place) {
   read_matter(place, object);
   object.tessellation = read_tessellation(place, object.model);
   if (place.find("position")) object.pose = read_pose(place);
+  if (const auto joint = place.find("joint")) {
+    object.joint = read_joint(*joint);
+    if (!object.pose) joint->fail("a joint without a position; accepted: both");
+  }
   if (const auto rotation = place.find("rotation"); rotation && !object.pose)
     rotation->fail(
         "a rotation without a position; accepted: both, or neither for an object that "
@@ -83,17 +90,47 @@ LayoutObject read_object(const JsonPlace& place) {
   return object;
 }
 
-std::vector<LayoutObject> read_objects(const JsonPlace& place, bool of_scene) {
-  std::vector<LayoutObject> objects;
-  std::map<std::string, size_t> index_of;
-  for (const JsonPlace& item : place.items()) {
-    objects.push_back(of_scene ? read_scene_object(item) : read_object(item));
-    const auto [it, is_new] = index_of.emplace(objects.back().name, objects.size() - 1);
-    if (!is_new)
-      item.at("name").fail(say("%1 is already the name of /objects/%2; accepted: a name of its own",
-                               item.at("name").value().dump(), it->second));
+// Objects hang in others before them that stand from the start: so there is no circle.
+void check_joint(const JsonPlace& item, const Layout& layout) {
+  if (!item.find("joint")) return;
+  const LayoutObject& link = layout.objects.back();
+  const auto is_parent = [&](const LayoutObject& o) { return o.name == link.joint->in && o.pose; };
+  if (std::none_of(layout.objects.begin(), layout.objects.end() - 1, is_parent))
+    item.at("joint").at("in").refuse(
+        Sentence("the name of one of /objects before it, with a position"));
+}
+
+// A file of bodies in joints becomes an object a body.
+void read_articulation(const JsonPlace& place, const std::string& folder, Layout& layout) {
+  place.expect_object({"name", "articulation", "position"}, {"rotation", "fixed"});
+  PlacedArticulation placed;
+  placed.name = read_name(place.at("name"));
+  placed.file = place.at("articulation").text();
+  placed.pose = read_pose(place);
+  if (const auto fixed = place.find("fixed")) placed.fixed = fixed->boolean();
+  add_articulation(placed, folder, layout);
+}
+
+// @param folder  of the layout.
+void read_objects(const JsonPlace& place, const std::string& folder, Layout& layout) {
+  const bool of_scene = !layout.scene.empty();
+  std::map<std::string, size_t> index_of;  // of the entry that has a name
+  const std::vector<JsonPlace> items = place.items();
+  for (size_t i = 0; i < items.size(); ++i) {
+    size_t num = layout.objects.size();
+    if (items[i].value().is_object() && items[i].find("articulation") && !of_scene)
+      read_articulation(items[i], folder, layout);
+    else
+      layout.objects.push_back(of_scene ? read_scene_object(items[i]) : read_object(items[i]));
+    for (; num < layout.objects.size(); ++num) {
+      const auto [it, is_new] = index_of.emplace(layout.objects[num].name, i);
+      if (!is_new)
+        items[i].at("name").fail(
+            say("%1 is already the name of /objects/%2; accepted: a name of its own",
+                items[i].at("name").value().dump(), it->second));
+    }
+    if (!layout.objects.empty() && layout.objects.back().joint) check_joint(items[i], layout);
   }
-  return objects;
 }
 
 // @param objects  at this point; brought up to date.
@@ -174,7 +211,7 @@ Layout parse_layout(const std::string& text, const std::string& file) {
     settle->expect_object({}, {"perfect_friction", "whole_at_rest", "literal_paper_rules"});
     layout.settle = read_settle_rules(*settle);
   }
-  layout.objects = read_objects(root.at("objects"), !layout.scene.empty());
+  read_objects(root.at("objects"), folder_of(file), layout);
   NamedObjects objects(layout.objects);
   if (const auto operations = root.find("operations"))
     for (const JsonPlace& item : operations->items())
@@ -216,6 +253,7 @@ std::string write_layout(const Layout& layout) {
     if (o.mass) entry["mass"] = mass_json(*o.mass);
     write_tessellation(o.tessellation, entry);
     if (o.pose) write_pose(*o.pose, entry);
+    if (o.joint) entry["joint"] = joint_json(*o.joint);
     write_labels(o, entry);
     json["objects"].push_back(std::move(entry));
   }

@@ -13,6 +13,7 @@
 #include "core/scene/given_mass.h"
 #include "core/scene/physics_material.h"
 #include "ops/base/options.h"
+#include "ops/files/json/joint_json.h"
 #include "ops/files/json/pair_rule.h"
 #include "ops/files/layout/scene_looks.h"
 #include "ops/operations/operations.h"
@@ -37,6 +38,7 @@ struct LayoutObject {
   Tessellation tessellation = {};                // of a model with curved surfaces
   std::optional<PhysicsMaterial> material = {};  // nothing: the layout's
   std::optional<GivenMass> mass = {};            // nothing: density times volume
+  std::optional<NamedJoint> joint = {};          // in which it hangs; it is fixed then
   // Path of the model that is judged, in the coordinates of the other, which is drawn; empty: it is
   // judged itself.
   std::string collision = {};

@@ -11,6 +11,7 @@
 #include "core/base/arena.h"
 #include "core/io/process/sandboxed_import.h"
 #include "core/scene/collision_mesh.h"
+#include "ops/files/foreign/articulation.h"
 
 namespace trivet {
 namespace {
@@ -27,7 +28,9 @@ LoadedModel load_model(const ModelRequest& request, const ModelSource& source) {
 
 ModelSource models_in_folder(const std::string& folder, const ImportLimits& limits) {
   return [folder, limits](const std::string& name, const Tessellation& tessellation) {
-    return import_model((std::filesystem::path(folder) / name).string(), limits, tessellation);
+    const std::string path = (std::filesystem::path(folder) / name).string();
+    if (is_link_model(path)) return link_model(path, limits);
+    return import_model(path, limits, tessellation);
   };
 }
 

@@ -78,6 +78,7 @@ bool NamedObjects::follow(const Operation& operation) {
     object.name = copy->as;
     object.pose.reset();
     object.fixed = false;
+    object.joint.reset();
     add(std::move(object));
   } else if (const auto* const renamed = std::get_if<RenameOperation>(&operation)) {
     m_objects[found->second]->name = renamed->to;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <set>
 
+#include "ops/files/foreign/articulation.h"
 #include "ops/files/layout/layout.h"
 
 namespace trivet {
@@ -28,7 +29,12 @@ std::vector<std::string> model_files(const Layout& layout, const std::string& fo
       out.push_back((fs::path(folder) / name).string());
   };
   add(layout.scene);
-  for (const LayoutObject& object : layout.objects) add(object.model), add(object.collision);
+  for (const LayoutObject& object : layout.objects) {
+    // Links are bodies of one file.
+    add(is_link_model(object.model) ? object.model.substr(0, object.model.find('#'))
+                                    : object.model);
+    add(object.collision);
+  }
   for (const Operation& operation : layout.operations)
     if (const auto* const append = std::get_if<AppendOperation>(&operation)) add(append->model);
   return out;

@@ -60,6 +60,31 @@ void check_reach(const LayoutObject& object, double scale, double reach, size_t 
               place(layout_file, index), object.name, figure(total), figure(kMaxLength));
 }
 
+// Links pass through what they hang in.
+std::vector<NamedPairRule> pairs_with_joints(const Layout& layout) {
+  std::vector<NamedPairRule> out = layout.pairs;
+  for (const LayoutObject& object : layout.objects) {
+    if (!object.joint) continue;
+    NamedPairRule rule{object.name, object.joint->in, {}};
+    rule.rule.may_pass = true;
+    out.push_back(std::move(rule));
+  }
+  return out;
+}
+
+// @param pose_of  an object of the layout.
+template <class PoseOf>
+void hang_links(const Layout& layout, Scene& scene, const PoseOf& pose_of) {
+  std::map<std::string, const LayoutObject*> named;
+  for (const LayoutObject& object : layout.objects) named[object.name] = &object;
+  for (const LayoutObject& object : layout.objects) {
+    if (!object.joint) continue;
+    const LayoutObject& parent = *named.at(object.joint->in);
+    hang(scene, *scene.find(object.name), *scene.find(parent.name),
+         hung(object.joint->joint, pose_of(parent), pose_of(object)));
+  }
+}
+
 std::shared_ptr<const Shape> collision_shape(const LayoutObject& object, const LoadedModels& models,
                                              size_t index, const std::string& layout_file) {
   const std::shared_ptr<const Shape>& shape = models.at({object.collision, {}}).shape;
@@ -218,12 +243,13 @@ Scene make_scene(const Layout& layout, const LoadedModels& models, const std::st
     object.shape = loaded.shape;
     object.up = wanted.up.value_or(object.model->up);
     object.scale = scale;
-    object.fixed = wanted.fixed;
+    object.fixed = wanted.fixed || wanted.joint;
     object.material = wanted.material.value_or(layout.material);
     if (wanted.mass) give_mass(*wanted.mass, object);
     scene.add(std::move(object));
   }
-  set_pair_rules(layout.pairs, scene);
+  set_pair_rules(pairs_with_joints(layout), scene);
+  hang_links(layout, scene, [](const LayoutObject& o) { return *o.pose; });
   return scene;
 }
 
@@ -274,6 +300,12 @@ void stand_objects(const Layout& layout, const RunOptions& options, LayoutRun& r
     OperationResult result = stand(run.scene, id, *object.pose, options.settle);
     if (!result.ok()) run.operations.push_back({"stand", object.name, std::move(result)});
   }
+  // Objects that only touched have been moved apart a little.
+  const Scene& scene = run.scene;
+  hang_links(layout, run.scene, [&](const LayoutObject& o) {
+    const Object& object = scene.at(*scene.find(o.name));
+    return object.placed ? object.pose : *o.pose;
+  });
 }
 
 LayoutRun run_layout(const Layout& layout, const ModelSource& models, const RunOptions& options) {

@@ -8,6 +8,7 @@
 #include "core/io/mesh_model.h"
 #include "core/model/exported_floats.h"
 #include "core/scene/collision_mesh.h"
+#include "ops/files/foreign/articulation.h"
 #include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/json/operations.h"
@@ -28,7 +29,8 @@ constexpr double kMostKinds = 1e9;
 // True for files that may have more digits than float32, whoever gave the model.
 bool is_text_format(const std::string& path) {
   const std::string extension = lower_extension(path);
-  return extension == ".obj" || extension == ".stl" || extension == ".ply" || extension == ".3mf";
+  return is_link_model(path) || extension == ".obj" || extension == ".stl" || extension == ".ply" ||
+         extension == ".3mf";
 }
 
 // @param shown  by a node of the scene.
@@ -57,7 +59,7 @@ DrawnAndJudged drawn_and_judged(const Object& object) {
   return {object.model.get(), has_collision_mesh(object) ? object.shape->index.get() : nullptr};
 }
 
-OrderedJson stored_object_json(const Object& object, size_t model) {
+OrderedJson stored_object_json(const Scene& scene, const Object& object, size_t model) {
   OrderedJson json = {
       {"name", object.name},   {"model", model},        {"up", object.up == UpAxis::Y ? "y" : "z"},
       {"scale", object.scale}, {"fixed", object.fixed}, {"state", to_string(object.state)}};
@@ -66,6 +68,7 @@ OrderedJson stored_object_json(const Object& object, size_t model) {
   write_material("material", object.material, json);
   if (object.given_mass) json["mass"] = mass_json(*object.given_mass);
   if (object.pair_kind != 0) json["pair_kind"] = object.pair_kind;
+  if (object.joint) json["joint"] = stored_joint_json(named_joint(scene, *object.joint));
   if (object.flexible) json["flexible"] = stored_flexible_json(*object.flexible);
   if (!object.placed) return json;
   const Rotation& r = object.pose.rotation;
@@ -163,9 +166,9 @@ OrderedJson kind_rules_json(const PairRules& rules) {
 
 // Poses come from Trivet and are taken as they are: no bit may change.
 ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
-  place.expect_object(
-      {"name", "model", "up", "scale", "fixed", "state"},
-      {"position", "rotation", "locked", "group", "material", "mass", "pair_kind", "flexible"});
+  place.expect_object({"name", "model", "up", "scale", "fixed", "state"},
+                      {"position", "rotation", "locked", "group", "material", "mass", "pair_kind",
+                       "joint", "flexible"});
   ExtrasObject object;
   object.name = place.at("name").text();
   const double last_model = static_cast<double>(num_models) - 1;
@@ -179,6 +182,7 @@ ExtrasObject read_object_entry(const JsonPlace& place, size_t num_models) {
   if (const auto material = place.find("material")) object.material = read_material(*material);
   if (const auto mass = place.find("mass")) object.mass = read_mass(*mass);
   if (const auto kind = place.find("pair_kind")) object.pair_kind = read_kind(*kind);
+  if (const auto joint = place.find("joint")) object.joint = read_stored_joint(*joint);
   if (const auto flexible = place.find("flexible"))
     object.flexible = std::make_shared<const Flexible>(read_stored_flexible(*flexible));
   if (!place.find("position")) return object;
@@ -205,7 +209,7 @@ std::string scene_extras(const Scene& scene, const Layout& layout,
       if (of.second)
         models.back()["collision"] = stored_mesh_json(model_of_mesh(object.shape->mesh), false);
     }
-    objects.push_back(stored_object_json(object, it->second));
+    objects.push_back(stored_object_json(scene, object, it->second));
   }
   OrderedJson json = {{"trivet", kExtrasVersion},
                       {"version", options.version},

@@ -10,6 +10,7 @@
 //                  "position", "rotation",               no position: out of the scene
 //                  "locked", "group", "material", "mass",    if it is, has
 //                  "pair_kind",                          of "pair_rules"
+//                  "joint",                              see joint_json.h
 //                  "flexible"}],                         see flexible_json.h
 //     "pair_rules": [{"kinds": [kind, kind], "may_pass", "friction"}], "floor_kind"   if any
 //     "load_support": [{"object", "supports", "loads"}], "floor" is the floor
@@ -54,6 +55,7 @@ struct ExtrasObject {
   PhysicsMaterial material;
   std::optional<GivenMass> mass;
   PairKind pair_kind = 0;
+  std::optional<NamedJoint> joint;
   std::shared_ptr<const Flexible> flexible;
   ObjectState state = ObjectState::Unplaced;
   std::optional<Pose> pose;

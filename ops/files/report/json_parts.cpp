@@ -108,6 +108,7 @@ void add_outcome(const OperationResult& result, OrderedJson& json) {
   }
   json["moved"] = result.moved;
   if (result.turned_deg != 0) json["turned_deg"] = result.turned_deg;
+  if (result.joint_value) json["value"] = *result.joint_value;
   const auto add = [&](const char* key, const std::vector<std::string>& names) {
     if (!names.empty()) json[key] = names;
   };
@@ -160,6 +161,7 @@ OrderedJson object_json(const Scene& scene, const Object& object, const LoadSupp
   const bool rests = placed && !object.fixed;
   json["stability_margin"] = rests ? OrderedJson(object.stability_margin) : OrderedJson();
   json["least_friction"] = rests ? OrderedJson(object.least_friction) : OrderedJson();
+  if (object.joint) json["joint"] = joint_json(named_joint(scene, *object.joint));
   if (object.flexible) json["flexible"] = flexible_json(*object.flexible);
   return json;
 }

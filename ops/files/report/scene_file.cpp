@@ -71,6 +71,7 @@ class SceneReader {
     m_file.scene.floor_kind = m_extras.floor_kind;
     m_file.scene.pair_rules = m_extras.pair_rules;
     for (const ExtrasObject& object : m_extras.objects) add_object(object);
+    hang_links();
     check_poses();
     m_file.layout = std::move(m_extras.layout);
     m_file.clearance = m_extras.clearance;
@@ -162,6 +163,21 @@ class SceneReader {
     if (entry.mass) give_mass(*entry.mass, object);
     object.flexible = entry.flexible;
     m_file.scene.add(std::move(object));
+  }
+
+  void hang_links() {
+    for (const ExtrasObject& entry : m_extras.objects) {
+      const auto link = m_file.scene.find(entry.name);
+      if (!entry.joint || !link) continue;
+      const auto parent = m_file.scene.find(entry.joint->in);
+      if (!parent || closes_circle(*link, *parent))
+        fail_changed(m_path, say("the joint of \"%1\" was changed", entry.name));
+      hang(m_file.scene, *link, *parent, entry.joint->joint);
+    }
+  }
+
+  bool closes_circle(ObjectId link, ObjectId parent) const {
+    return root_of(m_file.scene, parent) == link;
   }
 
   // Other programs must see the scene that Trivet has.

@@ -18,6 +18,7 @@
 #include "apps/edit_window/by_numbers.h"
 #include "apps/edit_window/detection_chosen.h"
 #include "apps/edit_window/draping.h"
+#include "apps/edit_window/drawer.h"
 #include "apps/edit_window/large_scene.h"
 #include "apps/edit_window/lit_and_watched.h"
 #include "apps/edit_window/monkey.h"
@@ -95,6 +96,7 @@ class TestWindow : public QObject {
   void shows_and_hides();
   void arranges_by_wishes();
   void lives_through_random_events();
+  void opens_a_drawer();
   void stays_usable_with_a_thousand_objects();
 
  private:
@@ -429,6 +431,10 @@ void TestWindow::lays_out_many() { lay_out_many(*m_document, *m_window, *m_user)
 void TestWindow::shows_and_hides() { show_and_hide(*m_document, *m_window, *m_user); }
 
 void TestWindow::lives_through_random_events() { play_monkey(*m_document, *m_window, *m_user); }
+
+void TestWindow::opens_a_drawer() {
+  open_a_drawer(*m_document, *m_window, *m_user, m_folder.filePath("drawer"));
+}
 
 // Prints figures: needs TRIVET_TEST_EFFORT=2 or more, and an idle machine.
 void TestWindow::stays_usable_with_a_thousand_objects() {

@@ -30,6 +30,11 @@ TABLE = """<mujoco><worldbody><geom type="plane" size="2 2 .1"/>
 <body name="table" pos="0 0 .2"><geom type="box" size=".5 .5 .2"/></body>
 <body name="plate" pos="0 0 .445"><freejoint/><geom type="box" size=".05 .05 .05"/></body>
 </worldbody></mujoco>"""
+# Boxes of the models of guide/joints.md: centre and half extents.
+UNIT = {"cabinet": [(-0.19, 0, 0.2, 0.01, 0.19, 0.2), (0.19, 0, 0.2, 0.01, 0.19, 0.2), (0, 0, 0.01, 0.18, 0.19, 0.01),
+                    (0, 0, 0.2, 0.18, 0.19, 0.01), (0, 0, 0.39, 0.18, 0.19, 0.01), (0, 0.18, 0.2, 0.18, 0.01, 0.2)],
+        "drawer": [(0, -0.0175, 0.23, 0.17, 0.1775, 0.005), (0, -0.2, 0.3, 0.185, 0.01, 0.08)], "door": [(-0.2, 0, 0.1, 0.19, 0.008, 0.09)],
+        "spoon": [(0, 0, 0, 0.01, 0.06, 0.003)]}
 LAYOUT = {"trivet": 1, "floor": True, "objects": [{"name": "cup", "model": "cup.glb"}],
           "operations": [{"op": "put", "object": "cup", "position": [0, 0, 1]}]}
 # Names that guide/python.md presupposes.
@@ -94,6 +99,15 @@ print(json.dumps({"objects": [{"name": r["name"], "position": [r["x"], r["y"], r
 """
 
 
+def obj_of(boxes):
+    lines = []
+    for first, (x, y, z, a, b, c) in enumerate(boxes):
+        lines += ["v %g %g %g" % (x + (a if i & 1 else -a), y + (b if i & 2 else -b), z + (c if i & 4 else -c)) for i in range(8)]
+        lines += ["f %d %d %d %d" % tuple(8 * first + 1 + v for v in side) for side in
+                  ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))]
+    return "\n".join(lines) + "\n"
+
+
 def prepare(folder, page):
     """Writes the files that pages presuppose: the models of BREAKFAST in models and here, and files that they name."""
     program("demo", "breakfast", "-o", "breakfast.glb", "--export", "models", "--quiet")
@@ -105,6 +119,10 @@ def prepare(folder, page):
     (folder / "recipe.json").write_text(json.dumps(small_recipe()))
     if page == "guide/in-place.md":
         write_foreign_room(folder / "room.glb")
+    if page == "guide/joints.md":
+        for name, boxes in UNIT.items():
+            (folder / (name + ".obj")).write_text(obj_of(boxes))
+        (folder / "layout.json").write_text(next(text for language, _, text in blocks(page) if language == "json"))
     if page == "guide/sessions.md":
         shutil.copy(CASES / "drawer.xml", "kitchen.xml")
     if page == "guide/simulators.md":
@@ -116,6 +134,7 @@ def prepare(folder, page):
     if page == "guide/scenes-of-others.md":
         for name in ("robot.urdf", "world.sdf"):
             program("export", "breakfast.glb", "-o", name)
+        shutil.copy(CASES / "drawer.usda", "room.usda")
         (folder / "dataset").mkdir()
         shutil.copy(CASES / "drawer.urdf", "cabinet.urdf")
         kitchen = (CASES / "drawer.xml").read_text().replace('"in the drawer"', '"cube"').replace('name="slide"', 'name="drawer"')

@@ -226,6 +226,46 @@ TEST(ContactPoints, FlushBoxesTouchInWholeFace) {
   }
 }
 
+/// Each triangle in four, and the middle one in three.
+std::vector<Triangle> split(const std::vector<Triangle>& triangles) {
+  std::vector<Triangle> out;
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a), m = (ab + bc + ca) / 3;
+    for (const Triangle& t : {Triangle{a, ab, ca}, Triangle{ab, b, bc}, Triangle{ca, bc, c},
+                              Triangle{ab, bc, m}, Triangle{bc, ca, m}, Triangle{ca, ab, m}})
+      out.push_back(t);
+  }
+  return out;
+}
+
+// The sides of both boxes lie in one plane, or nearly, and the boxes lie on each other: no contact
+// may push sideways, as opposite ones would hold the upper box like a pair of tongs.
+void expect_upward_contacts(const std::vector<Triangle>& upper_box,
+                            const std::vector<Triangle>& lower_box) {
+  for (const Rotation& turn : {Rotation(), about(Vec3::UnitZ(), 0.3), about(Vec3(0.6, 0, 0.8), 1)})
+    for (const double gap : {0.0, 1e-17, 1e-12, kEps})
+      for (const double aside : {0.0, 1e-12, 1e-7, -1e-7})
+        for (const double x : {0.0, 0.03, 0.05, 0.15, 0.199}) {
+          SCOPED_TRACE(testing::Message()
+                       << "gap " << gap << ", shifted by " << x << " and " << aside);
+          const Mat3 m = turn.matrix();
+          const Vec3 at(x, aside, 0.3 + gap), up = m * Vec3::UnitZ();
+          const Posed upper(upper_box, m * at, turn), lower(lower_box, m * Vec3(0, 0, 0.1), turn);
+          const Contact c = contact_of(upper, lower);
+          EXPECT_EQ(c.type, ContactType::Area);
+          expect_normals(c.points, up);
+          expect_normals(contact_of(lower, upper).points, -up);
+        }
+}
+
+TEST(ContactPoints, BoxesWithSidesInOnePlaneTouchUpwardsOnly) {
+  const auto plain = test::box_triangles(Vec3::Constant(0.1)), fine = split(split(plain));
+  expect_upward_contacts(plain, plain);
+  expect_upward_contacts(fine, plain);
+  expect_upward_contacts(plain, fine);
+  expect_upward_contacts(fine, fine);
+}
+
 TEST(ContactPoints, BoxBetweenWallAndFloorHasOneNormalForEach) {
   const Posed wall = box(Vec3(0.1, 1, 1), Vec3(-0.1, 0, 1));
   const Posed object = box(Vec3(0.2, 0.3, 0.2), Vec3(0.2 + kEps, 0, 0.2 + kEps));

@@ -86,6 +86,19 @@ TEST(FlexDerivatives, OfMeshes) {
               shaken(flat.start, 0.02), kStep, 1e-6);
 }
 
+TEST(FlexDerivatives, OfMeshesThatAreCurledAtRest) {
+  const DrapeProblem flat = sheet(3, 2, 0.3, 0.2, {0, 0, 1});
+  FlexMaterial material;
+  material.bending = 1;  // so that it counts beside the membrane
+  Points rest;
+  for (const Vec3& p : flat.start)
+    rest.emplace_back(std::sin(4 * p.x()) / 4, p.y(), (1 - std::cos(4 * p.x())) / 4);
+  const Body body = make_mesh(rest, body_of(flat).faces, material);
+  ASSERT_FALSE(body.hinges.empty());
+  expect_true([&](const Points& x, Total& t) { return elastic_energy(body, x, t); },
+              shaken(rest, 0.02), kStep, 1e-6);
+}
+
 bool is_mollified(const ContactPair& pair) { return pair.mollifier.value < 1; }
 
 // All pairs of a body in its layer, contact alone.

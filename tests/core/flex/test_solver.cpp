@@ -125,6 +125,22 @@ TEST(DenseFront, SeesWhatIsNotPositiveDefinite) {
     }
 }
 
+TEST(DenseFront, SolvesWithTheSameBitsInRegistersOfEveryWidth) {
+  for (const int size : {1, 7, 8, 17, 100, 203}) {
+    const int num_own = (size + 2) / 3;
+    std::vector<double> a = definite(size), first;
+    ASSERT_TRUE(factor_front(a.data(), size, num_own));
+    for (const DenseKernels* const kernels : usable_kernels()) {
+      std::vector<double> x;
+      for (int i = 0; i < size; ++i) x.push_back(1 + 0.3 * i);
+      solve_forward(a.data(), size, num_own, x.data(), *kernels);
+      solve_backward(a.data(), size, num_own, x.data(), *kernels);
+      if (first.empty()) first = x;
+      EXPECT_EQ(x, first) << size << ", " << kernels->rows << " rows";
+    }
+  }
+}
+
 TEST(Multifrontal, SolvesAsDenseMatrices) {
   for (const int k : {1, 3, 5, 9, 20}) expect_solved(System(k));
 }

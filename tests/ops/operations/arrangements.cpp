@@ -9,6 +9,7 @@
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
+#include "ops/settle/friction_settling.h"
 
 namespace trivet::test {
 namespace {
@@ -171,7 +172,7 @@ void expect_falling_energy(const Object& object, const Pose& start, double clear
 void expect_consistent(const ObjectContact& entry, double clearance) {
   EXPECT_FALSE(entry.contact.points.empty());
   EXPECT_TRUE(!entry.across_gap || entry.carries || entry.is_carried) << "a link for nothing";
-  const double tolerance = entry.across_gap ? kBalanceTolerance : kContactTolerance;
+  const double tolerance = entry.across_gap ? kCarryingTolerance : kContactTolerance;
   for (const ContactPoint& p : entry.contact.points) {
     EXPECT_GT(p.gap, entry.across_gap ? kContactTolerance * clearance : 0);
     EXPECT_LE(p.gap, tolerance * clearance);

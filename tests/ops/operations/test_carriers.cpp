@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ops/operations/stage.h"
+#include "ops/settle/friction_settling.h"
 
 namespace trivet::test {
 namespace {
@@ -45,7 +46,7 @@ struct Bridge : Stage {
 };
 
 TEST(Carriers, ReachAcrossGaps) {
-  for (const double gap : {1.5, 8.0, 15.0}) {
+  for (const double gap : {1.5, 4.0, 6.5}) {
     SCOPED_TRACE(gap);
     Bridge bridge(gap);
     ASSERT_EQ(bridge.at("plank").state, ObjectState::Stable);
@@ -62,8 +63,26 @@ TEST(Carriers, ReachAcrossGaps) {
   }
 }
 
+// A block that is farther away holds nothing: the plank comes down on it.
+TEST(Carriers, ReachNoFarther) {
+  for (const double gap : {7.5, 8.0, 15.0}) {
+    SCOPED_TRACE(gap);
+    Bridge bridge(gap);
+    EXPECT_NE(bridge.at("plank").state, ObjectState::Stable);
+    PutOperation put{{"plank"}, bridge.at("plank").pose};
+    put.tries = 1;
+    const OperationResult result = perform(bridge.scene, put, bridge.options);
+    ASSERT_TRUE(result.ok()) << result.reason();
+    EXPECT_EQ(bridge.at("plank").state, ObjectState::Stable);
+    EXPECT_EQ(supports_of(bridge.scene, "plank"), (Names{"left", "right"}));
+    for (const ObjectContact& entry : bridge.at("plank").contacts)
+      for (const ContactPoint& p : entry.contact.points)
+        EXPECT_LE(p.gap, kCarryingTolerance * bridge.unit);
+  }
+}
+
 TEST(Carriers, AreMissedWhenTheyGo) {
-  Bridge bridge(8);
+  Bridge bridge(6);
   UnplaceOperation away;
   away.object = "right";
   SettleOptions alone = bridge.options;
@@ -74,8 +93,25 @@ TEST(Carriers, AreMissedWhenTheyGo) {
   EXPECT_EQ(supports_of(bridge.scene, "plank"), Names{"left"});
 }
 
+// Clearances follow the size of the scene: what touched before it became smaller still does.
+TEST(Carriers, StayWhereTheClearanceBecomesSmaller) {
+  Bridge bridge(1.5);
+  bridge.options.clearance = 0.6 * bridge.unit;
+  bridge.scene.add(object_of("cup", box_triangles({0.03, 0.03, 0.05})));
+  const OperationResult put = bridge.run(PutOperation{{"cup"}, {{}, Vec3(0, 0, 1)}});
+  ASSERT_TRUE(put.ok()) << put.reason();
+  EXPECT_EQ(bridge.at("plank").state, ObjectState::Stable);
+  UnplaceOperation away;
+  away.object = "cup";
+  const OperationResult result = bridge.run(away);
+  ASSERT_TRUE(result.ok()) << result.reason();
+  EXPECT_TRUE(result.unsupported.empty());
+  EXPECT_EQ(bridge.at("plank").state, ObjectState::Stable);
+  EXPECT_EQ(supports_of(bridge.scene, "plank"), (Names{"left", "right"}));
+}
+
 TEST(Carriers, StayTheSameAfterUpdate) {
-  Bridge bridge(8);
+  Bridge bridge(6);
   Scene anew = bridge.scene;
   update_contacts(anew, bridge.options.clearance, bridge.options);
   EXPECT_EQ(loads_text(anew), loads_text(bridge.scene));

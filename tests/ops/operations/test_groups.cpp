@@ -250,7 +250,7 @@ TEST(Group, NamesOrSettlesLoadsOfTiltedSupport) {
 }
 
 /// A plank that overhangs the end of a table, above a post without contact: the post is nearer than
-/// kBalanceTolerance clearances, and the plank would hardly sink.
+/// kCarryingTolerance clearances, and the plank would hardly sink.
 struct Propped : Stage {
   Propped() {
     put("table", box_triangles(Vec3(0.25, 0.25, 0.125)), {0, 0, 0.5});
@@ -260,12 +260,12 @@ struct Propped : Stage {
     transaction.clear_contacts(*scene.find("table"));
     transaction.commit();
     edit("table", [&](Object& table) {
-      table.pose.translation.z() += 14 * e;
+      table.pose.translation.z() += 4 * e;
       table.fixed = true, table.state = ObjectState::Fixed;
     });
     const ObjectId plank =
         scene.add(test::object_of("plank", box_triangles(Vec3(0.375, 0.0625, 0.03125))));
-    const OperationResult result = stand(scene, plank, {{}, Vec3(0.3125, 0, 0.28125 + 16 * e)});
+    const OperationResult result = stand(scene, plank, {{}, Vec3(0.3125, 0, 0.28125 + 6 * e)});
     EXPECT_TRUE(result.ok()) << result.reason();
     EXPECT_EQ(at("plank").state, ObjectState::Stable);
     EXPECT_EQ(at("plank").contacts.size(), 2u);

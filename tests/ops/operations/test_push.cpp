@@ -24,6 +24,24 @@ TEST(Push, ClimbsUpToThreshold) {
   }
 }
 
+// It came to rest with a clearance a little larger than that of the push, for which it does not
+// touch.
+TEST(Push, GoesDownOntoWhatItIsKnownToLieOn) {
+  Table t;
+  const double clearance = t.clearance();
+  Pose pose = t.at("box").pose;
+  pose.translation.z() = t.top() + 0.1 + 1.9 * clearance;
+  SettleOptions before;
+  before.clearance = clearance;
+  ASSERT_TRUE(stand(t.scene, *t.scene.find("box"), pose, before).ok());
+  t.options.clearance = 0.8 * clearance;
+  const OperationResult result = t.run(push(1, 0, 0.2));
+  ASSERT_TRUE(result.ok()) << result.reason();
+  EXPECT_EQ(result.end, End::Reached);
+  EXPECT_NEAR(t.position("box").x(), -0.3, 1e-5);
+  EXPECT_LT(t.position("box").z(), pose.translation.z());
+}
+
 // Released there it would fall: it is pulled back to where its centre is over the edge.
 TEST(Push, StaysOnTable) {
   for (const double distance : {3.0, 1.55}) {

@@ -6,14 +6,18 @@
 // TRIVET_SEQUENCE=100-199 a hundred.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/tunables.h"
 #include "core/scene/fingerprint.h"
 #include "ops/check/check.h"
 #include "ops/detect/backend.h"
 #include "ops/files/report/scene_file.h"
 #include "ops/operations/perform.h"
+#include "ops/settle/friction_settling.h"
 #include "ops/stability/stability.h"
 #include "random_sequence.h"
 #include "support/effort.h"
@@ -119,19 +123,60 @@ void expect_lift_takes_along(const Scene& scene, ObjectId support, ObjectId load
       << object.name << " leaves " << scene.at(load).name << " behind";
 }
 
+// By the report: linked from below, or a carrier by the forces of the whole.
+std::vector<Support> listed_supports(const LoadSupport::Entry& e,
+                                     const std::vector<CarriedBy>& carried) {
+  std::vector<Support> out(e.supports.begin(), e.supports.end());
+  if (e.on_floor) out.push_back(Support::floor());
+  for (const CarriedBy& c : carried)
+    if (c.object == e.object && std::find(out.begin(), out.end(), c.by) == out.end())
+      out.push_back(c.by);
+  return out;
+}
+
+// Who pushes up more than a hundredth of its weight, by the forces that prove rest, is listed.
+void expect_carriers_listed(const Scene& scene, const Stability& verdict, ObjectId id,
+                            const std::vector<Support>& listed) {
+  std::map<std::string, double> pushes;
+  for (const ContactForce& f : verdict.forces)
+    if (f.on == id) pushes[f.from.is_floor() ? "" : scene.at(f.from.object()).name] += f.force.z();
+  for (const Support& by : listed) pushes.erase(by.is_floor() ? "" : scene.at(by.object()).name);
+  for (const auto& [name, up] : pushes)
+    EXPECT_LE(up, kCarriedPart * weight_of(scene.at(id)))
+        << (name.empty() ? "the floor" : name) << " carries " << scene.at(id).name;
+}
+
+// Listed supports touch it, or nearly.
+void expect_near(const Object& object, const Support& by) {
+  const auto link = std::find_if(object.contacts.begin(), object.contacts.end(),
+                                 [&](const ObjectContact& entry) { return entry.with == by; });
+  ASSERT_TRUE(link != object.contacts.end()) << object.name;
+  const double tolerance = link->across_gap ? kCarryingTolerance : kContactTolerance;
+  for (const ContactPoint& p : link->contact.points)
+    EXPECT_LE(p.gap, tolerance * kSequenceClearance) << object.name;
+}
+
 // One set of contacts and one verdict: who is at rest is held at its material's friction, by
-// somebody; who carries it by the forces of the whole is listed, if it leans; and lifted supports
-// take it along.
+// somebody; who carries it by the forces of the whole is listed, and nobody from afar; and lifted
+// supports take it along.
 void expect_told_supports(const Scene& scene, const SettleOptions& settle) {
   if (settle.perfect_friction) return;
+  StabilityOptions of_whole;
+  of_whole.clearance = kSequenceClearance;
+  const Stability verdict = stability(scene, of_whole);
+  const std::vector<CarriedBy> carried = carried_by_forces(scene, verdict);
   const LoadSupport list = load_support(scene);
   for (const ObjectId id : scene.ids()) {
     const Object& o = scene.at(id);
     if (!o.placed || o.fixed || o.state != ObjectState::Stable || !o.group.empty()) continue;
     EXPECT_LE(o.least_friction, o.material.friction) << o.name;
-    const LoadSupport::Entry& e = *entry_of(list, id);
-    EXPECT_TRUE(e.on_floor || !e.supports.empty()) << o.name << " is held by nothing";
-    for (const ObjectId support : e.supports) expect_lift_takes_along(scene, support, id, settle);
+    const std::vector<Support> listed = listed_supports(*entry_of(list, id), carried);
+    EXPECT_FALSE(listed.empty()) << o.name << " is held by nothing";
+    if (verdict.stable()) expect_carriers_listed(scene, verdict, id, listed);
+    for (const Support& by : listed) {
+      expect_near(o, by);
+      if (by.is_object()) expect_lift_takes_along(scene, by.object(), id, settle);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/tunables.h"
 #include "ops/check/check.h"
+#include "ops/settle/friction_settling.h"
 #include "ops/stability/stability.h"
 #include "support/effort.h"
 #include "support/solids.h"
@@ -40,7 +41,7 @@ Scene random_towers(std::mt19937& random) {
       at += uniform(random, -0.55, 0.55);
       z += 0.2 + kTowerGap;
     }
-    x += random() % 2 == 0 ? 3 : 1 + kTowerGap * uniform(random, 0.5, 1.2 * kBalanceTolerance);
+    x += random() % 2 == 0 ? 3 : 1 + kTowerGap * uniform(random, 0.5, 1.2 * kCarryingTolerance);
   }
   update_contacts(scene, kTowerGap);
   return scene;
