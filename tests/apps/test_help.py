@@ -26,14 +26,6 @@ KITCHEN = """<mujoco><worldbody>
 """
 
 
-CUPBOARD = {"trivet": 1, "objects": [
-    {"name": "cupboard", "model": "mug.obj", "fixed": True, "position": [0, 0, 9]},
-    {"name": "drawer", "model": "mug.obj", "position": [0, -9, 9],
-     "joint": {"in": "cupboard", "slide": [0, -1, 0], "lower": 0, "upper": 0.3}},
-    {"name": "door", "model": "mug.obj", "position": [9, 0, 9],
-     "joint": {"in": "cupboard", "hinge": [0, 0, 1], "lower": 0, "upper": 90}}]}
-
-
 class HelpCase(Case):
     def help(self, *verb):
         text, err = self.trivet(*verb, "--help")
@@ -112,8 +104,6 @@ class Examples(HelpCase):
         self.environment = {**os.environ, "PATH": os.path.dirname(PROGRAM) + ":" + os.environ["PATH"],
                             "XDG_CACHE_HOME": self.path("cache")}
         self.trivet("run", "layout.json", "-o", "scene.glb", "--report", "first.json")
-        self.write("cupboard.json", json.dumps(CUPBOARD))
-        self.trivet("run", "cupboard.json", "-o", "kitchen.glb")
 
     def examples(self, verb):
         lines = self.help(verb).split("Examples:\n")[1].splitlines()
