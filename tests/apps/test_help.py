@@ -104,6 +104,11 @@ class Examples(HelpCase):
         self.environment = {**os.environ, "PATH": os.path.dirname(PROGRAM) + ":" + os.environ["PATH"],
                             "XDG_CACHE_HOME": self.path("cache")}
         self.trivet("run", "layout.json", "-o", "scene.glb", "--report", "first.json")
+        joints = {"drawer": {"slide": [1, 0, 0], "lower": 0, "upper": 0.2}, "door": {"hinge": [0, 0, 1]}}
+        links = [{"name": name, "model": "cube.obj", "position": [3 * n, 0, 2], "joint": {"in": SLAB["name"], **joint}}
+                 for n, (name, joint) in enumerate(joints.items())]
+        self.write("kitchen.json", json.dumps({"trivet": 1, "objects": [SLAB, *links]}))
+        self.trivet("run", "kitchen.json", "-o", "kitchen.glb")
 
     def examples(self, verb):
         lines = self.help(verb).split("Examples:\n")[1].splitlines()
