@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "ops/files/arrange/marks_json.h"
 #include "ops/files/arrange/operation.h"
@@ -108,7 +109,12 @@ void read_articulation(const JsonPlace& place, const std::string& folder, Layout
   placed.file = place.at("articulation").text();
   placed.pose = read_pose(place);
   if (const auto fixed = place.find("fixed")) placed.fixed = fixed->boolean();
-  add_articulation(placed, folder, layout);
+  try {
+    add_articulation(placed, folder, layout);
+  } catch (const Error& error) {
+    if (error.kind() != Error::Kind::BadInput) throw;
+    place.at("articulation").fail(error.sentence());
+  }
 }
 
 // @param folder  of the layout.
