@@ -39,8 +39,8 @@ DemoLayout make_desk_demo() {
   return w.take();
 }
 
-// Its corner hangs from the middle peg. It starts 10 degrees from upright: upright and flat it would
-// be balanced, though a breath would fold it.
+// Its corner hangs from the middle peg. It starts 10 degrees from upright: upright and flat it
+// would be balanced, though a breath would fold it.
 DemoLayout make_towel() {
   LayoutWriter w("towel");
   w.look({Vec3(0.85, -2.05, 1.45), Vec3(0.0, 0.0, 1.18), 30});
