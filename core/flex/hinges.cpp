@@ -1,7 +1,7 @@
 #include "core/flex/hinges.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
+#include <algorithm>
 
 namespace trivet::flex {
 namespace {

@@ -13,7 +13,7 @@ namespace trivet::flex {
 namespace {
 
 constexpr size_t kLeaf = 24;        // vertices that are not dissected
-constexpr int kTaskVertices = 200;  // of a subtree that one thread computes
+constexpr int kTaskVertices = 800;  // of a subtree that one thread computes
 // Fronts from so many rows on are copied by several threads, so many columns by each.
 constexpr int kManyRows = 400, kColumnsTogether = 64;
 

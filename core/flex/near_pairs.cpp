@@ -121,7 +121,12 @@ class Search {
 
   bool run(std::vector<NearPair>& out) {
     std::vector<std::vector<NearPair>> found(m_pieces.size());
-    in_parallel(m_pieces.size(), [&](size_t i) { m_pieces[i](found[i]); });
+    const auto search = [&](size_t i) { m_pieces[i](found[i]); };
+    // Few elements are done before other threads would have begun.
+    if (m_pieces.size() > kManyPieces)
+      in_parallel(m_pieces.size(), search);
+    else
+      for (size_t i = 0; i < m_pieces.size(); ++i) search(i);
     out.clear();
     if (m_found > m_most) return false;
     out.reserve(m_found);
@@ -131,6 +136,7 @@ class Search {
 
  private:
   static constexpr size_t kPiece = 512;  // elements
+  static constexpr size_t kManyPieces = 10;
 
   size_t m_most;
   std::atomic<size_t> m_found = 0;

@@ -81,6 +81,7 @@ class Mender {
   // Supports come before what they carry, so that each object sees where its support is now.
   SettledScene bottom_up(const std::vector<ObjectId>& order) {
     Rearrangement rearrangement(m_scene, m_options, order);
+    m_nominal_given.clear(), m_in_row.clear();  // those of an earlier try
     for (const ObjectId id : order) {
       m_object = m_meant.find(id);
       place(rearrangement, id);
@@ -98,7 +99,6 @@ class Mender {
     if (are_all_near(out)) return out;
     Scene heap = std::move(m_scene);
     m_scene = before;
-    m_nominal_given.clear(), m_in_row.clear();
     SettledScene other = bottom_up(order);
     if (cost_of(other) < cost_of(out)) return other;
     m_scene = std::move(heap);

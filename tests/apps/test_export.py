@@ -467,7 +467,7 @@ class Readers(Exports):
         self.assertLessEqual(set(self.NAMES), {o["given"] for o in seen.values()})
 
     def test_demos(self):
-        """Each body of one demo after the other, by each of the programs."""
+        """Each program reads each body of the demos."""
         for demo in os.environ.get("TRIVET_DEMOS", "breakfast").split(","):
             self.trivet("demo", demo, "-o", "s.glb")
             rows, files = self.rows_of_scene(), {"read_mjcf.mjs": "s.xml", "read_urdf.mjs": "s.urdf", "read_usda.mjs": "s.usda"}

@@ -91,6 +91,7 @@ TEST(FlexDerivatives, OfMeshesThatAreCurledAtRest) {
   FlexMaterial material;
   material.bending = 1;  // so that it counts beside the membrane
   Points rest;
+  rest.reserve(flat.start.size());
   for (const Vec3& p : flat.start)
     rest.emplace_back(std::sin(4 * p.x()) / 4, p.y(), (1 - std::cos(4 * p.x())) / 4);
   const Body body = make_mesh(rest, body_of(flat).faces, material);

@@ -131,8 +131,8 @@ TEST(DenseFront, SolvesWithTheSameBitsInRegistersOfEveryWidth) {
     std::vector<double> a = definite(size), first;
     ASSERT_TRUE(factor_front(a.data(), size, num_own));
     for (const DenseKernels* const kernels : usable_kernels()) {
-      std::vector<double> x;
-      for (int i = 0; i < size; ++i) x.push_back(1 + 0.3 * i);
+      std::vector<double> x(size);
+      for (int i = 0; i < size; ++i) x[i] = 1 + 0.3 * i;
       solve_forward(a.data(), size, num_own, x.data(), *kernels);
       solve_backward(a.data(), size, num_own, x.data(), *kernels);
       if (first.empty()) first = x;
