@@ -20,7 +20,7 @@ inline bool vertex_dips(const Body& body, Index vertex, const Vec3& p, const Vec
 
 /// A face at the edge goes below the plane through p, which is on the edge.
 inline bool edge_dips(const Body& body, Index edge, const Vec3& p, const Vec3& up) {
-  // Where p is an end of the edge, the way to that end is rounding and has no direction.
+  // The way from p to an end of the edge that it is at is rounding, and has no direction.
   const double rounding = kRounding * p.cwiseAbs().maxCoeff();
   for (const Wing& wing : body.shape->adjacency.edge_faces[edge])
     for (const Index vertex : body.shape->mesh.triangles[wing.face]) {

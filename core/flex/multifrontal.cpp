@@ -172,7 +172,7 @@ void for_columns(int count, int size, F f) {
   });
 }
 
-// Where a column of a packed lower triangle begins.
+// The place of the first element of a column in a packed lower triangle.
 size_t packed_column(size_t size, size_t j) { return j * size - j * (j - 1) / 2; }
 
 // The vertices come in the order of the parent's: an element below the diagonal stays below it.

@@ -10,7 +10,7 @@ namespace {
 
 Pose unit(const Pose& pose) { return {pose.rotation.normalized(), pose.translation}; }
 
-// Where the link would be at zero.
+// The pose that the link would have at zero.
 Pose pose_at_zero(const LinkJoint& joint, const Pose& parent) {
   // A parent that never moved gives the very pose that was given.
   if (is_same_pose(parent, joint.parent_then)) return joint.at_zero;

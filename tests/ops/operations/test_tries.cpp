@@ -245,7 +245,7 @@ TEST(Tries, EndWithTheFirstThatIsDone) {
   EXPECT_EQ(answers.scene.at(answers.id).pose.translation, Vec3::Zero()) << "not committed outside";
 }
 
-// Where all are refused, the first four are looked at once more: it is the start that was asked
+// If all are refused, the first four are looked at once more: it is the start that was asked
 // for, and told as that, or another one.
 TEST(Tries, LookAgainAtTheFirst) {
   for (const int done : {13, 15, 16, 17}) {

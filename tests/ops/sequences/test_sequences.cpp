@@ -134,7 +134,8 @@ std::vector<Support> listed_supports(const LoadSupport::Entry& e,
   return out;
 }
 
-// Who pushes up more than a hundredth of its weight, by the forces that prove rest, is listed.
+// A body that pushes up more than a hundredth of its weight, by the forces that prove rest, is
+// listed.
 void expect_carriers_listed(const Scene& scene, const Stability& verdict, ObjectId id,
                             const std::vector<Support>& listed) {
   std::map<std::string, double> pushes;

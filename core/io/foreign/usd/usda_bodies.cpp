@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kUsdaFriction = 0.5;  // of colliders without a physical material, as PhysX has it
 
-/// Where the walk is.
+/// The place that the walk has reached.
 struct AtPrim {
   UsdaFrame world, in_body;
   std::optional<size_t> body;

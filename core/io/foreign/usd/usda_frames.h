@@ -37,7 +37,7 @@ struct UsdaOps {
 /// @param unread  gets operations that are not read, and poses over time.
 UsdaOps usda_ops(const UsdaPrim& prim, std::vector<Sentence>& unread);
 
-/// Where the pose of a body stands: its numbers come from an over on that prim.
+/// The place of the pose of a body: its numbers come from an over on that prim.
 struct UsdaPlace {
   std::string path;
   UsdaFrame parent;  // world; metres
