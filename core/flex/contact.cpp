@@ -144,7 +144,10 @@ bool Contact::find(const Points& x, std::vector<ContactPair>& out) {
       if (!add_pair(x, (*pairs)[i], found[piece])) is_clear = false;
   });
   if (!is_clear) return false;
-  for (const auto& piece : found) out.insert(out.end(), piece.begin(), piece.end());
+  for (auto& piece : found) {
+    out.insert(out.end(), piece.begin(), piece.end());
+    std::vector<ContactPair>().swap(piece);  // so that few are there twice
+  }
   return true;
 }
 

@@ -17,6 +17,7 @@ constexpr int kBackSteps = 5;
 constexpr double kRounding = 1e-13;     // of the energy
 constexpr double kStableSquared = 1e6;  // s2: pushes that grow faster are seen
 constexpr double kPush = 0.5;           // cells, of the vertex that goes farthest
+constexpr int kMostSkips = 7;           // steps without exact derivatives after they failed
 constexpr int kMostPushes = 10, kPushCuts = 8;
 
 }  // namespace
@@ -107,8 +108,16 @@ bool Minimiser::find_exact_direction(const State& state, Points& step) {
 }
 
 bool Minimiser::find_direction(const State& state, Points& step) {
-  // Exact derivatives converge fastest near the end, and may fail far from it.
-  if (m_residual < m_options.exact_below && find_exact_direction(state, step)) return true;
+  // Exact derivatives converge fastest near the end, and may fail far from it: where they fail,
+  // they are left out in more and more steps.
+  if (m_residual < m_options.exact_below && --m_skipped < 0) {
+    if (find_exact_direction(state, step)) {
+      m_skips = 0;
+      return true;
+    }
+    m_skipped = m_skips;
+    m_skips = std::min(2 * m_skips + 1, kMostSkips);
+  }
   return m_newton.solve(m_model, state, Curvature::Hybrid, m_h, step) ||
          m_newton.solve(m_model, state, Curvature::Positive, m_h, step);
 }

@@ -63,9 +63,10 @@ class Minimiser {
   State m_next;
   bool m_flows = true;
   double m_residual = 0;
-  double m_h;                  // s2: of mass / h in the matrix
-  int m_step = 0, m_full = 0;  // steps; whole ones in a row
-  int m_frozen = 0;            // steps since the friction was updated
+  double m_h;                      // s2: of mass / h in the matrix
+  int m_step = 0, m_full = 0;      // steps; whole ones in a row
+  int m_frozen = 0;                // steps since the friction was updated
+  int m_skips = 0, m_skipped = 0;  // steps without exact derivatives: next time, and to come
   bool m_is_stable = false;
   int m_pushes = 0;  // out of balance
   int m_marked_step = 0, m_stalls = 0;
