@@ -35,7 +35,7 @@ DemoLayout make_desk_demo() {
   w.put("report", "report", on_desk(0.45, -0.12), turned_by(-8));
   w.drape("paper", "paper", {0.21, 0.297}, 0.297 / 32, on_desk(-0.52, -0.30, 0.005), turned_by(7));
   w.add(lead());
-  w.drape("coat", "wool", {0.9, 0.72}, 0.0225, {-0.30, -1.22, 1.02});
+  w.drape("coat", "wool", {0.9, 0.72}, 0.028, {-0.30, -1.22, 1.02});
   return w.take();
 }
 

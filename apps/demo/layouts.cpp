@@ -80,7 +80,7 @@ DemoLayout make_tablecloth() {
   TableWriter w("tablecloth", shapes::kClothHeight);
   w.look({Vec3(1.05, -1.95, 1.75), Vec3(0.0, -0.02, 0.62), 32});
   w.fix("table", "bare_table");
-  w.drape("cloth", "cotton", {1.6, 1.2}, 0.05, {0, 0, shapes::kTableHeight + 0.01});
+  w.drape("cloth", "cotton", {1.6, 1.2}, 0.034, {0, 0, shapes::kTableHeight + 0.01});
   lay_breakfast(w);
   return w.take();
 }
