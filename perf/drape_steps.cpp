@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -154,8 +152,8 @@ int main(int argc, char** argv) {
   }
   try {
     return trivet::perf::run(argv[1], argc > 2 ? std::atoi(argv[2]) : 1, argc > 3 ? argv[3] : "");
-  } catch (const trivet::Error& e) {
-    std::fprintf(stderr, "error: %s\n", e.what());
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "trivet_perf_drape: %s\n", e.what());
     return 1;
   }
 }

@@ -16,10 +16,10 @@ inline void add_box(Obstacles& out, const Vec3& low, const Vec3& high, double fr
   for (int i = 0; i < 8; ++i)
     corners.emplace_back(i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1],
                          i & 4 ? high[2] : low[2]);
-  static const std::vector<std::array<Index, 3>> kFaces{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
-                                                        {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
-                                                        {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  out.add(corners, kFaces, friction);
+  const std::vector<std::array<Index, 3>> faces{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
+                                                {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
+                                                {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  out.add(corners, faces, friction);
 }
 
 /// A surface of revolution of a profile (radius, height) about the axis through the origin along z,
