@@ -41,7 +41,11 @@ DragMotion::DragMotion(const Operation& operation, const Pose& start, double siz
 std::optional<Motion> DragMotion::next(const Pose& now, const DragGoal& goal) {
   const bool turns = std::holds_alternative<TurnOperation>(m_operation) ||
                      std::holds_alternative<RotateOperation>(m_operation);
-  if (const auto found = turns ? turn_between(m_before, now) : straight(now, goal)) m_last = found;
+  const bool in_joint = std::holds_alternative<MoveJointOperation>(m_operation);
+  std::optional<Motion> found;
+  if (turns || in_joint) found = turn_between(m_before, now);
+  if (!found && !turns) found = straight(now, goal);
+  if (found) m_last = found;
   m_before = now;
   return m_last;
 }
