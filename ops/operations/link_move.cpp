@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/scene/joint.h"
+#include "core/scene/transaction.h"
 #include "ops/operations/table.h"
 
 namespace trivet {

@@ -1,8 +1,11 @@
 // A drawer, door or lid under the mouse: the value to which a drag takes its joint.
 #pragma once
 
+#include <array>
+
 #include "apps/edit/tools/turning.h"
 #include "apps/edit/tools/typed_numbers.h"
+#include "core/scene/joint_load.h"
 #include "ops/operations/perform.h"
 
 namespace trivet::edit {

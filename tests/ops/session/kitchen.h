@@ -9,6 +9,7 @@
 #include "ops/files/layout/boxes.h"
 #include "ops/files/layout/run.h"
 #include "ops/session/restore.h"
+#include "ops/session/session.h"
 
 namespace trivet::test {
 

@@ -15,7 +15,7 @@ MoveJointOperation move_of(const std::string& link) {
   return out;
 }
 
-/// What a hand does, and MOVE_JOINT to its last goal.
+/// A link dragged by a hand, and by MOVE_JOINT to the last goal.
 struct Dragged {
   OperationResult result, at_once;
   std::uint64_t by_hand = 0, by_operation = 0;
