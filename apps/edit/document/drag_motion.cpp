@@ -29,7 +29,7 @@ std::optional<Motion> turn_between(const Pose& from, const Pose& to) {
 }  // namespace
 
 std::optional<Motion> motion_between(const Pose& from, const Pose& to, double size) {
-  if (const auto turn = turn_between(from, to)) return turn;
+  if (auto turn = turn_between(from, to)) return turn;
   const Vec3 way = to.translation - from.translation;
   if (!(way.norm() > kLeastStep * size)) return std::nullopt;
   return Motion::translation(way.normalized(), std::max(way.norm(), size));
