@@ -7,6 +7,7 @@ export const name = 'Rapier', version = rapier.version();
 
 const UNIT = 100;  // per metre: the engine's tolerances of contacts are absolute
 const BALL = 1e-5;  // metres: their radius
+const FLOOR = 10;  // metres: of a larger floor contacts with wedges have false normals, millimetres deep
 const scaled = (values, factor = UNIT) => values.map((value) => factor * value);
 const vector = ([x, y, z]) => ({x, y, z});
 const quaternion = ([w, x, y, z]) => ({w, x, y, z});
@@ -76,7 +77,7 @@ export function load(scene) {
   world.integrationParameters.contact_natural_frequency = 120;  // of 30 Hz nuts in a basket sink and creep
   world.numSolverIterations = 8;
   if (scene.floor !== null)
-    addCollider(world, rapier.ColliderDesc.cuboid(50 * UNIT, 50 * UNIT, UNIT).setTranslation(0, 0, -UNIT), scene.floor);
+    addCollider(world, rapier.ColliderDesc.cuboid(FLOOR * UNIT, FLOOR * UNIT, UNIT).setTranslation(0, 0, -UNIT), scene.floor);
   const bodies = new Map(scene.bodies.map((body) => [body.name, addBody(world, body)]));
   return {
     timestep: world.timestep,
