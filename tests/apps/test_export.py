@@ -100,6 +100,22 @@ class Simulators(Exports):
         self.trivet("export", "s.glb", "-o", "s.urdf", "--mesh-prefix", "package://here/")
         self.assertIn(b'"package://here/s_meshes/', self.read("s.urdf"))
 
+    def test_urdf_of_each_object(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.urdf", "--per-object", "--mesh-prefix", "package://x/", "--json")
+        done = json.loads(out)
+        links = {e.get("name"): e for e in ElementTree.fromstring(self.read("s.urdf")).iter("link")}
+        for entry in done["objects"]:
+            self.assertIn(entry["own_file"], done["files"])
+            robot = ElementTree.fromstring(self.read(entry["own_file"]))
+            link, = robot.iter("link")
+            self.assertEqual((robot.get("name"), link.get("name")), (entry["file_name"], entry["file_name"]))
+            self.assertEqual(ElementTree.tostring(link), ElementTree.tostring(links[entry["file_name"]]))
+            self.assertEqual(list(robot.iter("joint")), [])
+        out, _ = self.trivet("export", "s.glb", "-o", "s.urdf", "--json")
+        self.assertNotIn("own_file", json.loads(out)["objects"][0])
+        self.refused("export", "s.glb", "-o", "s.sdf", "--per-object", says=".urdf")
+
     def test_wrong_usage(self):
         self.scene()
         self.refused("export", "s.glb", "-o", "s.abc", says=[".abc", ".urdf", ".csv"])
@@ -357,6 +373,16 @@ class Usd(Exports):
             if kind == "Mesh":
                 self.assertIn("PhysicsMeshCollisionAPI", names)
                 self.assertIn('physics:approximation = "convexHull"', prim)
+
+    def test_groups_have_all_that_collide(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--json")
+        groups = re.findall(r'def PhysicsCollisionGroup "(\w+)" \(\s*prepend apiSchemas = \["CollectionAPI:colliders"\]\s*\)'
+                            r'\s*\{\s*rel collection:colliders:includes = \[(.*)\]\s*\}', self.read("s.usda").decode())
+        found = {name: re.findall(r"</World/(\w+)>", paths) for name, paths in groups}
+        objects = json.loads(out)["objects"]
+        self.assertEqual(found, {"Fixed": ["floor"] + [o["file_name"] for o in objects if o["fixed"]],
+                                 "Moving": [o["file_name"] for o in objects if not o["fixed"]]})
 
     def test_triangles_are_none_of_mujocos(self):
         self.scene()
