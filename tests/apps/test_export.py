@@ -19,6 +19,7 @@ from test_textures import checker, textured_box
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 NODE_MODULES = os.environ.get("TRIVET_NODE_MODULES", "")
+READ_SDF = os.environ.get("TRIVET_READ_SDF", "")  # prints what libsdformat reads
 
 
 def cup_obj():
@@ -458,7 +459,10 @@ class Readers(Exports):
         if not shutil.which("node") or not os.path.exists(path):
             self.skipTest("needs Node.js and the packages of tests/interop (TRIVET_NODE_MODULES)")
         shutil.copy(os.path.join(HERE, "..", "interop", "simulators", "mujoco.mjs"), folder)
-        done = subprocess.run(["node", path, self.path(file)], capture_output=True, timeout=120)
+        return self.printed_by(["node", path], file)
+
+    def printed_by(self, program, file):
+        done = subprocess.run([*program, self.path(file)], capture_output=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stderr.decode())
         return {o["name"]: o for o in json.loads(done.stdout)["objects"]}
 
@@ -467,7 +471,7 @@ class Readers(Exports):
 
     def same_rows(self, rows, script, file, fixed_have_mass, *options):
         out, _ = self.trivet("export", "s.glb", "-o", file, "--json", *options)
-        seen = self.read_by(script, file)
+        seen = self.read_by(script, file) if script.endswith(".mjs") else self.printed_by([script], file)
         for entry in json.loads(out)["objects"]:
             self.assertIn(entry["file_name"], seen)
             found, row = seen[entry["file_name"]], rows[entry["name"]]
@@ -488,6 +492,11 @@ class Readers(Exports):
     def test_urdf_loader(self):
         self.check_letters(self.same_as_written("read_urdf.mjs", "s.urdf"))
 
+    def test_libsdformat(self):
+        if not READ_SDF:
+            self.skipTest("needs libsdformat (Debian: libsdformat-dev; TRIVET_READ_SDF)")
+        self.check_letters(self.same_as_written(READ_SDF, "s.sdf"))
+
     def test_tinyusdz(self):
         seen = self.same_as_written("read_usda.mjs", "s.usda", fixed_have_mass=False)
         self.assertLessEqual(set(self.NAMES), {o["given"] for o in seen.values()})
@@ -497,6 +506,8 @@ class Readers(Exports):
         for demo in os.environ.get("TRIVET_DEMOS", "breakfast").split(","):
             self.trivet("demo", demo, "-o", "s.glb")
             rows, files = self.rows_of_scene(), {"read_mjcf.mjs": "s.xml", "read_urdf.mjs": "s.urdf", "read_usda.mjs": "s.usda"}
+            if READ_SDF:
+                files[READ_SDF] = "s.sdf"
             for script, file in files.items():
                 seen = self.same_rows(rows, script, file, script != "read_usda.mjs")
                 self.assertGreaterEqual(len(seen), len(rows))
