@@ -25,9 +25,7 @@ import xml.etree.ElementTree as ElementTree
 HERE = os.path.dirname(os.path.abspath(__file__))
 DEMOS = ("spoon-saucer,breakfast,office1,office2,office3,table-for-six,tight-table,bookcase,market,"
          "workshop").split(",")
-# Percent of objects within 1 mm, and within 2 mm and 2 degrees. Rapier keeps four corners of a face
-# (prism.mjs), so that one plant with a round foot tips.
-BARS = {"mujoco2": (98, 100), "mujoco": (98, 100), "jolt": (98, 100), "bullet": (98, 100), "rapier": (98, 99)}
+BARS = (98, 100)  # percent of objects within 1 mm, and within 2 mm and 2 degrees
 IN_CPP = ("bullet", "mujoco2")
 LIFT = 0.005  # metres
 COLUMNS = ("simulator", "scene", "objects", "parts", "within_1mm", "within_2mm_2deg", "within_1cm", "farthest_mm",
@@ -155,9 +153,9 @@ def print_sums(rows):
 
 def missed_bars(by_engine):
     """Sentences about engines that keep too little."""
-    for engine, rows in by_engine.items():
+    for rows in by_engine.values():
         num = sum(row["objects"] for row in rows)
-        for column, least in zip(("within_1mm", "within_2mm_2deg"), BARS[engine]):
+        for column, least in zip(("within_1mm", "within_2mm_2deg"), BARS):
             kept = sum(row[column] for row in rows)
             if 100 * kept < least * num:
                 yield "%s: %d of %d objects %s, less than %d %%" % (rows[0]["simulator"], kept, num, column, least)
