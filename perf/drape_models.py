@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Raw real models, open and self-crossing ones, under a cloth and under a cable: at rest, or what is left.
 
-drape_models.py TRIVET FOLDER [--every N] [--cells N] [--only cloth|cable] [--csv FILE]
+drape_models.py TRIVET FOLDER [--every N] [--cells N] [--only cloth|cable] [--judge PROGRAM] [--csv FILE]
   TRIVET     the program
   FOLDER     with models/ and models.csv: file, scale_to_m, size_m, bbox_min, bbox_max, up_axis, defects
   --every    of the models, in the order of the list; default: all
+  --judge    trivet_perf_drape, which drapes once more, and judges each step
 Prints a row for each. Models stand on the floor as they are, 0.3 m large. A cloth of 0.6 m starts level above them, a cable
 of 1 m across them.
 """
@@ -60,6 +61,13 @@ def run(program, layout, folder):
         f"{f['net_force']:.1e}, {f['steps']} steps, {check['interpenetrating_pairs']} crossings"
 
 
+def judged(program, folder):
+    """How many states were judged, and how many of them crossed; all but the last are steps."""
+    done = subprocess.run([program, os.path.join(folder, "layout.json"), "1", "judge"], capture_output=True, text=True,
+                          check=False)
+    return ", ".join(done.stdout.strip().split("\t")[-2:]) or done.stderr.strip()[:100]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("trivet")
@@ -67,6 +75,7 @@ def main():
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--cells", type=int, default=50)
     parser.add_argument("--only", choices=("cloth", "cable"))
+    parser.add_argument("--judge", metavar="PROGRAM")
     parser.add_argument("--csv")
     options = parser.parse_args()
     with open(os.path.join(options.folder, "models.csv"), encoding="utf-8") as file:
@@ -78,13 +87,14 @@ def main():
             with tempfile.TemporaryDirectory() as folder:
                 seconds, result, rest = run(os.path.abspath(options.trivet), {
                     "trivet": 1, "objects": [thing], "operations": [operation(kind, height, options.cells)]}, folder)
-            rows.append((kind, row["file"], row["defects"], f"{seconds:.1f}", result, rest))
+                steps = judged(os.path.abspath(options.judge), folder) if options.judge else ""
+            rows.append((kind, row["file"], row["defects"], f"{seconds:.1f}", result, rest, steps))
             print(*rows[-1], sep="\t", flush=True)
         done = sum(r[0] == kind and r[4] == "at rest" for r in rows)
         print(f"{kind}: {done} of {len(models)} at rest", flush=True)
     if options.csv:
         with open(options.csv, "w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows([("kind", "model", "defects", "cpu s", "result", "rest"), *rows])
+            csv.writer(file).writerows([("kind", "model", "defects", "cpu s", "result", "rest", "steps"), *rows])
     return 0
 
 

@@ -35,12 +35,11 @@ DemoLayout make_desk_demo() {
   w.put("report", "report", on_desk(0.45, -0.12), turned_by(-8));
   w.drape("paper", "paper", {0.21, 0.297}, 0.297 / 32, on_desk(-0.52, -0.30, 0.005), turned_by(7));
   w.add(lead());
-  w.drape("coat", "wool", {0.9, 0.72}, 0.045, {-0.30, -1.22, 1.02});
+  w.drape("coat", "wool", {0.9, 0.72}, 0.0225, {-0.30, -1.22, 1.02});
   return w.take();
 }
 
-// Its corner hangs from the middle peg. It starts 10 degrees from upright: upright and flat it
-// would be balanced, though a breath would fold it.
+// Its corner hangs from the middle peg. It starts flat and upright, balanced, and falls into folds.
 DemoLayout make_towel() {
   LayoutWriter w("towel");
   w.look({Vec3(0.85, -2.05, 1.45), Vec3(0.0, 0.0, 1.18), 30});
@@ -49,7 +48,7 @@ DemoLayout make_towel() {
   towel.object = towel.material = "towel";
   towel.size = Vec2(0.45, 0.70);
   towel.cell = 0.029;
-  towel.start.rotation = turned(Vec3::UnitY(), -33) * turned(Vec3::UnitX(), 80);
+  towel.start.rotation = turned(Vec3::UnitY(), -33) * turned(Vec3::UnitX(), 90);
   const Vec3 corner(0, -0.06, shapes::kPegHeight - 0.01);
   towel.start.translation =
       corner - towel.start.rotation.matrix() * Vec3(towel.size->x() / 2, towel.size->y() / 2, 0);

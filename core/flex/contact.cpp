@@ -18,12 +18,13 @@ constexpr double kHalfway = 1.19;
 // Near pairs are searched again when a vertex has gone so far.
 constexpr double kSlackLayers = 2, kSlackCells = 0.05;
 constexpr size_t kPairsTogether = 1024;  // of which one thread finds the distances
+constexpr double kRaised = 0.3;  // of a kept pair's layer: the gap that is left when it is raised
 
 std::tuple<PairKind, int, int> key(const NearPair& pair) { return {pair.kind, pair.a, pair.b}; }
 
 }  // namespace
 
-double ContactPair::force(double layer) const {
+double ContactPair::force() const {
   return -stiffness * mollifier.value * Barrier(gap, layer).first;
 }
 
@@ -35,15 +36,18 @@ Contact::Contact(Surroundings& surroundings, const ContactOptions& options)
              surroundings.body().material.thickness + options.layer,
              std::max(kSlackLayers * options.layer, kSlackCells * surroundings.body().cell)) {}
 
+// Obstacles are met at half the thickness, the body itself at the whole one.
+double Contact::full_offset(const NearPair& pair) const {
+  return pair.is_own() ? m_surroundings.body().material.thickness : distance_outside();
+}
+
 double Contact::offset(const NearPair& pair) const {
-  // Obstacles are met at half the thickness, the body itself at the whole one, or less where it
-  // began nearer.
-  if (!pair.is_own()) return distance_outside();
+  if (!pair.is_own() || m_kept.empty()) return full_offset(pair);
   const auto it = std::lower_bound(
       m_kept.begin(), m_kept.end(), pair,
       [](const Kept& kept, const NearPair& wanted) { return key(kept.pair) < key(wanted); });
   const bool is_kept = it != m_kept.end() && key(it->pair) == key(pair);
-  return is_kept ? it->distance : m_surroundings.body().material.thickness;
+  return is_kept ? it->distance : full_offset(pair);
 }
 
 void Contact::keep_distances_of(const Points& x) {
@@ -62,6 +66,21 @@ void Contact::keep_distances_of(const Points& x) {
   }
   std::sort(m_kept.begin(), m_kept.end(),
             [](const Kept& a, const Kept& b) { return key(a.pair) < key(b.pair); });
+}
+
+bool Contact::raise_kept(const Points& x) {
+  bool any = false;
+  std::erase_if(m_kept, [&](Kept& kept) {
+    // A part of its layer stays free, which pushes it on: at rest it would never get farther.
+    const double full = full_offset(kept.pair), reach = full + m_options.layer;
+    const double distance = m_surroundings.points(kept.pair, x).distance;
+    const double raised = (distance - kRaised * reach) / (1 - kRaised);
+    if (raised <= kept.distance) return false;
+    any = true;
+    kept.distance = raised;
+    return raised >= full;
+  });
+  return any;
 }
 
 // Always of the flexible side: fine faces of obstacles must not weaken it.
@@ -100,7 +119,8 @@ bool Contact::add_pair(const Points& x, const NearPair& near, std::vector<Contac
   pair.offset = offset(near);
   pair.gap = pair.points.distance - pair.offset;
   if (!(pair.gap > 0)) return false;
-  if (pair.gap >= m_options.layer) return true;
+  pair.layer = m_options.layer + (full_offset(near) - pair.offset);
+  if (pair.gap >= pair.layer) return true;
   pair.stiffness = m_stiffness * area(near);
   pair.mollifier = mollifier(pair);
   if (pair.mollifier.value > 0) out.push_back(pair);
@@ -124,7 +144,10 @@ bool Contact::find(const Points& x, std::vector<ContactPair>& out) {
       if (!add_pair(x, (*pairs)[i], found[piece])) is_clear = false;
   });
   if (!is_clear) return false;
-  for (const auto& piece : found) out.insert(out.end(), piece.begin(), piece.end());
+  for (auto& piece : found) {
+    out.insert(out.end(), piece.begin(), piece.end());
+    std::vector<ContactPair>().swap(piece);  // so that few are there twice
+  }
   return true;
 }
 

@@ -18,10 +18,11 @@ struct ContactPair {
   Mollifier mollifier;
   double offset = 0;     // distance at which the surfaces meet: half a thickness, or a whole one
   double gap = 0;        // from there on, > 0
+  double layer = 0;      // m beyond the offset in which it acts
   double stiffness = 0;  // N/m: weight of the pair's area
 
   /// Newtons by which it pushes the first side along direction().
-  double force(double layer) const;
+  double force() const;
 };
 
 struct ContactOptions {
@@ -44,17 +45,22 @@ class Contact {
     return m_list.within(x, boxes);
   }
   /// Pairs of the body with itself that are nearer than its thickness keep half of their distance
-  /// from now on.
+  /// from now on, and push each other apart until they are beyond it.
   void keep_distances_of(const Points& x);
+  bool keeps_any() const { return !m_kept.empty(); }
+  /// Each of those pairs keeps what it has gained. @return true if any did; contacts are to be
+  /// found again then.
+  bool raise_kept(const Points& x);
   /// All pairs in the layer. @return false if any is at its offset or nearer, or there
   /// are too many.
   bool find(const Points& x, std::vector<ContactPair>& out);
   /// Energy; adds to the derivatives that are asked for.
   /// @param total  its exact or positive second derivative.
-  double energy(const std::vector<ContactPair>& pairs, Total& total) const;
+  static double energy(const std::vector<ContactPair>& pairs, const Total& total);
 
  private:
   double area(const NearPair& pair) const;
+  double full_offset(const NearPair& pair) const;
   Mollifier mollifier(const ContactPair& pair) const;
   bool add_pair(const Points& x, const NearPair& near, std::vector<ContactPair>& out) const;
 

@@ -159,12 +159,12 @@ void add_gradient(const ContactPair& pair, const Barrier& barrier, const Total& 
 
 }  // namespace
 
-double Contact::energy(const std::vector<ContactPair>& pairs, Total& total) const {
+double Contact::energy(const std::vector<ContactPair>& pairs, const Total& total) {
   double sum = 0;
   for (const ContactPair& pair : pairs) {
     const auto& vertices = pair.points.vertices;
     if (!total.has_any(vertices, pair.points.count)) continue;
-    const Barrier barrier(pair.gap, m_options.layer);
+    const Barrier barrier(pair.gap, pair.layer);
     // Inside the layer each pair adds its barrier; a pair at the border adds nothing.
     sum += total.energy_of(vertices[0], pair.stiffness * pair.mollifier.value * barrier.value);
     if (total.gradient) add_gradient(pair, barrier, total);

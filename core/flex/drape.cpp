@@ -8,9 +8,8 @@
 namespace trivet::flex {
 namespace {
 
-constexpr double kStableSquared = 1e6;  // s2: pushes that grow faster are seen
-constexpr double kBearing = 0.01;       // of a vertex's weight: what counts for friction's use
-constexpr double kLayerOfCell = 0.25;   // largest layer, of a cell
+constexpr double kBearing = 0.01;      // of a vertex's weight: what counts for friction's use
+constexpr double kLayerOfCell = 0.25;  // largest layer, of a cell
 
 /// One level: its body among the obstacles.
 class Level {
@@ -41,7 +40,7 @@ class Level {
     c.friction_used =
         m_model.friction().largest_use(m_state.x, forces, kBearing * m_body.mean_weight());
     c.stretch = largest_stretch(m_body, m_state.x);
-    c.stable = m_minimiser.newton().is_stable(m_model, m_state, kStableSquared);
+    c.stable = m_minimiser.is_stable();
     c.num_vertices = static_cast<int>(m_body.size());
     c.num_contacts = static_cast<int>(m_state.pairs.size());
     c.num_own_contacts =

@@ -23,7 +23,7 @@ int owner_of(const Surroundings& surroundings, const PairPoints& points) {
 }  // namespace
 
 NodalForces nodal_forces(const Surroundings& surroundings, const std::vector<ContactPair>& pairs,
-                         double layer, bool with_owners) {
+                         bool with_owners) {
   const Body& body = surroundings.body();
   const Obstacles& obstacles = surroundings.obstacles();
   NodalForces out;
@@ -34,7 +34,7 @@ NodalForces nodal_forces(const Surroundings& surroundings, const std::vector<Con
   // Each pair pushes its vertices by their shares, and its friction is the lesser of both
   // materials.
   for (const ContactPair& pair : pairs) {
-    const Vec3 push = pair.force(layer) * pair.points.direction();
+    const Vec3 push = pair.force() * pair.points.direction();
     const bool is_own = pair.pair.is_own();
     for (int i = 0; i < pair.points.count; ++i) {
       const int v = pair.points.vertices[i];

@@ -18,7 +18,7 @@ struct NodalForces {
   std::vector<std::vector<Borne>> by;  // [vertex][owner]
 };
 NodalForces nodal_forces(const Surroundings& surroundings, const std::vector<ContactPair>& pairs,
-                         double layer, bool with_owners = false);
+                         bool with_owners = false);
 
 /// A vertex tied to a point of the world, or, against the body itself, of one of its faces.
 /// Normal, cap and anchor are fixed until the next update.

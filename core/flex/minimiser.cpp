@@ -6,15 +6,19 @@
 namespace trivet::flex {
 namespace {
 
-constexpr double kLongestStep = 1.5;                   // cells
-constexpr double kLargestH = 1e4, kSmallestH = 1e-12;  // s2
-constexpr double kCalm = 0.05;                         // residual below which friction is frozen
-constexpr int kStallSteps = 20;                        // in which the energy has to fall
-constexpr double kStall = 1e-3;                        // by so much, of weight x slip
-constexpr int kMostFrozen = 60;                        // steps
-constexpr int kMostStalls = 5;                         // after which friction stays frozen
+constexpr double kLongestStep = 1.5;                                   // cells
+constexpr double kFirstH = 0.03, kLargestH = 1e4, kSmallestH = 1e-12;  // s2
+constexpr double kCalm = 0.05;   // residual below which friction is frozen
+constexpr int kStallSteps = 20;  // in which the energy has to fall
+constexpr double kStall = 1e-3;  // by so much, of weight x slip
+constexpr int kMostFrozen = 60;  // steps
+constexpr int kMostStalls = 5;   // after which friction stays frozen
 constexpr int kBackSteps = 5;
-constexpr double kRounding = 1e-13;  // of the energy
+constexpr double kRounding = 1e-13;     // of the energy
+constexpr double kStableSquared = 1e6;  // s2: pushes that grow faster are seen
+constexpr double kPush = 0.5;           // cells, of the vertex that goes farthest
+constexpr int kMostSkips = 7;           // steps without exact derivatives after they failed
+constexpr int kMostPushes = 10, kPushCuts = 8;
 
 }  // namespace
 
@@ -24,9 +28,12 @@ Minimiser::Minimiser(const Body& body, Surroundings& surroundings, EnergyModel& 
       m_model(model),
       m_options(options),
       m_newton(body),
-      m_limits(surroundings, model.contact()) {}
+      m_limits(surroundings, model.contact()),
+      m_h(kFirstH) {}
 
 bool Minimiser::has_come_to_rest(State& state) {
+  // What began nearer to itself than its thickness has to be beyond it in the end.
+  if (m_model.raise_kept(state)) return false;
   // Friction is updated, and the force that is left afterwards decides: before it, rest would be a
   // matter of old anchors.
   m_model.update_friction(state, !m_flows);
@@ -34,6 +41,42 @@ bool Minimiser::has_come_to_rest(State& state) {
   m_frozen = 0;
   m_flows = false;
   return m_residual < m_options.tolerance;
+}
+
+// A state that is balanced without being stable, as a sheet that hangs flat from one corner, is
+// pushed to where it falls.
+bool Minimiser::leaves_balance(State& state) {
+  m_is_stable = m_newton.is_stable(m_model, state, kStableSquared);
+  Points step;
+  if (m_is_stable || m_pushes == kMostPushes ||
+      !m_newton.find_unstable(m_model, state, kStableSquared, step))
+    return false;
+  ++m_pushes;
+  double longest = 0, slope = 0;
+  for (size_t v = 0; v < step.size(); ++v) {
+    longest = std::max(longest, step[v].norm());
+    slope += step[v].dot(state.gradient[v]);
+  }
+  // Both ways lead down; the one that begins downhill is taken.
+  const double scale = (slope > 0 ? -kPush : kPush) * m_body.cell / longest;
+  for (Vec3& s : step) s *= scale;
+  return fall(state, std::move(step));
+}
+
+bool Minimiser::fall(State& state, Points step) {
+  m_limits.limit(state.x, step);
+  double part = 1;
+  for (int cut = 0; cut < kPushCuts; ++cut, part /= 3) {
+    if (!try_part(state, step, part) || m_next.energy >= state.energy) continue;
+    std::swap(state, m_next);
+    m_flows = true;
+    m_h = kFirstH;
+    m_full = 0;
+    m_model.update_friction(state, false);
+    m_marked_step = m_step, m_marked_energy = state.energy;
+    return true;
+  }
+  return false;
 }
 
 // Updates at every step may go round in circles near rest; so friction is frozen when the state is
@@ -65,8 +108,16 @@ bool Minimiser::find_exact_direction(const State& state, Points& step) {
 }
 
 bool Minimiser::find_direction(const State& state, Points& step) {
-  // Exact derivatives converge fastest near the end, and may fail far from it.
-  if (m_residual < m_options.exact_below && find_exact_direction(state, step)) return true;
+  // Exact derivatives converge fastest near the end, and may fail far from it: where they fail,
+  // they are left out in more and more steps.
+  if (m_residual < m_options.exact_below && --m_skipped < 0) {
+    if (find_exact_direction(state, step)) {
+      m_skips = 0;
+      return true;
+    }
+    m_skipped = m_skips;
+    m_skips = std::min(2 * m_skips + 1, kMostSkips);
+  }
   return m_newton.solve(m_model, state, Curvature::Hybrid, m_h, step) ||
          m_newton.solve(m_model, state, Curvature::Positive, m_h, step);
 }
@@ -87,6 +138,13 @@ bool Minimiser::is_lower(const State& state, const State& next) const {
          m_model.residual(next.gradient) < 0.5 * m_residual;
 }
 
+// Into m_next. @return false where it touches.
+bool Minimiser::try_part(const State& state, const Points& step, double part) {
+  m_next.x = state.x;
+  for (size_t v = 0; v < step.size(); ++v) m_next.x[v] += part * step[v];
+  return m_model.evaluate(m_next);
+}
+
 // Every part of a limited step keeps to the limits, too. What a refused step hits becomes part of
 // the model, which is solved again once; else a vertex that is held while its neighbours go on
 // stretches the membrane, and the step is cut again and again.
@@ -97,9 +155,7 @@ bool Minimiser::take_step(State& state, Points step) {
   double part = 1;
   // The step is cut to a third until the energy falls.
   for (int back = 0; back < kBackSteps; ++back) {
-    m_next.x = state.x;
-    for (size_t v = 0; v < step.size(); ++v) m_next.x[v] += part * step[v];
-    if (m_model.evaluate(m_next) && is_lower(state, m_next)) {
+    if (try_part(state, step, part) && is_lower(state, m_next)) {
       std::swap(state, m_next);
       follow_up(state, part);
       return true;
@@ -122,7 +178,9 @@ void Minimiser::follow_up(State& state, double part) {
     m_full = 0;
     m_h /= part > 0.3 ? 2 : 4;
   }
-  if (m_flows) m_model.update_friction(state, false);
+  if (!m_flows) return;
+  m_model.raise_kept(state);
+  m_model.update_friction(state, false);
 }
 
 Ending Minimiser::run(State& state, const Watch& watch, int level) {
@@ -137,8 +195,8 @@ Ending Minimiser::run(State& state, const Watch& watch, int level) {
       return Ending::Stopped;
     if (m_residual >= m_options.tolerance)
       choose_phase(state);
-    else if (has_come_to_rest(state))
-      return Ending::AtRest;
+    else if (has_come_to_rest(state) && !leaves_balance(state))
+      return m_model.contact().keeps_any() ? Ending::Stuck : Ending::AtRest;
     // Without direction or descent the horizon shrinks; a tiny one means that it is stuck.
     if (!find_direction(state, step)) {
       m_h /= 4;

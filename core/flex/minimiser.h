@@ -27,7 +27,8 @@ struct MinimiserOptions {
 
 /// In the flow phase, friction is updated after each step: a heavily damped slide. In the lag
 /// phase it is fixed while the energy is truly minimised, and updated then; at rest the residual
-/// stays small after the update.
+/// stays small after the update. What is balanced there without being stable is pushed, and goes
+/// on.
 class Minimiser {
  public:
   Minimiser(const Body& body, Surroundings& surroundings, EnergyModel& model,
@@ -36,18 +37,22 @@ class Minimiser {
   /// @param state  its positions: clear of each other and of obstacles.
   Ending run(State& state, const Watch& watch, int level = 0);
 
-  NewtonStep& newton() { return m_newton; }
+  /// At rest: true if no small push grows faster than in 1,000 s.
+  bool is_stable() const { return m_is_stable; }
   double residual() const { return m_residual; }
   int num_steps() const { return m_step; }
 
  private:
   bool has_come_to_rest(State& state);
+  bool leaves_balance(State& state);
+  bool fall(State& state, Points step);
   void choose_phase(State& state);
   bool find_direction(const State& state, Points& step);
   bool find_exact_direction(const State& state, Points& step);
   void shorten(Points& step) const;
   bool is_lower(const State& state, const State& next) const;
   bool take_step(State& state, Points step);
+  bool try_part(const State& state, const Points& step, double part);
   void follow_up(State& state, double part);
 
   const Body& m_body;
@@ -58,9 +63,12 @@ class Minimiser {
   State m_next;
   bool m_flows = true;
   double m_residual = 0;
-  double m_h = 0.03;           // s2: of mass / h in the matrix
-  int m_step = 0, m_full = 0;  // steps; whole ones in a row
-  int m_frozen = 0;            // steps since the friction was updated
+  double m_h;                      // s2: of mass / h in the matrix
+  int m_step = 0, m_full = 0;      // steps; whole ones in a row
+  int m_frozen = 0;                // steps since the friction was updated
+  int m_skips = 0, m_skipped = 0;  // steps without exact derivatives: next time, and to come
+  bool m_is_stable = false;
+  int m_pushes = 0;  // out of balance
   int m_marked_step = 0, m_stalls = 0;
   double m_marked_energy = 0;  // by which stalls are seen
 };

@@ -30,7 +30,7 @@ double EnergyModel::sum(const State& state, Total total) const {
     const auto border = [&](int share) { return static_cast<int>(1LL * count * share / shares); };
     Total own = total;
     own.first = border(static_cast<int>(i)), own.last = border(static_cast<int>(i) + 1);
-    energies[i] = elastic_energy(m_body, state.x, own) + m_contact.energy(state.pairs, own) +
+    energies[i] = elastic_energy(m_body, state.x, own) + Contact::energy(state.pairs, own) +
                   m_friction.energy(state.x, own);
   });
   return std::accumulate(energies.begin(), energies.end(), 0.0);
@@ -48,6 +48,10 @@ bool EnergyModel::evaluate(State& state) {
   return true;
 }
 
+bool EnergyModel::raise_kept(State& state) {
+  return m_contact.raise_kept(state.x) && evaluate(state);
+}
+
 void EnergyModel::update_friction(State& state, bool keep_faces) {
   m_friction.update(state.x, state.pairs, forces(state), keep_faces);
   sum_up(state);
@@ -59,7 +63,7 @@ void EnergyModel::curvature(const State& state, Curvature which, BlockMatrix& he
 }
 
 NodalForces EnergyModel::forces(const State& state, bool with_owners) const {
-  return nodal_forces(m_surroundings, state.pairs, m_contact.layer(), with_owners);
+  return nodal_forces(m_surroundings, state.pairs, with_owners);
 }
 
 double EnergyModel::residual(const Points& gradient, int* at) const {

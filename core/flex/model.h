@@ -22,6 +22,9 @@ class EnergyModel {
   const Friction& friction() const { return m_friction; }
   /// Contacts, energy and gradient at state.x. @return false where it touches.
   bool evaluate(State& state);
+  /// Pairs that began nearer than the thickness keep what they gained; see Contact. @return true if
+  /// any did: energy and gradient are new then.
+  bool raise_kept(State& state);
   /// Energy and gradient again, after an update of the friction.
   void update_friction(State& state, bool keep_faces);
   void curvature(const State& state, Curvature which, BlockMatrix& hessian) const;

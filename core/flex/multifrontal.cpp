@@ -17,6 +17,9 @@ constexpr int kTaskVertices = 800;  // of a subtree that one thread computes
 // Fronts from so many rows on are copied by several threads, so many columns by each.
 constexpr int kManyRows = 400, kColumnsTogether = 64;
 
+// Its memory, too: an assignment of {} would keep that.
+void release(std::vector<double>& values) { std::vector<double>().swap(values); }
+
 }  // namespace
 
 int Multifrontal::add_front(std::vector<int> own, std::vector<int> children) {
@@ -122,15 +125,14 @@ void Multifrontal::place_columns() {
   for (Front& front : m_fronts) {
     front.lower = next;
     next += static_cast<size_t>(front.size()) * 3 * front.own.size();
-    front.update = {};
   }
-  m_lower = {};  // so that old and new never are there together
   m_lower.resize(next);
 }
 
 void Multifrontal::analyse(const BlockMatrix& a, const Coordinates& coordinates) {
   const size_t count = a.num_rows();
   m_fronts.clear();
+  release(m_lower);  // old and new are never there together
   m_position.assign(count, -1);
   m_mark.assign(count, 0);
   m_stamp = m_next = 0;
@@ -242,7 +244,7 @@ bool Multifrontal::compute(const BlockMatrix& a, int id, Work& work) {
     work.places.clear();
     for (const int v : child.below) work.places.push_back(3 * work.local[v]);
     add_update(child.update, work.places, values, size);
-    child.update = {};
+    release(child.update);
   }
   if (!factor_front(values, size, 3 * num_own)) return false;
   keep(front, work);
@@ -292,7 +294,7 @@ bool Multifrontal::compute_subtree(const BlockMatrix& a, int id, WorkPool& pool)
 }
 
 bool Multifrontal::factor(const BlockMatrix& a) {
-  for (Front& front : m_fronts) front.update = {};  // a failure leaves some
+  for (Front& front : m_fronts) release(front.update);  // a failure leaves some
   WorkPool pool(m_position.size());
   return m_fronts.empty() || compute_subtree(a, static_cast<int>(m_fronts.size()) - 1, pool);
 }

@@ -130,7 +130,10 @@ class Search {
     out.clear();
     if (m_found > m_most) return false;
     out.reserve(m_found);
-    for (const auto& pairs : found) out.insert(out.end(), pairs.begin(), pairs.end());
+    for (auto& pairs : found) {
+      out.insert(out.end(), pairs.begin(), pairs.end());
+      std::vector<NearPair>().swap(pairs);  // so that few are there twice
+    }
     return true;
   }
 
@@ -258,6 +261,31 @@ PairPoints Surroundings::own_edge_edge(const NearPair& pair, const Points& x) co
                  (1 - shares.s) * x[a] + shares.s * x[b] - (1 - shares.t) * x[p] - shares.t * x[q]);
   free_on_edges(out, shares, true);
   return out;
+}
+
+BodyVertices Surroundings::body_vertices(const NearPair& pair) const {
+  const auto& edges = m_body.edges;
+  const auto& faces = m_body.faces;
+  const int a = pair.a;
+  const auto all = [](const std::array<int, 3>& p, const std::array<int, 3>& q) {
+    return BodyVertices{p[0], p[1], p[2], q[0], q[1], q[2]};
+  };
+  const auto ends = [&](int edge) {
+    return std::array<int, 3>{edges[edge][0], edges[edge][1], edges[edge][1]};
+  };
+  switch (pair.kind) {
+    case PairKind::VertexFace:
+      return all({a, a, a}, {a, a, a});
+    case PairKind::EdgeEdge:
+      return all(ends(a), ends(a));
+    case PairKind::FaceVertex:
+      return all(faces[a], faces[a]);
+    case PairKind::OwnVertexFace:
+      return all({a, a, a}, faces[pair.b]);
+    case PairKind::OwnEdgeEdge:
+      break;
+  }
+  return all(ends(a), ends(pair.b));
 }
 
 PairPoints Surroundings::points(const NearPair& pair, const Points& x) const {

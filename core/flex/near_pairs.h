@@ -36,6 +36,9 @@ struct PairPoints {
   Vec3 direction() const { return difference / distance; }
 };
 
+/// Vertices of the body in a pair; some may come twice.
+using BodyVertices = std::array<int, 6>;
+
 /// Pairs at most: a hostile file may have everything in one place.
 inline constexpr size_t kMostPairs = size_t{1} << 24;
 
@@ -59,6 +62,7 @@ class Surroundings {
       const std::function<bool(const NearPair&)>& wanted = [](const NearPair&) { return true; });
 
   PairPoints points(const NearPair& pair, const Points& x) const;
+  BodyVertices body_vertices(const NearPair& pair) const;
 
  private:
   PairPoints vertex_face(const NearPair& pair, const Points& x) const;

@@ -1,6 +1,9 @@
 #include "core/flex/step_limits.h"
 
 #include <algorithm>
+#include <cstdint>
+
+#include "core/base/in_parallel.h"
 
 namespace trivet::flex {
 namespace {
@@ -11,6 +14,7 @@ constexpr double kReach = 1.6;       // of a step's length: what is farther cann
 constexpr int kSweeps = 8;           // over the half-spaces of a vertex
 constexpr double kHit = 0.1;         // of the layer
 constexpr double kRoundOff = 1e-15;  // m
+constexpr int kVerticesOfShare = 700, kMostOfShares = 16;
 
 // Onto the half-spaces one after another, again and again.
 void project(const std::vector<HalfSpace>& half_spaces, Vec3& step) {
@@ -45,19 +49,29 @@ double allowed_part(const std::vector<HalfSpace>& half_spaces, const Aabb& room,
 
 }  // namespace
 
+struct StepLimits::Share {
+  int first = 0, last = 0;                          // vertices: the last is not one of them
+  std::vector<std::uint32_t> pairs;                 // near ones that have any of them
+  std::vector<std::vector<HalfSpace>> half_spaces;  // by vertices
+  std::vector<HalfSpace> hits;
+
+  bool has(int vertex) const { return vertex >= first && vertex < last; }
+};
+
 StepLimits::StepLimits(const Surroundings& surroundings, Contact& contact)
     : m_surroundings(surroundings), m_contact(contact) {}
 
 // Only where it cuts the vertex's room.
-void StepLimits::add(int vertex, const Vec3& normal, double distance) {
+void StepLimits::add(int vertex, const Vec3& normal, double distance, Share& share) const {
+  if (!share.has(vertex)) return;
   // The vertex keeps a tenth of its distance, so that it never reaches the plane.
   const double room = kKeep * std::max(0.0, distance);
   const Aabb& box = m_room[vertex];
   const double lowest = normal.cwiseMax(0).dot(box.lower) + normal.cwiseMin(0).dot(box.upper);
-  if (lowest < -room) m_half_spaces[vertex].push_back({vertex, normal, room});
+  if (lowest < -room) share.half_spaces[vertex - share.first].push_back({vertex, normal, room});
 }
 
-void StepLimits::add_pair(const Points& x, const NearPair& pair) {
+void StepLimits::add_pair(const Points& x, const NearPair& pair, Share& share) const {
   // The plane between the closest points separates the two elements as they are.
   const PairPoints points = m_surroundings.points(pair, x);
   const double offset = m_contact.offset(pair);
@@ -80,13 +94,12 @@ void StepLimits::add_pair(const Points& x, const NearPair& pair) {
   const double margin = pair.is_own() ? offset / 2 : offset;
   for (int i = 0; i < points.count; ++i)
     if (i < points.first)
-      add(points.vertices[i], normal, height(i) - plane - margin);
+      add(points.vertices[i], normal, height(i) - plane - margin, share);
     else
-      add(points.vertices[i], -normal, plane - height(i) - margin);
+      add(points.vertices[i], -normal, plane - height(i) - margin, share);
 }
 
-bool StepLimits::find_half_spaces(const Points& x, const Points& step) {
-  m_half_spaces.assign(x.size(), {});
+const std::vector<NearPair>* StepLimits::find_near(const Points& x, const Points& step) {
   m_room.assign(x.size(), {});
   m_length.resize(x.size());
   std::vector<Aabb> reached(x.size());
@@ -101,22 +114,36 @@ bool StepLimits::find_half_spaces(const Points& x, const Points& step) {
     reached[v] = {x[v] + m_room[v].lower, x[v] + m_room[v].upper};
   }
   // All pairs whose boxes meet are found, so that no pair without a plane can meet.
-  const std::vector<NearPair>* const near = m_contact.near(x, reached);
-  if (!near) return false;
-  for (const NearPair& pair : *near) add_pair(x, pair);
-  return true;
+  return m_contact.near(x, reached);
 }
 
-std::vector<HalfSpace> StepLimits::limit(const Points& x, Points& step) {
-  // Without all pairs no step is safe.
-  if (!find_half_spaces(x, step)) {
-    step.assign(x.size(), Vec3::Zero());
-    return {};
+std::vector<StepLimits::Share> StepLimits::shares(const std::vector<NearPair>& near,
+                                                  int num_vertices) const {
+  std::vector<Share> out(std::clamp(num_vertices / kVerticesOfShare, 1, kMostOfShares));
+  const int count = static_cast<int>(out.size());
+  for (int i = 0; i < count; ++i) {
+    const auto border = [&](int share) {
+      return static_cast<int>(std::int64_t{num_vertices} * share / count);
+    };
+    out[i].first = border(i), out[i].last = border(i + 1);
   }
-  std::vector<HalfSpace> hits;
+  // A pair with vertices of several shares is computed for each of them.
+  for (size_t i = 0; i < near.size(); ++i) {
+    const BodyVertices vertices = m_surroundings.body_vertices(near[i]);
+    for (Share& share : out)
+      if (std::any_of(vertices.begin(), vertices.end(), [&](int v) { return share.has(v); }))
+        share.pairs.push_back(static_cast<std::uint32_t>(i));
+  }
+  return out;
+}
+
+void StepLimits::limit_share(const Points& x, const std::vector<NearPair>& near, Share& share,
+                             Points& step) const {
+  share.half_spaces.assign(share.last - share.first, {});
+  for (const std::uint32_t i : share.pairs) add_pair(x, near[i], share);
   // A vertex without planes is free to go its whole step.
-  for (size_t v = 0; v < x.size(); ++v) {
-    const auto& own = m_half_spaces[v];
+  for (int v = share.first; v < share.last; ++v) {
+    const auto& own = share.half_spaces[v - share.first];
     if (own.empty()) continue;
     const Vec3 wanted = step[v];
     project(own, step[v]);
@@ -125,12 +152,25 @@ std::vector<HalfSpace> StepLimits::limit(const Points& x, Points& step) {
     const double size = turned.norm();
     if (size > kHit * m_contact.layer()) {
       const Vec3 normal = turned / size;
-      hits.push_back({static_cast<int>(v), normal, -normal.dot(step[v])});
+      share.hits.push_back({v, normal, -normal.dot(step[v])});
     }
     const double part = allowed_part(own, m_room[v], step[v]);
     if (part < 1) step[v] *= part;
   }
-  m_half_spaces = {};  // long steps have many, and the next factorisation needs the memory
+  std::vector<std::vector<HalfSpace>>().swap(share.half_spaces);
+}
+
+std::vector<HalfSpace> StepLimits::limit(const Points& x, Points& step) {
+  const std::vector<NearPair>* const near = find_near(x, step);
+  // Without all pairs no step is safe.
+  if (!near) {
+    step.assign(x.size(), Vec3::Zero());
+    return {};
+  }
+  std::vector<Share> all = shares(*near, static_cast<int>(x.size()));
+  in_parallel(all.size(), [&](size_t i) { limit_share(x, *near, all[i], step); });
+  std::vector<HalfSpace> hits;
+  for (const Share& share : all) hits.insert(hits.end(), share.hits.begin(), share.hits.end());
   return hits;
 }
 

@@ -18,7 +18,9 @@ struct HalfSpace {
 /// on two sides of a plane at all times of a straight motion do not meet, and stay their offset
 /// apart. Pairs without a plane cannot meet, since each vertex ends inside the box that was
 /// searched. A shorter step along the same line is as safe. Sliding along a contact is not
-/// shortened.   @see [Divide and Truncate, Newton Physics 2026]
+/// shortened. Vertices are limited in shares, by several threads; the half-spaces of a share are
+/// gone after it, as long steps have more than the equations have entries.   @see [Divide and
+/// Truncate, Newton Physics 2026]
 class StepLimits {
  public:
   StepLimits(const Surroundings& surroundings, Contact& contact);
@@ -29,15 +31,18 @@ class StepLimits {
   std::vector<HalfSpace> limit(const Points& x, Points& step);
 
  private:
-  bool find_half_spaces(const Points& x, const Points& step);
-  void add_pair(const Points& x, const NearPair& pair);
-  void add(int vertex, const Vec3& normal, double distance);
+  struct Share;  // some of the vertices
+  const std::vector<NearPair>* find_near(const Points& x, const Points& step);
+  std::vector<Share> shares(const std::vector<NearPair>& near, int num_vertices) const;
+  void limit_share(const Points& x, const std::vector<NearPair>& near, Share& share,
+                   Points& step) const;
+  void add_pair(const Points& x, const NearPair& pair, Share& share) const;
+  void add(int vertex, const Vec3& normal, double distance, Share& share) const;
 
   const Surroundings& m_surroundings;
   Contact& m_contact;
   std::vector<Aabb> m_room;  // in which each vertex's step may end
   std::vector<double> m_length;
-  std::vector<std::vector<HalfSpace>> m_half_spaces;  // by vertices
 };
 
 }  // namespace trivet::flex

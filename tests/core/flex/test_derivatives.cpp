@@ -118,7 +118,7 @@ void expect_true_contact(const DrapeProblem& problem, const Obstacles& obstacles
       [&](const Points& x, Total& t) {
         std::vector<ContactPair> now;
         EXPECT_TRUE(contact.find(x, now));
-        return contact.energy(now, t);
+        return Contact::energy(now, t);
       },
       problem.start, 1e-8, 1e-5);
 }
