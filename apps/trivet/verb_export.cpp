@@ -102,6 +102,12 @@ void check_can_simulate(const ExportArguments& arguments) {
                 "--simulate: MuJoCo does not read %1; accepted: .xml and .mjcf", arguments.output);
 }
 
+void check_per_object(const ExportArguments& arguments) {
+  if (arguments.options.files.per_object && lower_extension(arguments.output) != ".urdf")
+    throw Error(Error::Kind::BadInput,
+                "--per-object: %1 has one file for all objects; accepted: .urdf", arguments.output);
+}
+
 void check_max_error(const SimulationOptions& options) {
   if (options.max_error > 0 && options.collision != CollisionRule::Fitted)
     throw Error(Error::Kind::BadInput,
@@ -136,6 +142,7 @@ int export_for_simulator(const ExportArguments& arguments, const CommonOptions& 
   options.collision = collision_rule_from_name(arguments.collision);
   check_collision_rule(options.collision, arguments.output);
   check_asleep(arguments);
+  check_per_object(arguments);
   check_max_error(options);
   check_can_simulate(arguments);
   options.measured = !arguments.report.empty() || common.json;
@@ -229,6 +236,10 @@ void add_simulator_options(CLI::App& verb, ExportArguments& arguments) {
   verb.add_flag("--asleep", options.files.asleep,
                 "Let free objects sleep until something touches them: for .xml and .mjcf that "
                 "MuJoCo 3.9 or later reads")
+      ->group(kSimulators);
+  verb.add_flag("--per-object", options.files.per_object,
+                "In URDF a file for each object, too, in the folder of the meshes; the report "
+                "names them")
       ->group(kSimulators);
   verb.add_option("--hull-clearance", options.hull_clearance,
                   "Distance by which faces of hulls move inwards (metres); default: 0")

@@ -92,6 +92,9 @@ void World::check_names() const {
   for (const Thing& thing : m_arrangement.things) {
     check_name(scene(), thing.object, TRIVET_SENTENCE("things"));
     const Object& object = scene().at(*scene().find(thing.object));
+    if (object.joint)
+      refuse(say("things: %1 hangs in a joint; accepted: objects that may move, onto it, too",
+                 quoted(thing.object)));
     if (object.fixed)
       refuse(say("things: %1 is fixed; accepted: objects that may move", quoted(thing.object)));
     if (!object.links.empty())

@@ -70,15 +70,24 @@ class JointMotion {
     double least = 0;  // seconds that the group goes which is blocked first
 
     bool is_enough() const { return gain >= kEnoughEnergy * predicted; }
+    // One that gets nowhere leaves the place to a short one that does.
+    bool is_better_than(const Attempt& other) const {
+      return creeps() != other.creeps() ? !creeps() : gain > other.gain;
+    }
+    bool creeps() const { return gain < kAtLeast * predicted; }
   };
 
   // Until one gets far enough, or what blocks them is known.
   void search() {
-    m_may_close = std::any_of(m_motion.contacts.begin(), m_motion.contacts.end(),
-                              [](const CoulombContact& c) { return c.room > 0; });
     // Long steps come first; short ones get on where long ones are blocked.
     for (const double step : kSteps)
-      if ((step > kClosingStep || m_may_close) && !search_with(step)) return;
+      if ((step > kClosingStep || may_close()) && !search_with(step)) return;
+  }
+
+  // Some gaps are known, from the start or of what blocked a motion.
+  bool may_close() const {
+    return std::any_of(m_motion.contacts.begin(), m_motion.contacts.end(),
+                       [](const CoulombContact& c) { return c.room > 0; });
   }
 
   // @return whether another step may get farther.
@@ -86,7 +95,7 @@ class JointMotion {
     for (int round = 0; round <= kMaxBlockedRounds; ++round) {
       solve(step);
       // Bodies that do not sink have no motion to make, unless gaps may close.
-      if (!(m_motion.duration > 0) || !(predicted() > 0)) return m_may_close;
+      if (!(m_motion.duration > 0) || !(predicted() > 0)) return may_close();
       if (try_groups() || has_tried_enough() || m_run.interrupt.reason()) return false;
       // Blockers join the contacts, and the first motion is found again.
       if (!join_blockers()) break;
@@ -120,7 +129,7 @@ class JointMotion {
   double keep_best(Attempt found) {
     ++m_num_attempts;
     const double least = found.least;
-    if (!m_best || found.gain > m_best->gain) m_best = std::move(found);
+    if (!m_best || found.is_better_than(*m_best)) m_best = std::move(found);
     return least;
   }
 
@@ -149,11 +158,13 @@ class JointMotion {
   }
 
   void solve(double step) {
-    m_motion.twists = first_motion(m_motion.bodies, m_motion.contacts, {kPartingSpeed, step});
+    FirstTwists first = first_motion(m_motion.bodies, m_motion.contacts, {kPartingSpeed, step});
+    m_motion.twists = std::move(first.twists);
     double relative = 0;  // sizes a second
     for (size_t i = 0; i < m_motion.bodies.size(); ++i)
       relative = std::max(relative, m_motion.speed(i) / m_motion.bodies[i].size);
-    m_motion.duration = relative > 0 ? step / relative : 0;
+    // What closing gaps slow down would go through them if it went as far as what nothing holds.
+    m_motion.duration = relative > 0 ? std::min(step / relative, first.duration) : 0;
   }
 
   double predicted() const {
@@ -281,7 +292,6 @@ class JointMotion {
   std::vector<ObjectId> m_ids;                         // of its bodies
   std::vector<std::pair<Blocker, double>> m_blockers;  // of the last attempts; seconds until then
   std::optional<Attempt> m_best;
-  bool m_may_close = false;  // some gaps, from the start
   int m_num_attempts = 0;
   std::int64_t m_num_queries = 0;
 };

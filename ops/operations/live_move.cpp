@@ -6,6 +6,8 @@
 #include "ops/operations/carried_drapes.h"
 #include "ops/operations/commit_at_rest.h"
 #include "ops/operations/draped_rest.h"
+#include "ops/operations/joint_hold.h"
+#include "ops/operations/link_move.h"
 #include "ops/operations/move_parts.h"
 #include "ops/operations/push_events.h"
 #include "ops/placement/contacts.h"
@@ -50,9 +52,14 @@ class LiveMove::Hand {
       return;
     }
     m_without = without_carried(scene, *id);
-    m_planner.emplace(m_without ? *m_without : scene, *id, move_options(m_operation),
-                      op_name(m_operation), m_run, is_free(m_operation));
-    if (!m_planner->refused()) std::visit([&](auto& o) { begin(o); }, m_operation);
+    const Scene& moved = m_without ? *m_without : scene;
+    if (auto* const joint = std::get_if<MoveJointOperation>(&m_operation)) {
+      if (!begin_in_joint(moved, *id, *joint)) return;
+    } else {
+      m_planner.emplace(moved, *id, move_options(m_operation), op_name(m_operation), m_run,
+                        is_free(m_operation));
+      if (!m_planner->refused()) std::visit([&](auto& o) { begin(o); }, m_operation);
+    }
     m_start = m_planner->group().here();
   }
 
@@ -98,24 +105,30 @@ class LiveMove::Hand {
     } else if (auto* const pick_up = std::get_if<PickUpOperation>(&m_operation)) {
       pick_up->distance = std::max(0.0, amount);
       translate_group(*m_planner, pick_up->distance * m_axis.direction, false);
+    } else if (auto* const joint = std::get_if<MoveJointOperation>(&m_operation)) {
+      joint->to = amount;
+      m_link->drive(*m_planner, amount);
     }
   }
 
   OperationResult finish(Transaction& transaction) {
     // The plan is that of an ordinary operation, and committed like one.
     if (!m_planner) return m_refused;
-    if (m_without) return refused() ? result() : perform_anew(transaction);
+    if (m_without || m_link) return refused() ? result() : perform_anew(transaction);
     assert(&transaction.scene() == &m_planner->scene());
     OperationResult out = commit_at_rest(transaction, plan(), m_run,
                                          named(transaction.scene(), object_name(m_operation)));
+    if (out.ok() && keeps_whole_at_rest(m_run.options))
+      refuse_links_that_give_way(transaction, named(transaction.scene(), object_name(m_operation)),
+                                 out);
     if (out.ok()) name_disturbed(transaction.scene(), transaction.touched(), out);
     return out;
   }
 
  private:
-  // Cables that the object holds come along by DRAPE.
+  // Cables that the object holds come along by DRAPE, and a link keeps its value.
   OperationResult perform_anew(Transaction& transaction) {
-    m_push.reset(), m_planner.reset();
+    m_push.reset(), m_link.reset(), m_planner.reset();
     return perform(transaction, m_operation, m_run.options, m_context);
   }
 
@@ -130,6 +143,19 @@ class LiveMove::Hand {
         return finish_move(*m_planner, rotate->free, rotate->settle);
     }
     return m_planner->finish(ObjectState::Held);
+  }
+
+  // @return false: it hangs in no joint.
+  bool begin_in_joint(const Scene& scene, ObjectId id, MoveJointOperation& o) {
+    if (auto why = refuse_joint(scene, scene.at(id))) {
+      m_refused = trivet::refused(std::move(*why));
+      return false;
+    }
+    m_planner.emplace(scene, id, o, m_run);
+    m_link.emplace(scene, id);
+    o.by.reset(), o.until.reset();
+    o.to = m_link->value();
+    return true;
   }
 
   void begin(PushOperation& o) {
@@ -169,6 +195,7 @@ class LiveMove::Hand {
   std::unique_ptr<const Scene> m_without;  // the scene, but what the object holds; null: the same
   std::optional<MovePlanner> m_planner;
   std::optional<Push> m_push;
+  std::optional<LinkMove> m_link;  // of a MOVE_JOINT
   MovingGroup::Place m_start;
   TurnAxis m_axis;
   bool m_follows = false;  // a TRANSLATE has had a goal

@@ -17,7 +17,8 @@ namespace trivet {
 class LiveMove {
  public:
   /// @param scene  outlives this, and does not change meanwhile.
-  /// @param operation  PUSH, TURN, PICK-UP, TRANSLATE or ROTATE; its extent is ignored.
+  /// @param operation  PUSH, TURN, PICK-UP, TRANSLATE, ROTATE or MOVE_JOINT; its extent is
+  ///   ignored.
   /// @param context  its time budget is ignored.
   LiveMove(const Scene& scene, const Operation& operation, const SettleOptions& options,
            const RunContext& context = {});
@@ -33,7 +34,7 @@ class LiveMove {
   /// PUSH: target of the object's position in the two axes of the push (z is ignored). TRANSLATE:
   /// offset from where the object was at the start.
   void follow(const Vec3& goal);
-  /// TURN and ROTATE: degrees from the start. PICK-UP: metres.
+  /// TURN and ROTATE: degrees from the start. PICK-UP: metres. MOVE_JOINT: value of the joint.
   void follow(double amount);
 
   bool has_moved() const;

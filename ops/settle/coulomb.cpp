@@ -37,14 +37,14 @@ class CoulombSolver {
     for (size_t k = 0; k < contacts.size(); ++k) prepare(m_rows[k], contacts[k]);
   }
 
-  std::vector<Twist> run(const CoulombOptions& options) {
+  FirstTwists run(const CoulombOptions& options) {
     // A first rough solution tells how fast anything moves, which scales the time that gaps may
     // take to close.
     double fastest = 1;
     relax(fastest, kRoughChange, true);
     fastest = 0;
     for (size_t i = 0; i < m_bodies.size(); ++i) fastest = std::max(fastest, speed(i));
-    if (!(fastest > 0)) return m_twists;
+    if (!(fastest > 0)) return {m_twists, 0};
     // The fastest body in terms of its size sets how long a step lasts.
     double relative = 0;  // sizes a second
     for (size_t i = 0; i < m_bodies.size(); ++i)
@@ -60,7 +60,7 @@ class CoulombSolver {
     }
     // The precise solution starts from the forces of the rough one.
     relax(fastest, kChange, false);
-    return m_twists;
+    return {m_twists, duration};
   }
 
  private:
@@ -157,9 +157,9 @@ class CoulombSolver {
 
 }  // namespace
 
-std::vector<Twist> first_motion(const std::vector<CoulombBody>& bodies,
-                                const std::vector<CoulombContact>& contacts,
-                                const CoulombOptions& options) {
+FirstTwists first_motion(const std::vector<CoulombBody>& bodies,
+                         const std::vector<CoulombContact>& contacts,
+                         const CoulombOptions& options) {
   return CoulombSolver(bodies, contacts).run(options);
 }
 

@@ -38,17 +38,20 @@ struct CoulombOptions {
   double step = 0.1;
 };
 
+struct FirstTwists {
+  std::vector<Twist> twists;  // of each body
+  double duration = 0;        // seconds of the step, in which contacts may use up their room
+};
+
 /// Velocities from rest after a short time of gravity (along -z) and contact forces: Gauss' least
 /// constraint over the cones of Coulomb friction, by Gauss-Seidel sweeps over the contacts [Jourdan
 /// 1998; Acary 2011], each of which finds its contact's force exactly (contact_force.h). All bodies
 /// have one mass; weights are true. That is as good where only directions count, and needs far
-/// fewer sweeps where masses differ.
-/// @return of each body. Sweeps are limited: of 1,059 motions of one body in heaps 1.2 % were off
-/// by
-///   more than 1 %, of 50 of several bodies 44 %. Cost O(sweeps x contacts).
-std::vector<Twist> first_motion(const std::vector<CoulombBody>& bodies,
-                                const std::vector<CoulombContact>& contacts,
-                                const CoulombOptions& options = {});
+/// fewer sweeps where masses differ. Sweeps are limited: of 1,059 motions of one body in heaps
+/// 1.2 % were off by more than 1 %, of 50 of several bodies 44 %. Cost O(sweeps x contacts).
+FirstTwists first_motion(const std::vector<CoulombBody>& bodies,
+                         const std::vector<CoulombContact>& contacts,
+                         const CoulombOptions& options = {});
 
 /// The vector nearest to `wanted` of length one with normals[i] . x >= parting for all, by
 /// Hildreth's projection [1957]. Zero: nearly none is left of it.

@@ -105,7 +105,7 @@ class FirstMotion {
     for (const FrictionContact& c : m_contacts)
       rubbing.push_back(
           {0, CoulombContact::kGround, c.point, c.normal, kSlidingFriction * c.friction, 0});
-    return first_motion({body}, rubbing).front();
+    return first_motion({body}, rubbing).twists.front();
   }
 
   bool stands_against(const Twist& t) const {

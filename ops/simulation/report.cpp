@@ -37,6 +37,7 @@ Json body_json(const SimulationExport& done, const SimulationBody& body) {
                {"friction", body.friction},
                {"restitution", body.restitution},
                {"parts", done.scene.models[body.model].parts.size()}};
+  if (!body.own_file.empty()) json["own_file"] = body.own_file;
   if (!body.fixed) {  // of its free joint in MuJoCo, which has its name
     const Vec3& p = body.world_from_link.translation;
     const Rotation& q = body.world_from_link.rotation;

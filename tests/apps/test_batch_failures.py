@@ -1,5 +1,6 @@
 """trivet batch where things fail: file systems without links, clocks that jump, workers that die or hang, full disks."""
 import errno
+import fcntl
 import json
 import os
 import shutil
@@ -88,12 +89,42 @@ class Clocks(FaultyCase):
         out = self.trivet("doctor", status=(0, 3), env=self.faulty(CLOCK_AHEAD=-20000 * DAY))[0]
         self.assertIn("it is behind", out)
 
+    def is_locked(self, name):
+        """True if a process holds the lock of this file, or of the folder that it is in: then it is being written."""
+        out, folder, temporary = name.split(os.sep)[:3]
+        try:
+            descriptor = os.open(self.path(os.path.join(out, folder, temporary)), os.O_RDONLY)
+        except FileNotFoundError:
+            return False
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return False
+        except BlockingIOError:
+            return True
+        finally:
+            os.close(descriptor)
+
+    def stop_while_writing(self, out, process):
+        """Stops it while it holds the lock of a unit, not between two units, nor before the lock."""
+        def has_stopped():
+            with open("/proc/%d/stat" % process.pid) as file:
+                return file.read().rpartition(")")[2].split()[0] == "T"
+
+        def writes():
+            process.send_signal(signal.SIGSTOP)
+            self.wait_until(has_stopped, process)
+            if any("scenes-" in name and self.is_locked(name) for name in self.temporaries(out)):
+                return True
+            process.send_signal(signal.SIGCONT)
+            return False
+
+        self.wait_until(writes, process)
+
     def test_merge_spares_what_is_being_written(self):
         for out_format in ("tar", "dir"):
             out = "out_" + out_format
             process = self.start(out, "--format", out_format, count=1000, per_tar=500)
-            self.wait_until(lambda: any("scenes-" in name for name in self.temporaries(out)), process)
-            process.send_signal(signal.SIGSTOP)
+            self.stop_while_writing(out, process)
             left = [out + "/0000/.scenes-000001%s.trivet-tmp.host.%d" % (ending, age)
                     for ending in (".tar", "") for age in (0, 2)]
             for name, age in zip(left, (0, 2, 0, 2)):

@@ -19,6 +19,7 @@ from test_textures import checker, textured_box
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 NODE_MODULES = os.environ.get("TRIVET_NODE_MODULES", "")
+READ_SDF = os.environ.get("TRIVET_READ_SDF", "")  # prints what libsdformat reads
 
 
 def cup_obj():
@@ -99,6 +100,22 @@ class Simulators(Exports):
         self.scene()
         self.trivet("export", "s.glb", "-o", "s.urdf", "--mesh-prefix", "package://here/")
         self.assertIn(b'"package://here/s_meshes/', self.read("s.urdf"))
+
+    def test_urdf_of_each_object(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.urdf", "--per-object", "--mesh-prefix", "package://x/", "--json")
+        done = json.loads(out)
+        links = {e.get("name"): e for e in ElementTree.fromstring(self.read("s.urdf")).iter("link")}
+        for entry in done["objects"]:
+            self.assertIn(entry["own_file"], done["files"])
+            robot = ElementTree.fromstring(self.read(entry["own_file"]))
+            link, = robot.iter("link")
+            self.assertEqual((robot.get("name"), link.get("name")), (entry["file_name"], entry["file_name"]))
+            self.assertEqual(ElementTree.tostring(link), ElementTree.tostring(links[entry["file_name"]]))
+            self.assertEqual(list(robot.iter("joint")), [])
+        out, _ = self.trivet("export", "s.glb", "-o", "s.urdf", "--json")
+        self.assertNotIn("own_file", json.loads(out)["objects"][0])
+        self.refused("export", "s.glb", "-o", "s.sdf", "--per-object", says=".urdf")
 
     def test_wrong_usage(self):
         self.scene()
@@ -358,6 +375,16 @@ class Usd(Exports):
                 self.assertIn("PhysicsMeshCollisionAPI", names)
                 self.assertIn('physics:approximation = "convexHull"', prim)
 
+    def test_groups_have_all_that_collide(self):
+        self.scene()
+        out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--json")
+        groups = re.findall(r'def PhysicsCollisionGroup "(\w+)" \(\s*prepend apiSchemas = \["CollectionAPI:colliders"\]\s*\)'
+                            r'\s*\{\s*rel collection:colliders:includes = \[(.*)\]\s*\}', self.read("s.usda").decode())
+        found = {name: re.findall(r"</World/(\w+)>", paths) for name, paths in groups}
+        objects = json.loads(out)["objects"]
+        self.assertEqual(found, {"Fixed": ["floor"] + [o["file_name"] for o in objects if o["fixed"]],
+                                 "Moving": [o["file_name"] for o in objects if not o["fixed"]]})
+
     def test_triangles_are_none_of_mujocos(self):
         self.scene()
         out, _ = self.trivet("export", "s.glb", "-o", "s.usda", "--collision", "mesh", "--json")
@@ -432,7 +459,10 @@ class Readers(Exports):
         if not shutil.which("node") or not os.path.exists(path):
             self.skipTest("needs Node.js and the packages of tests/interop (TRIVET_NODE_MODULES)")
         shutil.copy(os.path.join(HERE, "..", "interop", "simulators", "mujoco.mjs"), folder)
-        done = subprocess.run(["node", path, self.path(file)], capture_output=True, timeout=120)
+        return self.printed_by(["node", path], file)
+
+    def printed_by(self, program, file):
+        done = subprocess.run([*program, self.path(file)], capture_output=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stderr.decode())
         return {o["name"]: o for o in json.loads(done.stdout)["objects"]}
 
@@ -441,7 +471,7 @@ class Readers(Exports):
 
     def same_rows(self, rows, script, file, fixed_have_mass, *options):
         out, _ = self.trivet("export", "s.glb", "-o", file, "--json", *options)
-        seen = self.read_by(script, file)
+        seen = self.read_by(script, file) if script.endswith(".mjs") else self.printed_by([script], file)
         for entry in json.loads(out)["objects"]:
             self.assertIn(entry["file_name"], seen)
             found, row = seen[entry["file_name"]], rows[entry["name"]]
@@ -462,6 +492,11 @@ class Readers(Exports):
     def test_urdf_loader(self):
         self.check_letters(self.same_as_written("read_urdf.mjs", "s.urdf"))
 
+    def test_libsdformat(self):
+        if not READ_SDF:
+            self.skipTest("needs libsdformat (Debian: libsdformat-dev; TRIVET_READ_SDF)")
+        self.check_letters(self.same_as_written(READ_SDF, "s.sdf"))
+
     def test_tinyusdz(self):
         seen = self.same_as_written("read_usda.mjs", "s.usda", fixed_have_mass=False)
         self.assertLessEqual(set(self.NAMES), {o["given"] for o in seen.values()})
@@ -471,6 +506,8 @@ class Readers(Exports):
         for demo in os.environ.get("TRIVET_DEMOS", "breakfast").split(","):
             self.trivet("demo", demo, "-o", "s.glb")
             rows, files = self.rows_of_scene(), {"read_mjcf.mjs": "s.xml", "read_urdf.mjs": "s.urdf", "read_usda.mjs": "s.usda"}
+            if READ_SDF:
+                files[READ_SDF] = "s.sdf"
             for script, file in files.items():
                 seen = self.same_rows(rows, script, file, script != "read_usda.mjs")
                 self.assertGreaterEqual(len(seen), len(rows))

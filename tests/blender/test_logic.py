@@ -241,7 +241,7 @@ class BothBackends:
 
     def test_what_was_free_gives_way_and_is_told(self):
         plank = box("plank", (0, 0, 1.05 + 3e-6), (4, .5, .1))
-        bodies = [box("post", (0, 0, .5), (1, 1, 1), fixed=True), plank, box("weight", (1.4, 0, 3), density=5000.0)]
+        bodies = [box("post", (0, 0, .5), (1, 1, 1), fixed=True), plank, box("weight", (1.5, 0, 3), density=5000.0)]
         report = put(self.backend, bodies, ["weight"])
         self.assertEqual((report.done, report.refused, report.gave_way), (["weight"], {}, ["plank"]))
         self.assertEqual(set(report.motions), {"plank", "weight"})

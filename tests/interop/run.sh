@@ -67,6 +67,7 @@ case "$job" in
     python3 -B "$here/simulators/matrix.py" --trivet "$trivet" --work "$work" --engines "$job" --bars \
       --seconds "$seconds" ${demos:+--demos "$demos"} --programs "$programs"
     if [ "$job" = mujoco ]; then stands_on_edges; fi
+    if [ "$job" = jolt ]; then (cd "$work" && node jolt_corners.mjs); fi
     exit ;;
 esac
 export PYTHONDONTWRITEBYTECODE=1

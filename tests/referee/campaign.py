@@ -4,7 +4,7 @@
     tests/referee/campaign.py --trivet build/release/apps/trivet --referee PATH/referee \\
         --shared ../shared [--set floor,pair,pile,bin] [--out DIR] [--same-as OTHER_TRIVET] [--threads 1,2]
         [--backends software,compute] [--match REGEX] [--friction MU [--whole]] [--every N] [--heaps 4x50] [--bins 50x10]
-        [--tries 3] [--starts 12] [--solids 20x8] [--simulate 5 [--rest 95,99]] [--placed 98]
+        [--tries 3] [--starts 12] [--solids 20x8] [--simulate 5 [--rest 95,99]] [--placed 98] [--keep]
 
 floor: every model in 5 random orientations, put onto the floor.
 pair:  every model in 5 random orientations, put onto one of 10 other models that stand there fixed.
@@ -173,7 +173,8 @@ def judge(options, name, layout, again):
     totals = verdict_of(options, base, scene, path)
     different = differences(options, base, scene, report)
     moved = simulate(options, base, scene)
-    os.remove(scene)
+    if not options.keep:
+        os.remove(scene)
     placed = {o["object"] for o in report["operations"] if o["status"] == "ok"}
     num = len({o["object"] for o in layout["operations"]})
     return name, report["operations"], totals, different, (len(placed), num), moved
@@ -241,6 +242,7 @@ def main():
     parser.add_argument("--placed", type=float, default=98, help="percent that must be placed")
     parser.add_argument("--tries", type=int, default=1, help="PUTs of an object that heaps and bins refuse")
     parser.add_argument("--starts", type=int, default=1, help="starts that a PUT may try")
+    parser.add_argument("--keep", action="store_true", help="leave the scenes in --out, for interop/simulators/matrix.py")
     parser.add_argument("--same-as", help="another build of trivet to compare with")
     parser.add_argument("--threads", default="", help="numbers of threads to compare, comma-separated")
     parser.add_argument("--backends", default="", help="as --detector has them, with commas; or five")

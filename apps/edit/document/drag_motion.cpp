@@ -29,7 +29,7 @@ std::optional<Motion> turn_between(const Pose& from, const Pose& to) {
 }  // namespace
 
 std::optional<Motion> motion_between(const Pose& from, const Pose& to, double size) {
-  if (const auto turn = turn_between(from, to)) return turn;
+  if (auto turn = turn_between(from, to)) return turn;
   const Vec3 way = to.translation - from.translation;
   if (!(way.norm() > kLeastStep * size)) return std::nullopt;
   return Motion::translation(way.normalized(), std::max(way.norm(), size));
@@ -41,7 +41,11 @@ DragMotion::DragMotion(const Operation& operation, const Pose& start, double siz
 std::optional<Motion> DragMotion::next(const Pose& now, const DragGoal& goal) {
   const bool turns = std::holds_alternative<TurnOperation>(m_operation) ||
                      std::holds_alternative<RotateOperation>(m_operation);
-  if (const auto found = turns ? turn_between(m_before, now) : straight(now, goal)) m_last = found;
+  const bool in_joint = std::holds_alternative<MoveJointOperation>(m_operation);
+  std::optional<Motion> found;
+  if (turns || in_joint) found = turn_between(m_before, now);
+  if (!found && !turns) found = straight(now, goal);
+  if (found) m_last = found;
   m_before = now;
   return m_last;
 }

@@ -5,9 +5,11 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "apps/edit/document/joint_words.h"
 #include "apps/edit/document/words.h"
 #include "core/base/quoted.h"
 #include "core/base/tunables.h"
+#include "core/scene/joint.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/neighbourhood.h"
 
@@ -97,31 +99,6 @@ QString gave_way_words(const std::vector<GaveWay>& objects) {
   return out.join(", ");
 }
 
-// Only a PUSH ends at steps and edges.
-QString why_it_ended(const Operation& operation, const OperationResult& result) {
-  const auto* const push = std::get_if<PushOperation>(&operation);
-  const std::string& name = result.blocked_by.name;
-  const QString by =
-      name == kFloorName ? phrase(QT_TRANSLATE_NOOP("results", "the floor")) : quoted_names({name});
-  switch (result.end) {
-    case OperationResult::End::Blocked:
-      return phrase(QT_TRANSLATE_NOOP("results", "stopped by %1")).arg(by);
-    case OperationResult::End::Step:
-      return phrase(QT_TRANSLATE_NOOP("results", "stopped by a step of %1 higher than %2"))
-          .arg(by, millimetres(push ? push->step_up : 0));
-    case OperationResult::End::Edge:
-      return phrase(QT_TRANSLATE_NOOP("results", "stopped at a drop deeper than %1"))
-          .arg(millimetres(push ? push->step_down : 0));
-    case OperationResult::End::Limit:
-      return phrase(QT_TRANSLATE_NOOP("results", "at its limit"));
-    case OperationResult::End::Done:
-    case OperationResult::End::AtRest:
-    case OperationResult::End::Reached:
-      break;
-  }
-  return {};
-}
-
 // Uses current poses: objects released since may have moved on, so there may be none.
 InterferingFaces faces_that_stopped(const Scene& scene, const Operation& operation,
                                     const OperationResult& result, double clearance) {
@@ -160,7 +137,36 @@ Message message_of_repair(const Operation& operation, const MendedScene& repaire
   return message;
 }
 
+// Only a PUSH ends at steps and edges.
+QString how_it_ended(const Operation& operation, const OperationResult& result) {
+  const auto* const push = std::get_if<PushOperation>(&operation);
+  const std::string& name = result.blocked_by.name;
+  const QString by =
+      name == kFloorName ? phrase(QT_TRANSLATE_NOOP("results", "the floor")) : quoted_names({name});
+  switch (result.end) {
+    case OperationResult::End::Blocked:
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped by %1")).arg(by);
+    case OperationResult::End::Step:
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped by a step of %1 higher than %2"))
+          .arg(by, millimetres(push ? push->step_up : 0));
+    case OperationResult::End::Edge:
+      return phrase(QT_TRANSLATE_NOOP("results", "stopped at a drop deeper than %1"))
+          .arg(millimetres(push ? push->step_down : 0));
+    case OperationResult::End::Limit:
+      return phrase(QT_TRANSLATE_NOOP("results", "at its limit"));
+    case OperationResult::End::Done:
+    case OperationResult::End::AtRest:
+    case OperationResult::End::Reached:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string why_it_ended(const Operation& operation, const OperationResult& result) {
+  return how_it_ended(operation, result).toStdString();
+}
 
 std::optional<Message> message_of(const Scene& scene, const Operation& operation,
                                   const OperationResult& result, double clearance) {
@@ -173,10 +179,13 @@ std::optional<Message> message_of(const Scene& scene, const Operation& operation
   }
   if (result.repaired) return message_of_repair(operation, *result.repaired);
   QStringList what;
-  if (const QString why = why_it_ended(operation, result); !why.isEmpty()) {
+  if (const QString why = how_it_ended(operation, result); !why.isEmpty()) {
+    if (const auto id = scene.find(object_name(operation)); id && result.joint_value)
+      what << QString::fromStdString(
+          joint_value_in_words(*result.joint_value, scene.at(*id).joint->turns()));
     what << why;
     add(message.objects, scene.find(result.blocked_by.name));
-    if (result.end != OperationResult::End::Edge) {
+    if (result.blocked_by.support) {
       message.points.push_back(result.blocked_at);
       message.faces = faces_that_stopped(scene, operation, result, clearance);
     }

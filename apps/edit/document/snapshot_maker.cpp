@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/tunables.h"
+#include "core/scene/joint.h"
 #include "ops/placement/neighbourhood.h"
 #include "ops/placement/verify.h"
 
@@ -27,6 +28,16 @@ bool is_free(const Operation& operation) {
   if (const auto* const move = std::get_if<TranslateOperation>(&operation)) return move->free;
   const auto* const rotate = std::get_if<RotateOperation>(&operation);
   return rotate && rotate->free;
+}
+
+// The object is a copy of this snapshot's own.
+void show_joint_value(double value, ObjectId link, SceneSnapshot& snapshot) {
+  ObjectSnapshot& shown = snapshot.objects[snapshot.position_of_slot[link.index]];
+  auto joint = std::make_shared<LinkJoint>(*shown->joint);
+  joint->value = value;
+  auto moved = std::make_shared<Object>(*shown.object);
+  moved->joint = std::move(joint);
+  shown.object = std::move(moved);
 }
 
 void note_in_the_way(const Scene& scene, const LiveMove& live, DragSnapshot& drag) {
@@ -89,6 +100,7 @@ std::shared_ptr<const SceneSnapshot> SnapshotMaker::make_drag(const Scene& scene
     shown = {placement.id, std::move(moved), m_revision};
   }
   const OperationResult& result = live.result();
+  if (result.joint_value) show_joint_value(*result.joint_value, drag.moving.front(), *made);
   drag.contacts = live.contacts();
   if (motion) drag.volume = projection_volume(live.bodies(), *motion);
   drag.end = result.end;

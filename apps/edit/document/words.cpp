@@ -22,7 +22,7 @@ namespace {
     QT_TRANSLATE_NOOP("operations", "stand"),    QT_TRANSLATE_NOOP("operations", "unplace"),
     QT_TRANSLATE_NOOP("operations", "material"), QT_TRANSLATE_NOOP("operations", "arrange"),
     QT_TRANSLATE_NOOP("operations", "drape"),    QT_TRANSLATE_NOOP("operations", "mend"),
-    QT_TRANSLATE_NOOP("operations", "settle")};
+    QT_TRANSLATE_NOOP("operations", "settle"),   QT_TRANSLATE_NOOP("operations", "move joint")};
 
 // Messages of the system about files.
 [[maybe_unused]] constexpr const char* kSystem[] = {
@@ -89,6 +89,7 @@ std::string in_words(const char* operation) {
   const std::string name = operation;
   if (name == op_name(PickUpOperation())) return translated("operations", "pick up");
   if (name == op_name(TranslateOperation())) return translated("operations", "move");
+  if (name == op_name(MoveJointOperation())) return translated("operations", "move joint");
   return translated("operations", name);
 }
 

@@ -8,7 +8,9 @@ import re
 import sys
 
 kSources = ["apps/demo", "apps/edit", "core", "gpu", "ops", "raster"]
-kNotShown = ["core/io/foreign", "ops/files/foreign"]  # the editor opens no scenes of other programs
+# The editor reads cabinets of MJCF, URDF and SDF, but opens and writes no scenes of other programs.
+kNotShown = ["core/io/foreign/usd", "core/io/foreign/joint_loads.cpp", "core/io/foreign/write_back.cpp",
+             "ops/files/foreign/gltf_objects.cpp", "ops/files/foreign/joint_moves.cpp"]
 kLiteral = re.compile(r'"((?:[^"\\]|\\.)*)"')
 kParameters = r"\(((?:[^()]|\([^()]*\))*(?:\bSentence(?:&|&&)?\s+\w+|\bSentence>? \w+|const char\* pattern\b)(?:[^()]|\([^()]*\))*)\)"
 kFunction = re.compile(r"^([ \t]*)[^\n;(){}=]*?\b(\w+)" + kParameters, re.M)

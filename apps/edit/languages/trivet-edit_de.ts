@@ -267,6 +267,10 @@
         <source>settle</source>
         <translation>zur Ruhe bringen</translation>
     </message>
+    <message>
+        <source>move joint</source>
+        <translation>im Gelenk bewegen</translation>
+    </message>
 </context>
 <context>
     <name>refusal</name>
@@ -3778,6 +3782,430 @@
         <source>the joint of &quot;%1&quot; was changed</source>
         <translation>das Gelenk von „%1“ wurde geändert</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; follows it</source>
+        <translation>„%1“ folgt ihm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no value of its own: it follows &quot;%2&quot;</source>
+        <translation>„%1“ hat keinen eigenen Wert: es folgt „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is %2; accepted: numbers up to %3</source>
+        <translation>„%1“ ist %2; erlaubt: Zahlen bis %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no folder; accepted: folders that scenes may read</source>
+        <translation>„%1“ ist kein Ordner; erlaubt: Ordner, die Szenen lesen dürfen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no slide or hinge of the scene</source>
+        <translation>„%1“ ist kein Schub- oder Drehgelenk der Szene</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not fetched; accepted: files on this machine</source>
+        <translation>„%1“ wird nicht geholt; erlaubt: Dateien auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of type %2; accepted: a number, metres or radians</source>
+        <translation>„%1“ ist vom Typ %2; erlaubt: eine Zahl, Meter oder Radiant</translation>
+    </message>
+    <message>
+        <source>&quot;free&quot;, &quot;ball&quot;, &quot;slide&quot; or &quot;hinge&quot;</source>
+        <translation>„free“, „ball“, „slide“ oder „hinge“</translation>
+    </message>
+    <message>
+        <source>%1 files, %2 within each other</source>
+        <translation>%1 Dateien, %2 ineinander</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 positive numbers</source>
+        <translation>%1 positive Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 to %2 numbers</source>
+        <translation>%1 bis %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: %2=&quot;%3&quot;; accepted: %4</source>
+        <translation>%1: %2=&quot;%3&quot;; erlaubt: %4</translation>
+    </message>
+    <message>
+        <source>%1: align is not read</source>
+        <translation>%1: align wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1: has no parent or no child</source>
+        <translation>%1: hat kein übergeordnetes oder kein untergeordnetes Glied</translation>
+    </message>
+    <message>
+        <source>%1: is not read</source>
+        <translation>%1: wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1: nested too deeply</source>
+        <translation>%1: zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>%1: too many bodies; accepted: %2, %3 within each other</source>
+        <translation>%1: zu viele Körper; erlaubt: %2, %3 ineinander</translation>
+    </message>
+    <message>
+        <source>%1: too many frames</source>
+        <translation>%1: zu viele Bezugssysteme</translation>
+    </message>
+    <message>
+        <source>%1: too many frames in a row; accepted: %2</source>
+        <translation>%1: zu viele Bezugssysteme hintereinander; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>%1: too many links; accepted: %2</source>
+        <translation>%1: zu viele Glieder; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>0 to 4294967295</source>
+        <translation>0 bis 4294967295</translation>
+    </message>
+    <message>
+        <source>MuJoCo reads no keyframe where a tag makes several bodies</source>
+        <translation>MuJoCo liest keinen Keyframe, wo eine Marke mehrere Körper erzeugt</translation>
+    </message>
+    <message>
+        <source>URDF has no pose for it</source>
+        <translation>URDF hat keine Pose dafür</translation>
+    </message>
+    <message>
+        <source>a class of the section &lt;default&gt;</source>
+        <translation>eine Klasse des Abschnitts &lt;default&gt;</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>eine Richtung</translation>
+    </message>
+    <message>
+        <source>a direction other than zero</source>
+        <translation>eine Richtung, die nicht null ist</translation>
+    </message>
+    <message>
+        <source>a flat mesh has no hull</source>
+        <translation>ein flaches Netz hat keine Hülle</translation>
+    </message>
+    <message>
+        <source>a geom fitted to a mesh is not read</source>
+        <translation>ein an ein Netz angepasstes geom wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a geom of the type &quot;%1&quot; is not read</source>
+        <translation>ein geom vom Typ „%1“ wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a link that no other joint has as its child</source>
+        <translation>ein Glied, das an keinem anderen Gelenk hängt</translation>
+    </message>
+    <message>
+        <source>a name that no other link has</source>
+        <translation>ein Name, den kein anderes Glied hat</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>accepted: {&quot;joint&quot;: number, ...}</source>
+        <translation>erlaubt: {&quot;Gelenk&quot;: Zahl, ...}</translation>
+    </message>
+    <message>
+        <source>an equality of the file holds it</source>
+        <translation>eine Gleichheit (equality) der Datei hält es</translation>
+    </message>
+    <message>
+        <source>axes that differ</source>
+        <translation>verschiedene Achsen</translation>
+    </message>
+    <message>
+        <source>begins with &lt;%1&gt;; accepted: %2</source>
+        <translation>beginnt mit &lt;%1&gt;; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>begins with &lt;%1&gt;; accepted: &lt;mujoco&gt;</source>
+        <translation>beginnt mit &lt;%1&gt;; erlaubt: &lt;mujoco&gt;</translation>
+    </message>
+    <message>
+        <source>begins with &lt;%1&gt;; accepted: &lt;robot&gt;</source>
+        <translation>beginnt mit &lt;%1&gt;; erlaubt: &lt;robot&gt;</translation>
+    </message>
+    <message>
+        <source>begins with &lt;%1&gt;; accepted: &lt;sdf&gt;</source>
+        <translation>beginnt mit &lt;%1&gt;; erlaubt: &lt;sdf&gt;</translation>
+    </message>
+    <message>
+        <source>cannot be read, or is larger than the %1 bytes left</source>
+        <translation>kann nicht gelesen werden oder ist größer als die übrigen %1 Bytes</translation>
+    </message>
+    <message>
+        <source>cannot be read; accepted: a file of at most %1 bytes</source>
+        <translation>kann nicht gelesen werden; erlaubt: eine Datei von höchstens %1 Bytes</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>class</translation>
+    </message>
+    <message>
+        <source>constraints (equality) are not read: bodies stand as they are</source>
+        <translation>Bindungen (equality) werden nicht gelesen: Körper stehen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>count</translation>
+    </message>
+    <message>
+        <source>eulerseq</source>
+        <translation>eulerseq</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>face</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>file</translation>
+    </message>
+    <message>
+        <source>frames without a circle</source>
+        <translation>Bezugssysteme ohne Kreis</translation>
+    </message>
+    <message>
+        <source>fromto</source>
+        <translation>fromto</translation>
+    </message>
+    <message>
+        <source>gravity is &quot;%1&quot;; judged as if it acted along -z</source>
+        <translation>die Schwerkraft ist „%1“; beurteilt, als wirkte sie entlang -z</translation>
+    </message>
+    <message>
+        <source>has global coordinates, which MuJoCo no longer reads</source>
+        <translation>hat globale Koordinaten, die MuJoCo nicht mehr liest</translation>
+    </message>
+    <message>
+        <source>has joints in a circle</source>
+        <translation>hat Gelenke in einem Kreis</translation>
+    </message>
+    <message>
+        <source>has joints in a circle; accepted: trees of links</source>
+        <translation>hat Gelenke in einem Kreis; erlaubt: Bäume von Gliedern</translation>
+    </message>
+    <message>
+        <source>has no body %1 that collides</source>
+        <translation>hat keinen Körper %1, der kollidiert</translation>
+    </message>
+    <message>
+        <source>has no keyframe &quot;%1&quot;; accepted: %2</source>
+        <translation>hat keinen Keyframe „%1“; erlaubt: %2</translation>
+    </message>
+    <message>
+        <source>has no model</source>
+        <translation>hat kein Modell</translation>
+    </message>
+    <message>
+        <source>has too many faces that collide; accepted: %1</source>
+        <translation>hat zu viele Flächen, die kollidieren; erlaubt: %1</translation>
+    </message>
+    <message>
+        <source>has too many links in a row; accepted: %1</source>
+        <translation>hat zu viele Glieder hintereinander; erlaubt: %1</translation>
+    </message>
+    <message>
+        <source>has too many links in joints of joints</source>
+        <translation>hat zu viele Glieder in Gelenken von Gelenken</translation>
+    </message>
+    <message>
+        <source>has too many links; accepted: %1</source>
+        <translation>hat zu viele Glieder; erlaubt: %1</translation>
+    </message>
+    <message>
+        <source>is a macro file; expand it first: xacro %1 &gt; robot.urdf</source>
+        <translation>ist eine Makrodatei; erst auflösen: xacro %1 &gt; robot.urdf</translation>
+    </message>
+    <message>
+        <source>is no articulation; accepted: MJCF, URDF and SDF (.xml .mjcf .urdf .sdf)</source>
+        <translation>ist nichts mit Gelenken; erlaubt: MJCF, URDF und SDF (.xml .mjcf .urdf .sdf)</translation>
+    </message>
+    <message>
+        <source>is no file</source>
+        <translation>ist keine Datei</translation>
+    </message>
+    <message>
+        <source>is no mesh of MuJoCo</source>
+        <translation>ist kein Netz von MuJoCo</translation>
+    </message>
+    <message>
+        <source>is no mesh of MuJoCo: a face names no vertex</source>
+        <translation>ist kein Netz von MuJoCo: eine Fläche nennt keine Ecke</translation>
+    </message>
+    <message>
+        <source>is no mesh of MuJoCo: its counts do not fit its size</source>
+        <translation>ist kein Netz von MuJoCo: seine Anzahlen passen nicht zu seiner Größe</translation>
+    </message>
+    <message>
+        <source>is no name for a layer over a scene of USD; accepted: .usda</source>
+        <translation>ist kein Name für eine Ebene über einer USD-Szene; erlaubt: .usda</translation>
+    </message>
+    <message>
+        <source>is not read</source>
+        <translation>wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>is outside the folder of the scene, and would be written outside that of the output; accepted: an output in the scene&apos;s folder, if nothing changes in this file</source>
+        <translation>liegt außerhalb des Ordners der Szene und würde außerhalb des Ordners der Ausgabe geschrieben; erlaubt: eine Ausgabe im Ordner der Szene, wenn sich in dieser Datei nichts ändert</translation>
+    </message>
+    <message>
+        <source>it closes a chain of joints</source>
+        <translation>es schließt eine Kette von Gelenken</translation>
+    </message>
+    <message>
+        <source>it does not move</source>
+        <translation>es bewegt sich nicht</translation>
+    </message>
+    <message>
+        <source>it follows &quot;%1&quot;</source>
+        <translation>es folgt „%1“</translation>
+    </message>
+    <message>
+        <source>it is part of another model</source>
+        <translation>es gehört zu einem anderen Modell</translation>
+    </message>
+    <message>
+        <source>its &lt;include&gt; has no &lt;pose&gt;</source>
+        <translation>sein &lt;include&gt; hat keine &lt;pose&gt;</translation>
+    </message>
+    <message>
+        <source>its first keyframe has no positions</source>
+        <translation>ihr erster Keyframe hat keine Positionen</translation>
+    </message>
+    <message>
+        <source>its tag makes several bodies</source>
+        <translation>seine Marke erzeugt mehrere Körper</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>margins from %1 to %2 mm are not kept: objects rest in contact</source>
+        <translation>Abstände von %1 bis %2 mm werden nicht eingehalten: Objekte ruhen in Berührung</translation>
+    </message>
+    <message>
+        <source>more than %1 files</source>
+        <translation>mehr als %1 Dateien</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>name</translation>
+    </message>
+    <message>
+        <source>names &quot;%1&quot;, which is outside its folder; accepted: files in the folder of the scene, of its package, or of --root, or below</source>
+        <translation>nennt „%1“ außerhalb ihres Ordners; erlaubt: Dateien im Ordner der Szene, ihres Pakets oder von --root, oder darunter</translation>
+    </message>
+    <message>
+        <source>no mesh is named &quot;%1&quot;</source>
+        <translation>kein Netz heißt „%1“</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>numbers of vertices</source>
+        <translation>Nummern von Ecken</translation>
+    </message>
+    <message>
+        <source>pairs (contact) are judged by the friction of their geoms</source>
+        <translation>Paare (contact) werden nach der Reibung ihrer geoms beurteilt</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>size</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; is not read: it is not between links of one model; they stay where they are</source>
+        <translation>das Gelenk „%1“ wird nicht gelesen: es ist nicht zwischen Gliedern eines Modells; sie bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>the joint &quot;%1&quot; is of type %2: its link stays where it is</source>
+        <translation>das Gelenk „%1“ ist vom Typ %2: sein Glied bleibt, wo es ist</translation>
+    </message>
+    <message>
+        <source>the mass of &quot;%1&quot; is not used: %2</source>
+        <translation>die Masse von „%1“ wird nicht benutzt: %2</translation>
+    </message>
+    <message>
+        <source>the name of a frame, a link or a model</source>
+        <translation>der Name eines Bezugssystems, eines Glieds oder eines Modells</translation>
+    </message>
+    <message>
+        <source>the name of a link</source>
+        <translation>der Name eines Glieds</translation>
+    </message>
+    <message>
+        <source>the path of a file</source>
+        <translation>der Pfad einer Datei</translation>
+    </message>
+    <message>
+        <source>the plane of &quot;%1&quot;, which moves, is not read</source>
+        <translation>die Ebene von „%1“, das sich bewegt, wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the state of the world (&lt;state&gt;) is not read: models stand where they are defined</source>
+        <translation>der Zustand der Welt (&lt;state&gt;) wird nicht gelesen: Modelle stehen, wo sie definiert sind</translation>
+    </message>
+    <message>
+        <source>the values of joints are those of %1</source>
+        <translation>die Werte der Gelenke sind die von %1</translation>
+    </message>
+    <message>
+        <source>there is more of this kind</source>
+        <translation>es gibt mehr von dieser Art</translation>
+    </message>
+    <message>
+        <source>things: %1 hangs in a joint; accepted: objects that may move, onto it, too</source>
+        <translation>things: %1 hängt in einem Gelenk; erlaubt: Objekte, die sich bewegen dürfen, auch auf dieses</translation>
+    </message>
+    <message>
+        <source>three letters of xyzXYZ</source>
+        <translation>drei Buchstaben aus xyzXYZ</translation>
+    </message>
+    <message>
+        <source>two points that differ</source>
+        <translation>zwei verschiedene Punkte</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>type</translation>
+    </message>
+    <message>
+        <source>whole numbers of 32 bits</source>
+        <translation>ganze Zahlen von 32 Bit</translation>
+    </message>
+    <message>
+        <source>xyaxes</source>
+        <translation>xyaxes</translation>
+    </message>
+    <message>
+        <source>xyz</source>
+        <translation>xyz</translation>
+    </message>
 </context>
 <context>
     <name>results</name>
@@ -3847,6 +4275,10 @@
     <message>
         <source>at its limit</source>
         <translation>an seiner Grenze</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -3946,10 +4378,6 @@
         <translation>Rad: drehen; L: nächste Lage; Umschalt: heben; Strg: einrasten; Escape: zurücklegen</translation>
     </message>
     <message>
-        <source>Drag an object to move it; click to select, Shift-click to add; drag from the ground for a selection box</source>
-        <translation>Objekt ziehen: bewegen; Klick wählt aus, mit Umschalt dazu; vom Boden aus gezogen entsteht ein Auswahlrahmen</translation>
-    </message>
-    <message>
         <source>%1 lies so already, or cannot lie so</source>
         <translation>%1 liegt schon so, oder kann es nicht</translation>
     </message>
@@ -3972,6 +4400,10 @@
     <message>
         <source>Click where it goes; Return or a double click ends it; Backspace takes the last place back, Escape all</source>
         <translation>Klicken, wohin es geht; Eingabe oder Doppelklick beendet es; Rücktaste nimmt die letzte Stelle zurück, Escape alle</translation>
+    </message>
+    <message>
+        <source>Drag an object to move it, a drawer or door to open it; click to select, Shift-click to add; drag from the ground for a selection box</source>
+        <translation>Objekt ziehen: bewegen, Schublade oder Tür ziehen: öffnen; Klick wählt aus, mit Umschalt dazu; vom Boden aus gezogen entsteht ein Auswahlrahmen</translation>
     </message>
 </context>
 <context>
@@ -4241,10 +4673,6 @@
         <translation>Einrasten, oder nicht, wenn der Magnet an ist</translation>
     </message>
     <message>
-        <source>Drag an object to move it; click to select; drag from the ground for a box; with another tool, use that</source>
-        <translation>Objekt ziehen: bewegen; Klick: auswählen; vom Boden ziehen: Rahmen; mit anderem Werkzeug: dieses</translation>
-    </message>
-    <message>
         <source>Shift + Left</source>
         <translation>Umschalt + Links</translation>
     </message>
@@ -4291,6 +4719,10 @@
     <message>
         <source>Each object is placed at a random free spot on the selected support, or let fall over its middle as a pile; objects that do not fit are skipped. Cancel keeps what is placed.</source>
         <translation>Jedes Objekt kommt an eine zufällige freie Stelle der gewählten Unterlage, oder fällt als Haufen über ihre Mitte; was nicht passt, wird ausgelassen. Abbrechen behält, was schon liegt.</translation>
+    </message>
+    <message>
+        <source>Drag an object to move it, a drawer or door to open it; click to select; drag from the ground for a box; with another tool, use that</source>
+        <translation>Objekt ziehen: bewegen, Schublade oder Tür: öffnen; Klick: auswählen; vom Boden ziehen: Rahmen; mit anderem Werkzeug: dieses</translation>
     </message>
 </context>
 <context>

@@ -2,11 +2,14 @@
 
 #include <QCoreApplication>
 
+#include "apps/edit/document/joint_words.h"
+
 namespace trivet::edit {
 namespace {
 
 constexpr double kClickPx = 3;  // a press with less motion is a click
 constexpr double kSnapMarkPx = 7;
+constexpr double kAxisArmPx = 60;
 
 }  // namespace
 
@@ -26,13 +29,14 @@ bool DragTool::pointer(const PointerEvent& event) {
     return false;
   }
   if (event.kind == Kind::Move) {
-    if (!m_is_drag && (event.px - m_pressed->px).norm() > kClickPx && start(event)) {
+    if (!m_is_drag && (event.px - m_pressed->px).norm() > kClickPx &&
+        (begin_pull() || start(event))) {
       m_is_drag = true;
-      m_typed = numbers();
+      m_typed = m_pull ? m_pull->numbers() : numbers();
     }
-    if (m_is_drag && follows() && m_typed.empty()) {
+    if (m_is_drag && (m_pull ? m_document.is_dragging() : follows()) && m_typed.empty()) {
       forget_snap();
-      steer(event);
+      m_pull ? steer_pull(event) : steer(event);
     }
     return true;
   }
@@ -55,8 +59,37 @@ bool DragTool::start(const PointerEvent&) {
 void DragTool::finish_drag() {
   forget_snap();
   m_is_drag = false;
-  end();
+  m_pull ? static_cast<void>(m_document.end_drag()) : end();
+  m_pull.reset();
   m_pressed.reset();
+}
+
+// --- joints -------------------------------------------------------------------------------------
+
+const ObjectSnapshot* DragTool::link_at(const PointerEvent& event) const {
+  const auto picked = pick_to_drag(scene(), event.view, event.px, m_document.selection().objects,
+                                   m_document.looks().not_selectable());
+  const ObjectSnapshot* const found =
+      picked && picked->object ? scene().find(*picked->object) : nullptr;
+  return found && (*found)->joint && !(*found)->locked ? found : nullptr;
+}
+
+bool DragTool::begin_pull() {
+  if (!pulls_links(*m_pressed) || m_document.is_busy() || !link_at(*m_pressed)) return false;
+  const ObjectSnapshot* const link = grab_object(*m_pressed);
+  if (!link) return false;
+  m_pull.emplace(*m_pressed, *link->object, m_grabbed_at);
+  m_document.begin_drag(m_pull->operation());
+  return true;
+}
+
+void DragTool::steer_pull(const PointerEvent& event) {
+  double step = 0;
+  if (m_pull->turns())
+    step = angle_step(event);
+  else if (snaps(event) && m_options.snap.grid)
+    step = m_options.snap.grid_step, note_grid();
+  m_document.drag_by(m_pull->value_at(event, step));
 }
 
 // --- snapping -----------------------------------------------------------------------------------
@@ -121,6 +154,10 @@ double DragTool::angle_step(const PointerEvent& event) {
 Overlay DragTool::overlay(const View& view) const {
   Overlay out;
   out.note = m_note;
+  if (m_pull) {
+    const auto [a, b] = m_pull->line(kAxisArmPx * view.metres_per_px(view.depth(m_grabbed_at)));
+    out.lines.push_back({Overlay::Role::Hint, a, b});
+  }
   if (!m_target) return out;
   const double size = kSnapMarkPx * view.metres_per_px(view.depth(*m_target));
   const View::Axes axes = view.axes();
@@ -153,12 +190,19 @@ bool DragTool::type(const KeyEvent& event) {
   else
     m_typed.type(event.character);
   forget_snap();
-  if (m_document.is_dragging()) steer_by(m_typed.values());
+  if (!m_document.is_dragging()) return true;
+  if (m_pull)
+    m_document.drag_by(m_typed.values()[0]);
+  else
+    steer_by(m_typed.values());
   return true;
 }
 
 std::string DragTool::reading() const {
-  if (!m_is_drag || m_typed.empty()) return {};
+  if (!m_is_drag) return {};
+  if (const ObjectSnapshot* const link = active(); m_pull && m_typed.empty() && link)
+    return dragged_joint_in_words(scene(), *link->object);
+  if (m_typed.empty()) return {};
   return m_typed.text() + "  –  " +
          QCoreApplication::translate("tools", "Tab: next axis, Return: done, Escape: cancel")
              .toStdString();
@@ -170,7 +214,8 @@ bool DragTool::key(const KeyEvent& event) {
 
 void DragTool::cancel() {
   forget_snap();
-  if (m_is_drag) give_back();
+  if (m_is_drag) m_pull ? m_document.cancel_drag() : give_back();
+  m_pull.reset();
   m_is_drag = false;
   m_pressed.reset();
 }

@@ -2,6 +2,7 @@
 // meanwhile take the place of the mouse; Return ends the drag there.
 #pragma once
 
+#include "apps/edit/tools/joint_pull.h"
 #include "apps/edit/tools/operation_of.h"
 #include "apps/edit/tools/picking.h"
 #include "apps/edit/tools/tool.h"
@@ -33,6 +34,11 @@ class DragTool : public Tool {
   virtual bool follows() const { return m_document.is_dragging(); }
   virtual void end() { m_document.end_drag(); }
   virtual void give_back() { m_document.cancel_drag(); }
+  /// True if a press there pulls drawers, doors and lids in their joints.
+  virtual bool pulls_links(const PointerEvent&) const { return false; }
+  /// The link that a press there would pull; null: none.
+  const ObjectSnapshot* link_at(const PointerEvent& event) const;
+  bool is_pulling() const { return m_pull.has_value(); }
   /// True if presses wait for the running job.
   virtual bool waits() const { return m_document.is_busy(); }
   /// Updates the goal from the mouse.
@@ -84,6 +90,8 @@ class DragTool : public Tool {
   bool m_is_drag = false;
 
  private:
+  bool begin_pull();
+  void steer_pull(const PointerEvent& event);
   bool type(const KeyEvent& event);
   void finish_drag();
 
@@ -91,6 +99,7 @@ class DragTool : public Tool {
   std::optional<Vec3> m_target;  // where it snaps to
   std::string m_note;            // the same in words
   TypedNumbers m_typed;
+  std::optional<JointPull> m_pull;
 };
 
 }  // namespace trivet::edit

@@ -54,6 +54,7 @@ class PushTool : public DragTool {
   std::string hint() const override;
 
  protected:
+  bool pulls_links(const PointerEvent&) const override { return true; }
   bool grab(const PointerEvent& event) override;
   std::optional<Operation> begin() override;
   void steer(const PointerEvent& event) override;

@@ -34,8 +34,11 @@ bool SelectTool::takes_at(const PointerEvent& event) const {
 
 // With Shift and Control a box may begin on any object.
 bool SelectTool::may_take(const PointerEvent& event) const {
-  if (event.modifiers.shift && event.modifiers.control) return false;
-  return !m_document.is_busy() && takes_at(event);
+  return pulls_links(event) && !m_document.is_busy() && takes_at(event);
+}
+
+bool SelectTool::pulls_links(const PointerEvent& event) const {
+  return !(event.modifiers.shift && event.modifiers.control);
 }
 
 bool SelectTool::start(const PointerEvent&) {
@@ -73,7 +76,7 @@ bool SelectTool::wheel(const PointerEvent& event) {
   return true;
 }
 
-void SelectTool::hover(const PointerEvent& event) { m_hot = takes_at(event); }
+void SelectTool::hover(const PointerEvent& event) { m_hot = takes_at(event) || link_at(event); }
 
 void SelectTool::click(const PointerEvent& event) {
   const auto picked =
@@ -113,13 +116,13 @@ bool SelectTool::key(const KeyEvent& event) {
 }
 
 Cursor SelectTool::cursor() const {
-  if (m_gesture.is_on()) return DragTool::cursor();
+  if (m_gesture.is_on() || is_pulling()) return DragTool::cursor();
   return m_hot && !is_active() ? Cursor::OpenHand : Cursor::Arrow;
 }
 
 Overlay SelectTool::overlay(const View& view) const {
   Overlay overlay = DragTool::overlay(view);
-  if (!m_is_drag || m_gesture.is_on()) return overlay;
+  if (!m_is_drag || m_gesture.is_on() || is_pulling()) return overlay;
   overlay.box_px = {m_pressed->px, m_now};
   overlay.box_window = m_pressed->window;
   return overlay;
@@ -130,9 +133,10 @@ std::string SelectTool::hint() const {
     return QT_TRANSLATE_NOOP("tools",
                              "Wheel: turn; L: next way to lie; Shift: lift; Control: snap; "
                              "Escape: put it back");
-  return QT_TRANSLATE_NOOP("tools",
-                           "Drag an object to move it; click to select, Shift-click to add; drag "
-                           "from the ground for a selection box");
+  return QT_TRANSLATE_NOOP(
+      "tools",
+      "Drag an object to move it, a drawer or door to open it; click to select, "
+      "Shift-click to add; drag from the ground for a selection box");
 }
 
 }  // namespace trivet::edit

@@ -27,6 +27,7 @@ class SelectTool : public DragTool {
   void steer(const PointerEvent& event) override;
   void end() override;
   void give_back() override;
+  bool pulls_links(const PointerEvent& event) const override;
   void click(const PointerEvent& event) override;
   void hover(const PointerEvent& event) override;
   bool wheel(const PointerEvent& event) override;

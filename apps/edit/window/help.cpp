@@ -38,7 +38,8 @@ QString table(const QString& heading, const std::vector<ShortcutRow>& rows) {
 
 void show_shortcuts(QWidget* parent, const std::vector<ShortcutRow>& menu_shortcuts) {
   const std::vector<ShortcutRow> mouse = {
-      {tr("Left"), tr("Drag an object to move it; click to select; drag from the ground for a box; "
+      {tr("Left"), tr("Drag an object to move it, a drawer or door to open it; click to select; "
+                      "drag from the ground for a box; "
                       "with another tool, use that")},
       {tr("Shift + Left"), tr("Click: add to the selection. Drag: lift the object")},
       {tr("Shift + Control + Left"), tr("Box, also from an object")},

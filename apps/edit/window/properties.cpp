@@ -102,6 +102,12 @@ Properties::Properties(Document& document, QWidget* parent)
       m_friction(number_box(kMinFriction, kMaxFriction, 3, 0.05, {})),
       m_density(number_box(kMinDensity, kMaxDensity, 0, 50, tr(" kg/m³"))),
       m_restitution(number_box(0, kMaxRestitution, 2, 0.05, {})) {
+  lay_out();
+  follow_document();
+  show_object();
+}
+
+void Properties::lay_out() {
   auto* const inside = new QWidget;
   auto* const column = new QVBoxLayout(inside);
   column->setContentsMargins(10, 8, 10, 8);
@@ -128,13 +134,15 @@ Properties::Properties(Document& document, QWidget* parent)
   setWidget(inside);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+void Properties::follow_document() {
   connect(&m_document, &Document::snapshot_changed, this, &Properties::show_object);
   connect(&m_document, &Document::verdict_changed, this, &Properties::show_object);
   connect(&m_document, &Document::selection_changed, this, &Properties::show_object);
   connect(&m_document, &Document::finished, this, [this](quint64, bool ok) {
     if (!ok) show_object();  // numbers that were refused
   });
-  show_object();
 }
 
 void Properties::add_pose() {

@@ -26,6 +26,8 @@ class Properties : public QScrollArea {
   void show_object();
   void show_pose(const Object& object);
   void show_rest(const Object& object, ObjectId id);
+  void lay_out();
+  void follow_document();
   void add_pose();
   void add_scale();
   void add_frame();

@@ -60,6 +60,7 @@ void StatusLine::follow_document() {
   connect(&m_document, &Document::ghost_changed, this, &StatusLine::follow_tool);
   connect(&m_document, &Document::detection_changed, this, &StatusLine::show_detection);
   connect(&m_document, &Document::snapshot_changed, this, &StatusLine::show_verdict);
+  connect(&m_document, &Document::snapshot_changed, this, &StatusLine::follow_tool);
   connect(&m_document, &Document::verdict_changed, this, &StatusLine::show_verdict);
   connect(&m_document, &Document::detection_noted, this, &StatusLine::show_note);
   connect(&m_document, &Document::busy_changed, this, &StatusLine::follow_busy);

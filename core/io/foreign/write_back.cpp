@@ -266,8 +266,10 @@ class Editor {
   void edit_element(const ForeignBody& body, const Pose& pose) {
     const PosePlace& place = body.place;
     const Pose local = composed(inverse(place.world_from_place), pose);
-    // Without a <pose> the whole element is written.
+    // Without a <pose> the whole element is written, if the body moved.
     if (!place.element) {
+      if (pose.translation == body.pose.translation && same_turn(pose.rotation, body.pose.rotation))
+        return;
       std::vector<double> numbers = numbers_of(local.translation);
       for (const double angle : roll_pitch_yaw(local.rotation)) numbers.push_back(angle);
       m_edits[place.file].push_back(

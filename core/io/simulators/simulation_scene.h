@@ -31,6 +31,7 @@ struct SimulationModel {
 struct SimulationBody {
   std::string name;       // as given by the user
   std::string file_name;  // valid and unique in the format; write_simulation() sets it
+  std::string own_file;   // of it alone, beside the scene file; empty: none; as `file_name`
   size_t model = 0;
   Pose world_from_link;
   bool fixed = false;
@@ -82,6 +83,8 @@ struct SimulationFileOptions {
   /// The scene is one of many in a folder, whose files are the same for all of them: in the unit of
   /// the model, whatever its size in the scene, and in USD with a layer for each convex part.
   bool for_many_scenes = false;
+  /// URDF has a file for each object, too, in the folder of the meshes.
+  bool per_object = false;
 };
 inline constexpr int kOldestMujoco = 2, kNewestMujoco = 3;
 

@@ -13,7 +13,7 @@ const std::vector<SimulatorFormat>& simulator_formats() {
       {"usd",
        "USD",
        {".usda"},
-       {"World", "Looks", "floor", "PhysicsScene", "FloorMaterial"},
+       {"World", "Looks", "Groups", "floor", "PhysicsScene", "FloorMaterial"},
        NameRule::Identifier,
        write_usda}};
   return formats;

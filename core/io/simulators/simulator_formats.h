@@ -19,6 +19,7 @@ struct MeshFile {
 struct SimulationText {
   std::vector<MeshFile> meshes;
   std::string scene;
+  std::vector<std::string> of_bodies = {};  // names of their own files; empty: none
 };
 
 /// @param scene  with valid names. @param folder  prefixes the names of meshes, ends with a slash.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/hash.h"
 #include "core/io/simulators/joints.h"
 #include "core/io/simulators/simulation_files.h"
 
@@ -132,15 +133,44 @@ void add_body(Element* robot, const SimulationBody& body, const ModelFiles& file
   add_friction(robot, link, body.file_name, body.friction);
 }
 
+Element* add_robot(tinyxml2::XMLDocument& document, const std::string& name) {
+  document.InsertEndChild(document.NewDeclaration());
+  document.InsertEndChild(document.NewComment(kMadeBy));
+  return add_child(&document, "robot", {{"name", name}});
+}
+
+/// A body and what hangs in it, without the world: its frame is where a program places it.
+MeshFile own_file(const SimulationScene& scene, size_t body, const JointsOfBodies& joints,
+                  const MeshFiles& meshes, const std::string& folder) {
+  tinyxml2::XMLDocument document;
+  const std::string& name = scene.bodies[body].file_name;
+  Element* const robot = add_robot(document, name);
+  for (const size_t i : joints.tree(body)) {
+    add_body(robot, scene.bodies[i], meshes.of_model(scene.bodies[i].model), folder);
+    if (i != body) add_joint(robot, scene, *joints.of(i));
+  }
+  std::string text = xml_text(document);
+  const std::string file = name + "_" + Hash().add(text).text() + ".urdf";
+  return {file, std::move(text)};
+}
+
+void add_own_files(SimulationText& out, const SimulationScene& scene, const JointsOfBodies& joints,
+                   const MeshFiles& meshes, const std::string& folder) {
+  for (size_t i = 0; i < scene.bodies.size(); ++i) {
+    std::string& name = out.of_bodies.emplace_back();
+    if (joints.of(i) && joints.of(i)->parent) continue;
+    out.meshes.push_back(own_file(scene, i, joints, meshes, folder));
+    name = out.meshes.back().name;
+  }
+}
+
 }  // namespace
 
 SimulationText write_urdf(const SimulationScene& scene, const std::string& folder,
                           const SimulationFileOptions& options) {
   const MeshFiles meshes(scene, false);
   tinyxml2::XMLDocument document;
-  document.InsertEndChild(document.NewDeclaration());
-  document.InsertEndChild(document.NewComment(kMadeBy));
-  Element* const robot = add_child(&document, "robot", {{"name", scene.name}});
+  Element* const robot = add_robot(document, scene.name);
   add_child(robot, "link", {{"name", "world"}});
   if (scene.floor) add_floor(robot, scene.floor_friction);
   const JointsOfBodies joints(scene);
@@ -152,7 +182,11 @@ SimulationText write_urdf(const SimulationScene& scene, const std::string& folde
     else
       add_joint(robot, body.file_name, body.fixed, body.world_from_link);
   }
-  return {meshes.files(), xml_text(document)};
+  SimulationText out{meshes.files(), xml_text(document)};
+  const bool prefixed = !options.mesh_prefix.empty();
+  if (options.per_object)
+    add_own_files(out, scene, joints, meshes, prefixed ? options.mesh_prefix + folder : "");
+  return out;
 }
 
 }  // namespace trivet

@@ -95,6 +95,26 @@ std::vector<std::string> body_metadata(const SimulationBody& body, const Simulat
 
 std::string usda_path(const SimulationBody& body) { return "</World/" + body.file_name + ">"; }
 
+void add_group(UsdaText& text, const std::string& name, const std::string& paths) {
+  text.open("PhysicsCollisionGroup", name, {usda_apis({"CollectionAPI:colliders"})});
+  if (!paths.empty()) text.line("rel collection:colliders:includes = [" + paths + "]");
+  text.close();
+}
+
+/// What stands fixed and what moves, for robots that shall pass through either: no group is kept
+/// from another here.
+void add_groups(UsdaText& text, const SimulationScene& scene, const JointsOfBodies& joints) {
+  std::string fixed = scene.floor ? "</World/floor>" : "", moving;
+  for (size_t i = 0; i < scene.bodies.size(); ++i) {
+    std::string& paths = scene.bodies[i].fixed && !joints.of(i) ? fixed : moving;
+    paths += (paths.empty() ? "" : ", ") + usda_path(scene.bodies[i]);
+  }
+  text.open("Scope", "Groups");
+  add_group(text, "Fixed", fixed);
+  add_group(text, "Moving", moving);
+  text.close();
+}
+
 void add_filtered(UsdaText& text, const SimulationScene& scene, const SimulationJoint& joint) {
   std::string paths;
   for (const size_t other : joint.apart)
@@ -183,6 +203,7 @@ std::string world_layer(const SimulationScene& scene, const UsdaLayers& layers, 
     text.close();
   }
   const JointsOfBodies joints(scene);
+  add_groups(text, scene, joints);
   for (size_t i = 0; i < scene.bodies.size(); ++i) {
     const SimulationBody& body = scene.bodies[i];
     const SimulationJoint* const joint = joints.of(i);

@@ -101,7 +101,10 @@ std::vector<std::string> write_simulation(SimulationScene& scene, const std::str
   const fs::path wanted = options.mesh_folder.empty() ? fs::path(file.stem().string() + "_meshes")
                                                       : fs::path(options.mesh_folder);
   const fs::path folder = wanted.is_absolute() ? wanted : file.parent_path() / wanted;
-  const SimulationText text = format.write(scene, wanted.generic_string() + "/", options);
+  const std::string prefix = wanted.generic_string() + "/";
+  const SimulationText text = format.write(scene, prefix, options);
+  for (size_t i = 0; i < text.of_bodies.size(); ++i)
+    if (!text.of_bodies[i].empty()) scene.bodies[i].own_file = prefix + text.of_bodies[i];
   std::vector<std::string> written{path};
   StagedFiles staged;
   if (!text.meshes.empty()) staged.add_folder(folder.string());

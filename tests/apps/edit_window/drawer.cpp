@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QSlider>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/scene/joint.h"
@@ -51,11 +52,39 @@ QString kitchen_in(const QDir& folder) {
                                                {0, 0, 0.39, 0.18, 0.2, 0.01}}));
   write(folder.filePath("drawer.obj"),
         boxes({{0, 0, 0.1, 0.17, 0.17, 0.005}, {0, -0.18, 0.15, 0.185, 0.01, 0.055}}));
+  write(folder.filePath("tin.obj"), boxes({{0, 0, 0.04, 0.05, 0.05, 0.04}}));
   write(folder.filePath("kitchen.json"), R"({"trivet": 1, "objects": [
     {"name": "cabinet", "model": "cabinet.obj", "fixed": true, "position": [0, 0, 0.001]},
     {"name": "drawer", "model": "drawer.obj", "position": [0, 0, 0.001],
-     "joint": {"in": "cabinet", "slide": [0, -1, 0], "lower": 0, "upper": 0.3}}]})");
+     "joint": {"in": "cabinet", "slide": [0, -1, 0], "lower": 0, "upper": 0.3}},
+    {"name": "tin", "model": "tin.obj"}],
+    "operations": [{"op": "move_joint", "object": "drawer", "until": "upper"},
+      {"op": "put", "object": "tin", "position": [0.05, -0.25, 0.3]},
+      {"op": "move_joint", "object": "drawer", "until": "lower"}]})");
   return folder.filePath("kitchen.json");
+}
+
+constexpr double kOnFront = -0.19;  // y of the front of the closed drawer
+
+double value_of(User& user) { return user.object("drawer").joint->value; }
+
+// A drag by the front, let go where the picture is taken; the tin goes along.
+void pull(MainWindow& window, User& user, WindowKind kind, double from, double to) {
+  SceneView& view = window.view(kind);
+  const Vec3 front(0.1, kOnFront - from, 0.17);
+  const QPoint start = user.pixel(kind, front);
+  const QPoint end = user.pixel(kind, front - Vec3(0, to - from, 0));
+  user.move_to(view, start);
+  user.press(view, start, Qt::LeftButton);
+  for (int i = 1; i <= 5; ++i) user.move_to(view, start + (end - start) * i / 5);
+  QVERIFY(user.wait_for_drag(view));
+  QVERIFY(window.toolbox().reading().starts_with("\"drawer\": 0."));
+  user.look("drawer_in_the_hand");
+  const double tin = user.object("tin").pose.translation.y();
+  QVERIFY(std::abs(tin + 0.25 - 0.3 + value_of(user)) < 1e-3);
+  user.release(view, end, Qt::LeftButton);
+  QVERIFY(user.wait());
+  QVERIFY2(std::abs(value_of(user) - to) < 0.01, qPrintable(QString::number(value_of(user))));
 }
 
 }  // namespace
@@ -87,6 +116,15 @@ void open_a_drawer(Document& document, MainWindow& window, User& user, const QSt
   document.undo();
   QVERIFY(user.wait());
   QCOMPARE(slider->value(), slider->maximum());
+  // By hand, and back by one step. The slider follows.
+  window.view(WindowKind::Perspective).frame(document.snapshot()->box());
+  const size_t steps = document.history().num_done;
+  pull(window, user, WindowKind::Perspective, 0.3, 0.15);
+  QCOMPARE(document.history().num_done, steps + 1);
+  QVERIFY(std::abs(value->value() - value_of(user)) < 1e-4);
+  user.press_key(Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(user.wait());
+  QCOMPARE(value_of(user), 0.3);
   user.select("cabinet");
   QVERIFY2(!slider->isVisible(), "an object without a joint has no slider");
 }

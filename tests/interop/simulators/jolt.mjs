@@ -1,8 +1,12 @@
 // Jolt: convex hulls by calls, in a compound of each body. Of two coefficients of friction the
 // smaller one. The engine's lengths are for people and cars; household things ask for shorter ones.
+// It leaves out corners beyond 256 of a hull (jolt_corners.mjs): such hulls come in pieces. Manifolds
+// of the parts of two bodies are not merged, of which it would keep four points.
 import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import initJolt from 'jolt-physics';
+import {hullPieces} from './hull_pieces.mjs';
+import {turned} from './scene.mjs';
 
 const jolt = await initJolt();
 const require = createRequire(import.meta.url);
@@ -10,6 +14,9 @@ export const name = 'Jolt';
 export const version = JSON.parse(fs.readFileSync(require.resolve('jolt-physics/package.json'))).version;
 
 const STILL = 0, MOVING = 1;
+const MOST_CORNERS = 256;  // of a hull
+const VELOCITY_STEPS = 100, POSITION_STEPS = 4;  // of the defaults, 10 and 2, stacks creep and light things rattle
+const STEP = 1e-3;  // seconds; of longer ones heavy things crush light ones that carry them (loads.mjs)
 const UNIT = 100;  // per metre: the engine's tolerances are absolute
 const vector = (p) => new jolt.Vec3(...p.map((value) => UNIT * value));
 const placed = (p) => new jolt.RVec3(...p.map((value) => UNIT * value));
@@ -45,12 +52,14 @@ function listen(system) {
   return seen;
 }
 
-function setLengths(system) {
+function setUp(system) {
   const settings = system.GetPhysicsSettings();
   settings.mPenetrationSlop = 1e-5 * UNIT;
   settings.mSpeculativeContactDistance = 5e-5 * UNIT;
   settings.mManifoldTolerance = 1e-5 * UNIT;
   settings.mPointVelocitySleepThreshold = 0.003 * UNIT;
+  settings.mNumVelocitySteps = VELOCITY_STEPS;
+  settings.mNumPositionSteps = POSITION_STEPS;
   system.SetPhysicsSettings(settings);
 }
 
@@ -69,9 +78,10 @@ function hullShape(body, {points}) {
   throw new Error(`${body.name}: ${made.GetError().c_str()}`);
 }
 
-function bodyShape(body) {
+function bodyShape(body, corners) {
   const compound = new jolt.StaticCompoundShapeSettings();
-  for (const hull of body.hulls)
+  const [w, x, y, z] = body.rotation, down = turned([w, -x, -y, -z], [0, 0, -1]);
+  for (const hull of body.hulls.flatMap((hull) => hullPieces(hull, down, corners)))
     compound.AddShapeShape(vector([0, 0, 0]), quaternion([1, 0, 0, 0]), hullShape(body, hull), 0);
   const made = compound.Create();
   if (made.HasError()) throw new Error(`${body.name}: ${made.GetError().c_str()}`);
@@ -90,10 +100,11 @@ function setMass(settings, {mass, inertia: [xx, yy, zz, xy, xz, yz]}) {
   properties.mInertia = matrix;
 }
 
-function addBody(bodies, body) {
-  const settings = new jolt.BodyCreationSettings(bodyShape(body), placed(body.position), quaternion(body.rotation),
+function addBody(bodies, body, corners) {
+  const settings = new jolt.BodyCreationSettings(bodyShape(body, corners), placed(body.position), quaternion(body.rotation),
     body.fixed ? jolt.EMotionType_Static : jolt.EMotionType_Dynamic, body.fixed ? STILL : MOVING);
   if (!body.fixed) setMass(settings, body);
+  settings.mUseManifoldReduction = false;
   return add(bodies, settings, body.friction);
 }
 
@@ -110,21 +121,20 @@ function addFloor(bodies, friction) {
     jolt.EMotionType_Static, STILL), friction);
 }
 
-export function load(scene) {
+export function load(scene, _, corners = MOST_CORNERS) {
   const world = new jolt.JoltInterface(layers()), system = world.GetPhysicsSystem();
   const bodies = system.GetBodyInterface();
   system.SetGravity(vector([0, 0, -scene.gravity]));
-  setLengths(system);
+  setUp(system);
   const seen = listen(system);
   if (scene.floor !== null) addFloor(bodies, scene.floor);
-  const made = new Map(scene.bodies.map((body) => [body.name, addBody(bodies, body)]));
-  const timestep = 1 / 240;
+  const made = new Map(scene.bodies.map((body) => [body.name, addBody(bodies, body, corners)]));
   let first = 0, steps = 0;
   return {
-    timestep,
+    timestep: STEP,
     penetration: () => first,
     step() {
-      world.Step(timestep, 1);
+      world.Step(STEP, 1);
       if (++steps === 1) first = seen.deepest;
     },
     pose(body) {

@@ -28,6 +28,7 @@ class World {
     char why[1000] = "";
     m_model.reset(mj_loadXML(scene.c_str(), nullptr, why, sizeof why));
     if (!m_model) throw std::runtime_error(scene + ": " + why);
+    if (*why) std::cerr << scene << ": " << why << "\n";  // a warning
     m_data.reset(mj_makeData(m_model.get()));
     for (const auto& [name, start] : starts) place(name, start);
     mj_forward(m_model.get(), m_data.get());

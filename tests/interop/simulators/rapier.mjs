@@ -1,5 +1,6 @@
 // Rapier: convex hulls by calls. Of two coefficients of friction the smaller one.
 import rapier from '@dimforge/rapier3d-deterministic-compat';
+import {middleOf, normal} from './hull_pieces.mjs';
 import {principal, turned} from './scene.mjs';
 
 await rapier.init();
@@ -7,6 +8,8 @@ export const name = 'Rapier', version = rapier.version();
 
 const UNIT = 100;  // per metre: the engine's tolerances of contacts are absolute
 const BALL = 1e-5;  // metres: their radius
+const FOOT = {height: 3e-3, steepness: 0.999};  // metres above the lowest corner; downwards
+const FLOOR = 10;  // metres: of a larger floor contacts with wedges have false normals, millimetres deep
 const scaled = (values, factor = UNIT) => values.map((value) => factor * value);
 const vector = ([x, y, z]) => ({x, y, z});
 const quaternion = ([w, x, y, z]) => ({w, x, y, z});
@@ -25,13 +28,36 @@ function addBody(world, body) {
     if (!shape) throw new Error(`${body.name}: Rapier takes no hull of ${hull.points.length} points`);
     addCollider(world, shape, body.friction, rigid);
   }
-  if (!body.fixed) addBalls(world, body, rigid);
+  if (!body.fixed) {
+    addBalls(world, body, rigid);
+    addFeet(world, body, rigid);
+  }
   return rigid;
 }
 
 function addCollider(world, shape, friction, rigid) {
   shape.setDensity(0).setFriction(friction).setFrictionCombineRule(rapier.CoefficientCombineRule.Min);
   return world.createCollider(shape, rigid);
+}
+
+const dot = (a, b) => a.reduce((sum, v, k) => sum + v * b[k], 0);
+
+/**
+ * Faces on which a body stands, in pieces: of a face the engine keeps four corners, so that a round
+ * foot across an edge would tip (see prism.mjs). Each piece has four and the middle of the hull.
+ */
+function addFeet(world, body, rigid) {
+  const [w, x, y, z] = body.rotation, down = turned([w, -x, -y, -z], [0, 0, -1]);
+  const lowest = Math.max(...body.hulls.flatMap(({points}) => points).map((p) => dot(p, down)));
+  for (const {points, triangles} of body.hulls) {
+    const foot = triangles.map((corners) => corners.map((i) => points[i])).filter((corners) =>
+      corners.every((p) => dot(p, down) > lowest - FOOT.height) && dot(normal(corners), down) > FOOT.steepness);
+    for (let i = 0; foot.length > 2 && i < foot.length; i += 2) {
+      const corners = [...new Set(foot.slice(i, i + 2).flat()), middleOf(points)];
+      const shape = rapier.ColliderDesc.convexHull(new Float32Array(scaled(corners.flat())));
+      if (shape) addCollider(world, shape, body.friction, rigid);
+    }
+  }
 }
 
 /**
@@ -76,7 +102,7 @@ export function load(scene) {
   world.integrationParameters.contact_natural_frequency = 120;  // of 30 Hz nuts in a basket sink and creep
   world.numSolverIterations = 8;
   if (scene.floor !== null)
-    addCollider(world, rapier.ColliderDesc.cuboid(50 * UNIT, 50 * UNIT, UNIT).setTranslation(0, 0, -UNIT), scene.floor);
+    addCollider(world, rapier.ColliderDesc.cuboid(FLOOR * UNIT, FLOOR * UNIT, UNIT).setTranslation(0, 0, -UNIT), scene.floor);
   const bodies = new Map(scene.bodies.map((body) => [body.name, addBody(world, body)]));
   return {
     timestep: world.timestep,

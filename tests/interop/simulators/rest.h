@@ -60,6 +60,7 @@ Json simulate(const std::string& scene, double seconds, const Starts& starts) {
           {"warnings", world.warnings()},
           {"hulls", world.num_hulls()},
           {"steps_per_cpu_second", std::lround(static_cast<double>(steps) / used)},
+          {"cpu_seconds", used},
           {"objects", world.objects()}};
 }
 

@@ -7,7 +7,7 @@
 // Each line of STARTS.jsonl is a world: {"cup": {"position": [x, y, z], "rotation": [w, x, y, z]}, ...},
 // metres, by the names of bodies in SCENE.xml; bodies without a pose start as in SCENE.xml, all at rest.
 // A line of JSON is printed per scene and world: {"simulator", "scene", "seconds", "penetration",
-// "warnings", "hulls", "steps_per_cpu_second", "objects": [{"name", "moved", "turned_deg", "position",
+// "warnings", "hulls", "steps_per_cpu_second", "cpu_seconds", "objects": [{"name", "moved", "turned_deg", "position",
 // "rotation"}]}: of free bodies the final pose, and how far the farthest corner went from the start.
 import fs from 'node:fs';
 import {moved, readScene, startedFrom, turnedDegrees} from './scene.mjs';
@@ -30,7 +30,7 @@ function simulate(scene, file) {
   world.free();
   return {simulator: `${name} ${version}`, scene: scene.name, seconds: Number(seconds), penetration, warnings,
     hulls: scene.bodies.reduce((sum, body) => sum + body.hulls.length, 0),
-    steps_per_cpu_second: Math.round(1e6 * steps / (used.user + used.system)), objects};
+    steps_per_cpu_second: Math.round(1e6 * steps / (used.user + used.system)), cpu_seconds: 1e-6 * (used.user + used.system), objects};
 }
 
 const hasStarts = rest[0] === '--starts';

@@ -32,13 +32,14 @@ struct ExportedCabinet {
   OpenedScene opened = open_scene(case_path("drawer.urdf"), {});
   SimulationExport done;
 
-  explicit ExportedCabinet(const std::string& file, double lid = 30) {
+  explicit ExportedCabinet(const std::string& file, double lid = 30, bool per_object = false) {
     NewPoses poses;
     for (const SettledObject& o : settle_scene(opened.judged.scene, {}).moved) poses[o.id] = o.to;
     move_joint_of(opened, joint_named(opened, "lid"), lid, OperationRun({}, {}), poses);
     update_contacts(opened.judged.scene, 0, {});
     SimulationOptions options;
     options.joints = std::make_shared<const std::vector<SceneJoint>>(opened.joints);
+    options.files.per_object = per_object;
 #ifdef TRIVET_TEST_MUJOCO
     options.files.mujoco = mj_versionString()[0] == '2' ? kOldestMujoco : kNewestMujoco;
 #endif
@@ -94,6 +95,19 @@ TEST(ExportedJoints, AreKeptInMjcf) {
 TEST(ExportedJoints, AreKeptInUrdf) {
   const ExportedCabinet cabinet("kitchen.urdf");
   expect_kept(cabinet, "kitchen.urdf", "", false);
+}
+
+TEST(ExportedJoints, AreInTheFileOfTheBodyThatHasThem) {
+  const ExportedCabinet cabinet("kitchen.urdf", 30, true);
+  size_t with_files = 0;
+  for (const SimulationBody& body : cabinet.done.scene.bodies) with_files += !body.own_file.empty();
+  EXPECT_EQ(with_files, cabinet.done.scene.bodies.size() - 2);  // drawer and lid hang in it
+  const auto& bodies = cabinet.done.scene.bodies;
+  const size_t root = *cabinet.done.scene.joints.at(0).parent;
+  const std::string text = cabinet.text(bodies[root].own_file);
+  for (const SimulationJoint& joint : cabinet.done.scene.joints)
+    EXPECT_EQ(count(text, "<child link=\"" + bodies[joint.child].file_name + "\"/>"), 1u);
+  EXPECT_EQ(count(text, "<link name=\"world\"/>"), 0u);
 }
 
 TEST(ExportedJoints, AreKeptInSdf) {

@@ -34,27 +34,59 @@ void expect_same_pose(const Pose& pose, const Vec3& translation, const Rotation&
 }
 
 /// A scene with names that are invalid in every format, and with letters of several scripts.
-SimulationExport exported(const TemporaryFolder& folder, const std::string& file) {
+SimulationExport exported(const TemporaryFolder& folder, const std::string& file,
+                          const SimulationOptions& options = {}) {
   Scene scene = convex_objects().scene;
   const std::vector<ObjectId> ids = scene.ids();
   const std::vector<std::string> names = {"gr\u00fcne Tasse", "\u8336\u7897",
                                           "\u043a\u0443\u0431\u043e\u043a \u2615"};
   for (size_t i = 0; i < names.size(); ++i)
     edit_object(scene, ids.at(ids.size() - 1 - i), [&](Object& o) { o.name = names[i]; });
-  return export_simulation(scene, folder.file(file));
+  return export_simulation(scene, folder.file(file), options);
 }
 
 const std::vector<std::string> kKeptNames = {"gr\u00fcne_Tasse", "\u8336\u7897",
                                              "\u043a\u0443\u0431\u043e\u043a_\u2615"};
 
+#ifdef TRIVET_TEST_URDFDOM
+urdf::ModelInterfaceSharedPtr robot_of(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return urdf::parseURDF(text.str());
+}
+#endif
+
+TEST(Urdf, OfEachObjectIsReadByUrdfdom) {
+#ifdef TRIVET_TEST_URDFDOM
+  const TemporaryFolder folder;
+  SimulationOptions options;
+  options.files.per_object = true;
+  const SimulationExport done = exported(folder, "scene.urdf", options);
+  for (const SimulationBody& body : done.scene.bodies) {
+    const std::string path = folder.file(body.own_file);
+    const urdf::ModelInterfaceSharedPtr robot = robot_of(path);
+    ASSERT_TRUE(robot) << path;
+    EXPECT_EQ(robot->getName(), body.file_name);
+    EXPECT_EQ(robot->links_.size(), 1u);
+    const urdf::LinkConstSharedPtr link = robot->getRoot();
+    EXPECT_EQ(link->name, body.file_name);
+    EXPECT_EQ(link->inertial->mass, body.mass);
+    EXPECT_EQ(link->collision_array.size(), done.scene.models[body.model].parts.size());
+    const auto mesh = std::dynamic_pointer_cast<urdf::Mesh>(link->collision_array[0]->geometry);
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(path).parent_path() / mesh->filename))
+        << mesh->filename;
+  }
+#else
+  GTEST_SKIP() << "this build has no urdfdom (Debian: liburdfdom-dev)";
+#endif
+}
+
 TEST(Urdf, IsReadByUrdfdom) {
 #ifdef TRIVET_TEST_URDFDOM
   const TemporaryFolder folder;
   const SimulationExport done = exported(folder, "scene.urdf");
-  std::ifstream file(folder.file("scene.urdf"));
-  std::ostringstream text;
-  text << file.rdbuf();
-  const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(text.str());
+  const urdf::ModelInterfaceSharedPtr robot = robot_of(folder.file("scene.urdf"));
   ASSERT_TRUE(robot);
   EXPECT_EQ(robot->getRoot()->name, "world");
   EXPECT_EQ(robot->links_.size(), done.scene.bodies.size() + 2);  // world and floor

@@ -175,7 +175,9 @@ class TreeReader {
     Joint joint;
     if (type == "free") {
       joint.kind = Joint::Kind::Free;
-      if (a.text("align") == "true")
+      const std::string align = a.text("align", "auto");
+      if (align == "true" ||
+          (align == "auto" && m_settings.compiler("alignfree", "false") == "true"))
         note_once(m_scene.unread, say("%1: align is not read", a.place().text()));
     } else if (type == "ball") {
       joint.kind = Joint::Kind::Ball;

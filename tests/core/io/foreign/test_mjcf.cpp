@@ -103,6 +103,18 @@ TEST(Mjcf, WhatIsNotReadIsNamed) {
   EXPECT_NE(in_english(scene.unread[2]).find("no mesh is named \"m\""), std::string::npos);
 }
 
+TEST(Mjcf, FramesThatAreAlignedWithTheInertiaAreSaid) {
+  const auto said = [](const std::string& compiler, const std::string& joint) {
+    return scene_of_mjcf("<mujoco>" + compiler + "<worldbody><body name='b'>" + joint +
+                         "<geom size='1'/></body></worldbody></mujoco>")
+        .unread.size();
+  };
+  EXPECT_EQ(said("", "<freejoint/>"), 0u);
+  EXPECT_EQ(said("", "<freejoint align='true'/>"), 1u);
+  EXPECT_EQ(said("<compiler alignfree='true'/>", "<freejoint/>"), 1u);
+  EXPECT_EQ(said("<compiler alignfree='true'/>", "<freejoint align='false'/>"), 0u);
+}
+
 TEST(Mjcf, GravityAcrossIsToldAndNotGuessed) {
   EXPECT_EQ(scene_of_mjcf(world("<geom size='1'/>", "<option gravity='0 0 -1.6'/>")).unread.size(),
             0u);
