@@ -62,7 +62,7 @@ def run(program, layout, folder):
 
 
 def judged(program, folder):
-    """How many states were judged, and how many of them crossed; all but the last are steps."""
+    """The numbers of states that were judged, and that crossed; all but the last are steps."""
     done = subprocess.run([program, os.path.join(folder, "layout.json"), "1", "judge"], capture_output=True, text=True,
                           check=False)
     return ", ".join(done.stdout.strip().split("\t")[-2:]) or done.stderr.strip()[:100]

@@ -32,7 +32,7 @@ Minimiser::Minimiser(const Body& body, Surroundings& surroundings, EnergyModel& 
       m_h(kFirstH) {}
 
 bool Minimiser::has_come_to_rest(State& state) {
-  // What began nearer to itself than its thickness has to be beyond it in the end.
+  // A pair that began nearer than the thickness has to be beyond it in the end.
   if (m_model.raise_kept(state)) return false;
   // Friction is updated, and the force that is left afterwards decides: before it, rest would be a
   // matter of old anchors.

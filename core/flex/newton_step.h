@@ -18,7 +18,7 @@ class NewtonStep {
   bool solve_again(const State& state, const std::vector<HalfSpace>& hits, Points& step);
   /// True if the exact second derivative is positive definite with mass / h.
   bool is_stable(const EnergyModel& model, const State& state, double h);
-  /// Of a state that is not stable: the direction in which small pushes grow fastest, or nearly.
+  /// The direction in which small pushes grow fastest, or nearly, if the state is not stable.
   /// @return false if none was found.
   bool find_unstable(const EnergyModel& model, const State& state, double h, Points& direction);
 

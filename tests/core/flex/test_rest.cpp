@@ -1,5 +1,4 @@
-// What counts as rest: balance that a breath ends does not, nor do layers nearer than the
-// thickness.
+// Rest is no balance that a breath ends, and has no layers nearer than the thickness.
 #include <gtest/gtest.h>
 
 #include <algorithm>
