@@ -101,8 +101,8 @@ void add_group(UsdaText& text, const std::string& name, const std::string& paths
   text.close();
 }
 
-/// What stands fixed and what moves, for robots that shall pass through either: no group is kept
-/// from another here.
+/// Groups of what stands fixed and of what moves, for robots that shall pass through either: they
+/// collide with each other.
 void add_groups(UsdaText& text, const SimulationScene& scene, const JointsOfBodies& joints) {
   std::string fixed = scene.floor ? "</World/floor>" : "", moving;
   for (size_t i = 0; i < scene.bodies.size(); ++i) {
