@@ -118,6 +118,7 @@ class PartMaker {
         enclosed_volume(m_mesh, faces) >= (1 - kConvexEnough) * hull)
       return;
     std::vector<Index3> triangles;
+    triangles.reserve(faces.size());
     for (const Index f : faces) triangles.push_back(m_mesh.triangles[f]);
     const std::vector<std::vector<Vec3>> pieces = decomposed(m_mesh.vertices, triangles);
     if (pieces.empty()) return;  // the hull stays
@@ -252,6 +253,7 @@ std::vector<Vec3> corners_of(const Mesh& mesh, std::span<const Index> faces) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   std::vector<Vec3> out;
+  out.reserve(ids.size());
   for (const Index v : ids) out.push_back(mesh.vertices[v]);
   return out;
 }
