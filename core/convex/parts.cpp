@@ -20,10 +20,31 @@ Vec3 mean_of(std::span<const Vec3> points) {
   return sum / static_cast<double>(std::max<size_t>(points.size(), 1));
 }
 
+/// Thinner than this, of the size, a hull is flat but for the rounding of float32: programs that
+/// make hulls of the same points refuse them.
+constexpr double kThinnestHull = 2.5e-7;
+
+bool is_flat(const std::vector<Vec3>& points) {
+  const Vec3 centre = mean_of(points);
+  Mat3 covariance = Mat3::Zero();
+  for (const Vec3& p : points) covariance += (p - centre) * (p - centre).transpose();
+  // Eigenvectors are sorted, the direction of the least spread first.
+  const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors();
+  const auto extent = [&](const Vec3& axis) {
+    double low = kInfinity, high = -kInfinity;
+    for (const Vec3& p : points) {
+      low = std::min(low, axis.dot(p));
+      high = std::max(high, axis.dot(p));
+    }
+    return high - low;
+  };
+  return extent(axes.col(0)) < kThinnestHull * extent(axes.col(2));
+}
+
 /// Makes the hull a part, faces turned outwards. Returns whether the hull is solid.
 bool hull_part(const std::vector<Vec3>& points, ConvexPart& part) {
   const ConvexHull hull = convex_hull(points);
-  if (hull.vertices.empty()) return false;
+  if (hull.vertices.empty() || is_flat(points)) return false;
   part = {};
   for (const Index v : hull.vertices) part.vertices.push_back(points[v]);
   // The hull's triangles come without a side: the mean of the corners is inside, and tells it.
@@ -97,6 +118,7 @@ class PartMaker {
         enclosed_volume(m_mesh, faces) >= (1 - kConvexEnough) * hull)
       return;
     std::vector<Index3> triangles;
+    triangles.reserve(faces.size());
     for (const Index f : faces) triangles.push_back(m_mesh.triangles[f]);
     const std::vector<std::vector<Vec3>> pieces = decomposed(m_mesh.vertices, triangles);
     if (pieces.empty()) return;  // the hull stays
@@ -231,6 +253,7 @@ std::vector<Vec3> corners_of(const Mesh& mesh, std::span<const Index> faces) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   std::vector<Vec3> out;
+  out.reserve(ids.size());
   for (const Index v : ids) out.push_back(mesh.vertices[v]);
   return out;
 }

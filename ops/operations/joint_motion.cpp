@@ -163,7 +163,7 @@ class JointMotion {
     double relative = 0;  // sizes a second
     for (size_t i = 0; i < m_motion.bodies.size(); ++i)
       relative = std::max(relative, m_motion.speed(i) / m_motion.bodies[i].size);
-    // What closing gaps slow down would go through them if it went as far as what nothing holds.
+    // Bodies that closing gaps slow down would go beyond them if they went as far as free ones.
     m_motion.duration = relative > 0 ? std::min(step / relative, first.duration) : 0;
   }
 

@@ -30,7 +30,7 @@ struct PlankOnPost : Stage {
     return perform(scene, o, options);
   }
 
-  // Whoever carries is not asked: some planks are balanced on an edge, and merely touch the weight.
+  // Carriers are not asked for: some planks balance on an edge, and merely touch the weight.
   void expect_rest() const {
     for (const char* name : {"plank", "weight"})
       EXPECT_EQ(at(name).state, ObjectState::Stable) << name;

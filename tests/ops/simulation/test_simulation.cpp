@@ -116,6 +116,24 @@ TEST(ConvexParts, GiveFlatMeshesThickness) {
   EXPECT_GT(volume_of(convex_parts(mesh, make_adjacency(mesh), PartRule::Hull).parts.at(0)), 0);
 }
 
+// A rectangle of which one corner is off the plane by the rounding of float32: its hull has a
+// volume, and MuJoCo refuses it. Two micrometres are enough.
+TEST(ConvexParts, GiveThicknessToWhatIsFlatButForRounding) {
+  for (const double off : {0.0, 1e-11, 2e-6}) {
+    const Vec3 a(-0.25, 0.25, 0.25), b(0.25, 0.25, 0.25), up(0, -1.0 / (1 << 22), 1.0 / 128);
+    const std::vector<Vec3> points{a, b, a + up, b + up + Vec3(0, off, 0)};
+    ConvexPart part;
+    EXPECT_EQ(solid_hull(points, part), off < 1e-6) << off;
+    EXPECT_GT(volume_of(part), 0);
+  }
+  ConvexPart part;
+  EXPECT_TRUE(solid_hull(std::vector<Vec3>{{-0.280706316, 0.00208733324, 0.286297947},
+                                           {0.286312342, 0.00208723336, 0.286297947},
+                                           {-0.280706316, 0.00208713324, 0.293524504},
+                                           {0.286312342, 0.00208703335, 0.293524504}},
+                         part));
+}
+
 TEST(ConvexParts, ShrinkByClearance) {
   const ConvexPart box = part_of(box_model(0.3, 0.2, 0.1));
   Aabb bounds;
