@@ -24,9 +24,8 @@ constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
 constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
-constexpr int kAims = 3;                 // tries to hit the place, from where it came to rest
-constexpr double kAimed = 0.1;           // tolerances: near enough
-constexpr double kNearInTolerances = 2;  // of objects in a heap: nothing better is looked for
+constexpr int kAims = 3;        // tries to hit the place, from where it came to rest
+constexpr double kAimed = 0.1;  // tolerances: near enough
 constexpr double kMayBeLevelDeg = 15;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
@@ -89,14 +88,14 @@ class Mender {
     return rearrangement.finish();
   }
 
-  // In place, and what then has no place bottom up; or all bottom up, if that is cheaper.
+  // In place, and what then has no place bottom up; or all bottom up, if that leaves less.
   SettledScene as_heap(const std::vector<ObjectId>& order) {
     MendOptions half = m_options;
     half.seconds /= 2;
     const Scene before = m_scene;
     SettledScene out = mend_in_place(m_scene, half, m_meant, order);
     if (!out.unable.empty()) place_rest(out);
-    if (are_all_near(out)) return out;
+    if (out.unable.empty()) return out;
     Scene heap = std::move(m_scene);
     m_scene = before;
     SettledScene other = bottom_up(order);
@@ -117,13 +116,6 @@ class Mender {
     std::stable_sort(
         out.moved.begin(), out.moved.end(),
         [](const SettledObject& a, const SettledObject& b) { return a.id.index < b.id.index; });
-  }
-
-  bool are_all_near(const SettledScene& settled) const {
-    return settled.unable.empty() &&
-           std::all_of(settled.moved.begin(), settled.moved.end(), [&](const SettledObject& o) {
-             return o.moved <= kNearInTolerances * m_meant.tolerance;
-           });
   }
 
   // The number of those without a place, then metres.

@@ -3,21 +3,34 @@
 #include <algorithm>
 
 #include "ops/check/check.h"
+#include "ops/operations/commit.h"
 #include "ops/operations/perform.h"
+#include "ops/operations/whole.h"
+#include "ops/placement/clearance.h"
+#include "ops/placement/contacts.h"
 
 namespace trivet {
+namespace {
+
+constexpr std::int64_t kContactsOfEach = 60;  // first contacts by which an object may come to rest
+
+}  // namespace
+
 template <class Target>
-OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& start) {
+OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& start, int tries) {
   PutOperation put;
+  put.tries = tries;
   put.object = m_scene.at(id).name;
   put.start = start;
   RunContext context = m_options.context;
   if (m_options.seconds > 0)  // one that takes long ends with the whole
     context.time_budget_s = std::max(m_options.seconds - 1e-3 * m_watch.milliseconds(), 1e-3);
-  return perform(target, Operation(put), m_options.settle, context);
+  OperationResult out = perform(target, Operation(put), m_options.settle, context);
+  m_num_queries += out.num_queries;
+  return out;
 }
-template OperationResult Rearrangement::put_in(Scene&, ObjectId, const Pose&);
-template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pose&);
+template OperationResult Rearrangement::put_in(Scene&, ObjectId, const Pose&, int);
+template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pose&, int);
 
 Rearrangement::Rearrangement(Scene& scene, const SettleSceneOptions& options,
                              const std::vector<ObjectId>& ids)
@@ -32,6 +45,32 @@ bool Rearrangement::is_out_of_time() const {
   // A cancelled one has no time left.
   if (m_options.context.cancel && *m_options.context.cancel) return true;
   return m_options.seconds > 0 && m_watch.milliseconds() > 1000 * m_options.seconds;
+}
+
+std::vector<ObjectId> Rearrangement::rest_together(const std::vector<ObjectId>& ids) {
+  if (!keeps_whole_at_rest(m_options.settle)) return unsettled_objects(m_scene, m_options);
+  const double clearance = clearance_of(m_scene, m_options.settle);
+  const RestRules rules = rest_rules(m_options.settle, clearance);
+  OperationRun run(m_options.settle, m_options.context);
+  Transaction transaction(m_scene);
+  // Links are found anew, as nothing has put them where they stand.
+  for (const ObjectId id : ids) {
+    const Object& object = m_scene.at(id);
+    commit_object(transaction, id, object.pose, ObjectState::Unsupported,
+                  touching(body_of(object), Neighbourhood(m_scene, id), clearance), rules);
+  }
+  const Budget budget{kContactsOfEach * static_cast<std::int64_t>(ids.size())};
+  OperationResult result;
+  const Named name = named(m_scene, Support(ids.front()));
+  const Budget left = settle_whole(transaction, name, clearance, run, result, budget);
+  m_num_queries += budget.first_contacts - left.first_contacts;
+  rate_again(transaction, ids, rules);
+  transaction.commit();
+  std::vector<ObjectId> out;
+  if (result.refusal)
+    for (size_t i = 1; i < result.refusal->objects.size(); ++i)
+      if (const auto id = m_scene.find(result.refusal->objects[i].name)) out.push_back(*id);
+  return out;
 }
 
 bool Rearrangement::stand_still(ObjectId id, const Pose& pose) {
