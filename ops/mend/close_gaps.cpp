@@ -18,7 +18,8 @@ constexpr double kFirstReach = 7, kWiderReach = 2.5;  // clearances; from one re
 constexpr double kPriceOfReach = 0.1;       // of a push as heavy as what a body carries, across it
 constexpr double kMissingWeight = 1e-4;     // of what a body weighs: more than rounding
 constexpr double kForceThatMatters = 1e-3;  // of a body's weight
-constexpr double kGapClosed = 3, kGapLeft = 1.3;  // clearances: enough; aimed at
+constexpr double kGapClosed = 1.9, kGapLeft = 1.3;  // clearances: enough; aimed at
+constexpr std::ptrdiff_t kNearestOfPair = 24;
 constexpr double kSoftness = 1e-6;  // bounds multipliers of contacts that contradict each other
 constexpr int kSweepsOfClosing = 3000;
 
@@ -69,18 +70,21 @@ class GapCloser {
     }
   }
 
-  // Wide gaps have thousands of contacts; those that span a pair, and its nearest one, tell enough.
+  // Wide gaps have thousands of contacts; those that span a pair, and its nearest ones, tell
+  // enough.
   void keep_nearest_of_pairs() {
     std::vector<BodyContact> kept;
-    for (const BodyContact& t : m_part.more) {
-      const bool same_pair =
-          !kept.empty() && kept.back().on == t.on && kept.back().partner == t.partner;
-      if (!same_pair)
-        kept.push_back(t);
-      else if (t.contact.gap < kept.back().contact.gap)
-        kept.back() = t;
+    auto& all = m_part.more;
+    for (auto first = all.begin(), end = first; first != all.end(); first = end) {
+      end = std::find_if(first, all.end(), [&](const BodyContact& t) {
+        return t.on != first->on || t.partner != first->partner;
+      });
+      std::stable_sort(first, end, [](const BodyContact& a, const BodyContact& b) {
+        return a.contact.gap < b.contact.gap;
+      });
+      kept.insert(kept.end(), first, first + std::min(end - first, kNearestOfPair));
     }
-    m_part.more = std::move(kept);
+    all = std::move(kept);
   }
 
   bool is_missing(size_t body) const {

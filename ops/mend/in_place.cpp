@@ -56,12 +56,12 @@ class HeapInPlace {
   SettledScene run() {
     hold_parted();
     close_all();
-    for (const ObjectId id : m_out.rest_together(m_order))
-      if (contains(m_order, id)) hold(id, m_scene.at(id).pose);
+    hold_what_does_not_rest();
     // What does not rest is let go, at first only where it comes to rest near, with all others.
     for (const double farthest : kFarthestInPlace)
       for (const ObjectId id : m_order)
         if (is_held(id) && !m_out.is_out_of_time()) let_go(id, farthest * tolerance());
+    hold_what_does_not_rest();
     for (const ObjectId id : m_order)
       if (is_held(id)) give_up(id);
     return m_out.finish();
@@ -87,6 +87,18 @@ class HeapInPlace {
       for (const ObjectId id : missing) let_go_alone(id);
     }
     for (const ObjectId id : m_order) release(id);
+  }
+
+  // As a whole, or alone.
+  void hold_what_does_not_rest() {
+    std::vector<ObjectId> let_go;
+    for (const ObjectId id : m_order)
+      if (!is_held(id)) let_go.push_back(id);
+    std::vector<ObjectId> left = m_out.rest_together(let_go);
+    const std::vector<ObjectId> alone = unsettled_objects(m_scene, m_out.options());
+    left.insert(left.end(), alone.begin(), alone.end());
+    for (const ObjectId id : left)
+      if (contains(let_go, id)) hold(id, m_scene.at(id).pose);
   }
 
   void give_up(ObjectId id) {

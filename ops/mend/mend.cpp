@@ -68,9 +68,13 @@ class Mender {
     // Objects without findings stay; only the others leave the scene, and come back.
     m_moving = unsettled_objects(m_scene, m_options);
     const std::vector<ObjectId> order = in_order(m_moving);
+    std::map<std::uint32_t, Pose> given;
+    for (const ObjectId id : m_scene.ids())
+      if (m_scene.at(id).placed) given[id.index] = m_scene.at(id).pose;
     SettledScene settled = is_heap(m_meant, m_moving) ? as_heap(order) : bottom_up(order);
     MendedScene out;
     static_cast<SettledScene&>(out) = std::move(settled);
+    out.moved = moved_since(given, m_scene);  // what was moved twice is told once
     out.tolerance = m_meant.tolerance;
     for (const ObjectId id : m_moving) compare(*m_meant.find(id), out);
     return out;
@@ -99,7 +103,7 @@ class Mender {
     Scene heap = std::move(m_scene);
     m_scene = before;
     SettledScene other = bottom_up(order);
-    if (cost_of(other) < cost_of(out)) return other;
+    if (other.unable.size() < out.unable.size()) return other;
     m_scene = std::move(heap);
     return out;
   }
@@ -111,18 +115,7 @@ class Mender {
       for (const UnsettledObject& o : out.unable) left.push_back(o.id);
       SettledScene rest = bottom_up(left);
       out.unable = std::move(rest.unable);
-      for (SettledObject& o : rest.moved) out.moved.push_back(std::move(o));
     }
-    std::stable_sort(
-        out.moved.begin(), out.moved.end(),
-        [](const SettledObject& a, const SettledObject& b) { return a.id.index < b.id.index; });
-  }
-
-  // The number of those without a place, then metres.
-  static std::pair<size_t, double> cost_of(const SettledScene& settled) {
-    double way = 0;
-    for (const SettledObject& o : settled.moved) way += o.moved;
-    return {settled.unable.size(), way};
   }
 
   // Objects that stand level on one thing are moved apart together, when the first of them comes

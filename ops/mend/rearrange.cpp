@@ -35,7 +35,8 @@ template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pos
 Rearrangement::Rearrangement(Scene& scene, const SettleSceneOptions& options,
                              const std::vector<ObjectId>& ids)
     : m_scene(scene), m_options(options) {
-  for (const ObjectId id : ids) m_given[id.index] = scene.at(id).pose;
+  for (const ObjectId id : scene.ids())
+    if (scene.at(id).placed) m_given[id.index] = scene.at(id).pose;
   // All leave the scene at once, so that none is in the way of another's place.
   for (const ObjectId id : ids) edit_object(scene, id, [](Object& o) { o.placed = false; });
   update_contacts(scene, options.settle.clearance, options.settle);
@@ -48,7 +49,7 @@ bool Rearrangement::is_out_of_time() const {
 }
 
 std::vector<ObjectId> Rearrangement::rest_together(const std::vector<ObjectId>& ids) {
-  if (!keeps_whole_at_rest(m_options.settle)) return unsettled_objects(m_scene, m_options);
+  if (ids.empty() || !keeps_whole_at_rest(m_options.settle)) return {};
   const double clearance = clearance_of(m_scene, m_options.settle);
   const RestRules rules = rest_rules(m_options.settle, clearance);
   OperationRun run(m_options.settle, m_options.context);
@@ -95,19 +96,26 @@ SettledScene Rearrangement::finish() {
       o.state = ObjectState::Invalid;
     });
   update_contacts(m_scene, m_options.settle.clearance, m_options.settle);
-  for (const ObjectId id : m_scene.ids()) {
+  m_out.moved = moved_since(m_given, m_scene);
+  return std::move(m_out);
+}
+
+std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,
+                                       const Scene& scene) {
+  std::vector<SettledObject> out;
+  for (const ObjectId id : scene.ids()) {
     // Ways and turns are measured from the given poses.
-    const auto it = m_given.find(id.index);
-    if (it == m_given.end()) continue;
-    const Object& object = m_scene.at(id);
+    const auto it = given.find(id.index);
+    if (it == given.end()) continue;
+    const Object& object = scene.at(id);
     const Vec3 was =
         world_from_object(it->second, object.up, object.scale).apply(object.shape->mass.centre);
     const double moved = (object.centre_of_mass() - was).norm();
     const double turned = turn_between_deg(it->second.rotation, object.pose.rotation);
     if (moved > 0 || turned > 0)
-      m_out.moved.push_back({id, object.name, it->second, object.pose, moved, turned});
+      out.push_back({id, object.name, it->second, object.pose, moved, turned});
   }
-  return std::move(m_out);
+  return out;
 }
 
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids) {

@@ -53,11 +53,15 @@ class Rearrangement {
 
   Scene& m_scene;
   const SettleSceneOptions& m_options;
-  std::map<std::uint32_t, Pose> m_given;  // by slot
+  std::map<std::uint32_t, Pose> m_given;  // by slot, of all: some give way
   Stopwatch m_watch;
   std::int64_t m_num_queries = 0;  // of first contacts
   SettledScene m_out;
 };
+
+/// What is elsewhere than it was given, in the scene's order. @param given  by slot.
+std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,
+                                       const Scene& scene);
 
 /// The lowest first.
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids);

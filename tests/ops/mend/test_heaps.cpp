@@ -3,12 +3,13 @@
 
 #include <random>
 
-#include "core/motion/motion.h"
+#include "core/motion/compose.h"
 #include "ops/detect/detector.h"
 #include "ops/mend/boxes.h"
 #include "ops/mend/close_gaps.h"
 #include "ops/mend/mend.h"
 #include "ops/mend/part_together.h"
+#include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 #include "ops/stability/stability.h"
 
@@ -59,20 +60,26 @@ TEST(PartTogether, WhatIsFreeStaysToTheBit) {
     EXPECT_EQ(out[i].pose.translation, given[i].pose.translation);
 }
 
-/// Tents of two boards each, side by side; a plank across both, and a log in the valley between
-/// them.
-Boxes heap_of_tents(bool whole) {
+/// Two boards that lean on each other.
+Boxes tent() {
   Boxes s;
-  const Rotation left = turn_about(Vec3::UnitY(), 20), right = turn_about(Vec3::UnitY(), -20);
-  for (const int tent : {0, 1}) {
-    if (tent > 0 && !whole) break;
-    const std::string name = tent == 0 ? "a" : "b";
-    s.add(name + " left", kBoard, {0.27 * tent - 0.0641, 0, 0.1453}, false, left);
-    s.add(name + " right", kBoard, {0.27 * tent + 0.0641, 0, 0.1453}, false, right);
+  s.add("left", kBoard, {-0.0641, 0, 0.1453}, false, turn_about(Vec3::UnitY(), 20));
+  s.add("right", kBoard, {0.0641, 0, 0.1453}, false, turn_about(Vec3::UnitY(), -20));
+  return s;
+}
+
+/// Seven bricks, slabs and bars let fall onto each other in any orientation.
+Boxes heap_of_bricks(std::mt19937_64& random) {
+  Boxes s;
+  std::uniform_real_distribution<double> half(0.015, 0.05), place(-0.05, 0.05), part(-1, 1);
+  for (int i = 0; i < 7; ++i) {
+    const Vec3 size(half(random), half(random), half(random));
+    const ObjectId id = s.add("brick " + std::to_string(i), size, {0, 0, 10});
+    edit_object(s.scene, id, [](Object& o) { o.placed = false; });
+    const Rotation turn = Rotation{part(random), part(random), part(random), part(random)};
+    const double x = place(random), y = place(random);
+    EXPECT_TRUE(put(s.scene, id, {turn.normalized(), {x, y, 0.6}}).ok());
   }
-  if (!whole) return s;
-  s.add("log", {0.03, 0.09, 0.03}, {0.135, 0, 0.14}, false, turn_about(Vec3::UnitY(), 30));
-  s.add("plank", {0.2, 0.03, 0.008}, {0.135, 0, 0.3005});
   return s;
 }
 
@@ -90,7 +97,7 @@ bool stands(const Scene& given) {
 }
 
 TEST(CloseGaps, BoardsThatMissEachOtherComeToLean) {
-  Boxes s = heap_of_tents(false);
+  Boxes s = tent();
   ASSERT_TRUE(mended(s.scene, 0.005).unable.empty());
   const Scene leaning = s.scene;
   edit_object(s.scene, s.ids[0], [](Object& o) { o.pose.translation += Vec3(-0.001, 0, 1e-4); });
@@ -104,7 +111,7 @@ TEST(CloseGaps, BoardsThatMissEachOtherComeToLean) {
 }
 
 TEST(CloseGaps, WhatNothingWithinReachHoldsIsNamedAndStays) {
-  Boxes s = heap_of_tents(false);
+  Boxes s = tent();
   mended(s.scene, 0.005);
   const ObjectId floating = s.add("floating", kSmallBox, {0.5, 0, 0.1});
   const GapsToClose gaps{default_clearance(s.scene), 0.005};
@@ -144,11 +151,10 @@ std::pair<int, int> kept_of(const Scene& before, const Scene& after) {
 }
 
 // The cost is counted, as times differ from machine to machine.
-TEST(Heaps, AHeapOfMutualSupportsIsMendedNearby) {
-  Boxes given = heap_of_tents(true);
-  ASSERT_TRUE(mended(given.scene, 0.005).unable.empty());
-  ASSERT_TRUE(stands(given.scene));
+TEST(Heaps, OfBricksAreMendedNearby) {
   std::mt19937_64 random(1);
+  const Boxes given = heap_of_bricks(random);
+  ASSERT_TRUE(stands(given.scene));
   for (const double noise : {0.001, 0.005}) {
     int near = 0, all = 0, kept = 0, meant = 0;
     for (int run = 0; run < 4; ++run) {
@@ -158,7 +164,7 @@ TEST(Heaps, AHeapOfMutualSupportsIsMendedNearby) {
       Detector detector;
       EXPECT_TRUE(mended(s.scene, 0, &detector).unable.empty());
       EXPECT_TRUE(stands(s.scene)) << noise << " " << run;
-      EXPECT_LT(detector.work().num_queries, 400 * static_cast<int>(s.ids.size()));
+      EXPECT_LT(detector.work().num_queries, 600 * static_cast<int>(s.ids.size()));
       for (const ObjectId id : s.ids) {
         ++all;
         near += (s.at(id) - bad.at(id).pose.translation).norm() <= 2 * 1.54 * noise;
@@ -168,11 +174,9 @@ TEST(Heaps, AHeapOfMutualSupportsIsMendedNearby) {
       Scene again = bad;
       mended(again, 0);
       EXPECT_TRUE(same_bits(again, s.scene));
-      RecordProperty("queries", std::to_string(detector.work().num_queries));
     }
-    std::printf("%g: near %d of %d, kept %d of %d\n", noise, near, all, kept, meant);
-    EXPECT_GE(near, 0.8 * all) << noise;
-    EXPECT_GE(kept, 0.8 * meant) << noise;
+    EXPECT_GE(near, (noise == 0.001 ? 0.95 : 0.8) * all) << noise;
+    EXPECT_GE(kept, 0.9 * meant) << noise;
   }
 }
 
