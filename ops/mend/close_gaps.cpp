@@ -23,7 +23,7 @@ constexpr std::ptrdiff_t kNearestOfPair = 24;
 constexpr double kSoftness = 1e-6;  // bounds multipliers of contacts that contradict each other
 constexpr int kSweepsOfClosing = 3000;
 
-/// Of a body: metres, then turns by the metres that they move a point at half its size.
+/// A body's shift, and its turn by the metres that a point at half its size moves.
 using SmallMotion = Eigen::Matrix<double, 6, 1>;
 
 /// A contact as a condition on the small motions of its two bodies.
@@ -96,7 +96,7 @@ class GapCloser {
     return true;
   }
 
-  // What carries a force closes.
+  // A contact that carries a force is to close.
   bool is_needed(size_t touch) const {
     const double weight = m_part.bodies[m_part.touches[touch].on].weight;
     return m_forces.solved && m_forces.forces[touch].norm() > kForceThatMatters * weight;
@@ -128,7 +128,7 @@ class GapCloser {
     return out;
   }
 
-  // Of each body: metres, and metres by turns.
+  // The motions with the least sum of squares.
   std::vector<SmallMotion> least_motions() const {
     std::vector<GapRow> rows;
     for (size_t k = 0; k < m_part.touches.size(); ++k)

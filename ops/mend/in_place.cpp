@@ -57,7 +57,7 @@ class HeapInPlace {
     hold_parted();
     close_all();
     hold_what_does_not_rest();
-    // What does not rest is let go, at first only where it comes to rest near, with all others.
+    // The others are let go one by one, at first only where they come to rest near.
     for (const double farthest : kFarthestInPlace)
       for (const ObjectId id : m_order)
         if (is_held(id) && !m_out.is_out_of_time()) let_go(id, farthest * tolerance());
@@ -145,7 +145,7 @@ class HeapInPlace {
     take_out(id);
     const Pose free = parted(m_scene, *m_meant.find(id), here);
     std::optional<Pose> start = best_start(id, free, farthest);
-    // Those that would give way under it are held, too, and let go after it.
+    // If others would give way under it, these are held, too, and let go after it.
     if (!start && hold_again(id)) start = best_start(id, free, farthest);
     if (!start || !m_out.put(id, *start, 1).ok()) hold(id, free);
   }
@@ -184,7 +184,7 @@ class HeapInPlace {
       if (const auto id = m_scene.find(name.name)) m_gives_way.insert(id->index);
   }
 
-  // Of all that were let go.
+  // The sum over all that were let go.
   double way_of_others(ObjectId id) const {
     double out = 0;
     for (const ObjectId other : m_order)

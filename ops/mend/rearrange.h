@@ -59,7 +59,7 @@ class Rearrangement {
   SettledScene m_out;
 };
 
-/// What is elsewhere than it was given, in the scene's order. @param given  by slot.
+/// Objects that are elsewhere than they were given, in the scene's order. @param given  by slot.
 std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,
                                        const Scene& scene);
 
