@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "core/io/foreign/scene.h"
 #include "ops/check/check.h"
+#include "ops/mend/attitudes.h"
+#include "ops/mend/close_gaps.h"
+#include "ops/mend/part_together.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
 #include "ops/operations/perform.h"
@@ -17,7 +21,11 @@ namespace {
 
 constexpr double kAirOfParted = 2e-5;  // metres between an object and what it is parted from
 constexpr int kRoundsOfParting = 8;
-constexpr int kRoundsOfSettling = 4;
+constexpr int kRoundsOfClosing = 6;
+constexpr double kWiderRound = 2;    // of the reach, where the first one is not enough
+constexpr double kMostReach = 0.02;  // metres: what is farther falls
+// Tolerances within which an object has to come to rest, round by round.
+constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
 constexpr double kTiltedShareOfHeap = 0.25;
 // Starts around its place: above and beside it, in tolerances, and turned, in degrees.
@@ -46,73 +54,142 @@ class HeapInPlace {
       : m_scene(scene), m_meant(meant), m_order(order), m_out(scene, options, order) {}
 
   SettledScene run() {
-    for (const ObjectId id : m_order) stand(id, parted(m_scene, *m_meant.find(id), start_of(id)));
-    // First only what comes to rest near, so that it holds the others.
-    for (int round = 0; round < kRoundsOfSettling; ++round)
-      if (!settle_all((2 + 4 * round) * tolerance())) break;
-    for (const ObjectId id : not_at_rest()) {
-      take_out(id);
-      m_out.give_up(id, m_out.is_out_of_time() ? Sentence("the time is over")
-                                               : Sentence("no place near is free"));
-    }
+    hold_parted();
+    close_all();
+    hold_what_does_not_rest();
+    // The others are let go one by one, at first only where they come to rest near.
+    for (const double farthest : kFarthestInPlace)
+      for (const ObjectId id : m_order)
+        if (is_held(id) && !m_out.is_out_of_time()) let_go(id, farthest * tolerance());
+    hold_what_does_not_rest();
+    for (const ObjectId id : m_order)
+      if (is_held(id)) give_up(id);
     return m_out.finish();
   }
 
  private:
-  // Level ones come down to what carries them, tilted ones stay as they lie.
-  Pose start_of(ObjectId id) const {
-    const ObjectIntent& meant = *m_meant.find(id);
-    if (!meant.is_level) return m_out.given(id);
-    Pose pose = meant.level;
-    pose.translation.z() -= meant.gap;
-    return pose;
+  static bool contains(const std::vector<ObjectId>& ids, ObjectId id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
   }
 
-  // @return true: something moved, and something is left.
-  bool settle_all(double farthest) {
-    bool any = false;
+  // All come into the contacts that hold them. What none within reach would hold is let go alone,
+  // and they try again.
+  void close_all() {
+    const double clearance = clearance_of(m_scene, m_out.options().settle);
+    const double reach = std::min(tolerance(), kMostReach);
+    for (int round = 0; round < kRoundsOfClosing && !m_out.is_out_of_time(); ++round) {
+      for (const ObjectId id : m_order) release(id);
+      const double wider = round == 0 ? 1 : kWiderRound;
+      const auto missing = close_gaps(m_scene, m_order, {clearance, wider * reach});
+      if (missing.empty()) return;
+      if (round == 0) continue;
+      for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
+      for (const ObjectId id : missing) let_go_alone(id);
+    }
+    for (const ObjectId id : m_order) release(id);
+  }
+
+  // As a whole, or alone.
+  void hold_what_does_not_rest() {
+    std::vector<ObjectId> let_go;
     for (const ObjectId id : m_order)
-      if (!m_out.is_out_of_time()) any |= settle(id, farthest);
-    return any && !not_at_rest().empty();
+      if (!is_held(id)) let_go.push_back(id);
+    std::vector<ObjectId> left = m_out.rest_together(let_go);
+    const std::vector<ObjectId> alone = unsettled_objects(m_scene, m_out.options());
+    left.insert(left.end(), alone.begin(), alone.end());
+    for (const ObjectId id : left)
+      if (contains(let_go, id)) hold(id, m_scene.at(id).pose);
   }
 
-  void stand(ObjectId id, const Pose& pose) {
+  void give_up(ObjectId id) {
+    release(id);
+    take_out(id);
+    m_out.give_up(id, m_out.is_out_of_time() ? Sentence("the time is over")
+                                             : Sentence("no place near is free"));
+  }
+
+  // All stand still where they are parted: what is let go finds the others there.
+  void hold_parted() {
+    std::vector<Placement> all;
+    for (const ObjectId id : m_order) all.push_back({id, m_out.given(id)});
+    for (const Placement& p : part_together(m_scene, std::move(all), kAirOfParted))
+      hold(p.id, p.pose);
+  }
+
+  void hold(ObjectId id, const Pose& pose) {
     edit_object(m_scene, id, [&](Object& o) {
       o.pose = pose;
-      o.placed = true;
+      o.placed = o.fixed = true;
       o.state = ObjectState::Unsupported;
     });
+  }
+  bool is_held(ObjectId id) const { return m_scene.at(id).fixed; }
+  void release(ObjectId id) {
+    edit_object(m_scene, id, [](Object& o) { o.fixed = false; });
   }
   void take_out(ObjectId id) {
     edit_object(m_scene, id, [](Object& o) { o.placed = false; });
   }
 
-  // Stays where it is if it is at rest there; else it is let go, from where it comes to rest
-  // nearest. @param farthest  metres: beyond that it waits until others are at rest.
-  bool settle(ObjectId id, double farthest) {
+  // All others hold, before and after.
+  void let_go_alone(ObjectId id) {
+    let_go(id, kInfinity);
+    hold(id, m_scene.at(id).pose);
+  }
+
+  // From where it comes to rest nearest, with all that were let go before it; the others hold.
+  // @param farthest  metres: beyond that it is held until others are at rest.
+  void let_go(ObjectId id, double farthest) {
     const Pose here = m_scene.at(id).pose;
+    release(id);
     take_out(id);
-    if (m_out.stand_still(id, here)) return false;
     const Pose free = parted(m_scene, *m_meant.find(id), here);
-    const std::optional<Pose> start = best_start(id, free, farthest);
-    if (start && m_out.put(id, *start).ok()) return true;
-    stand(id, free);
-    return false;
+    std::optional<Pose> start = best_start(id, free, farthest);
+    // If others would give way under it, these are held, too, and let go after it.
+    if (!start && hold_again(id)) start = best_start(id, free, farthest);
+    if (!start || !m_out.put(id, *start, 1).ok()) hold(id, free);
+  }
+
+  bool hold_again(ObjectId id) {
+    bool any = false;
+    for (const ObjectId other : m_order)
+      if (other != id && !is_held(other) && m_gives_way.count(other.index)) {
+        hold(other, m_scene.at(other).pose);
+        any = true;
+      }
+    return any;
   }
 
   std::optional<Pose> best_start(ObjectId id, const Pose& free, double farthest) {
     std::optional<Pose> best;
-    double least = farthest;
+    double least = kInfinity;
+    m_gives_way.clear();
+    const double others = way_of_others(id);
     for (const Pose& start : starts_of(id, free)) {
       if (m_out.is_out_of_time()) break;
       if (refuse_interpenetration(m_scene, id, start, false)) continue;
-      m_out.try_put(id, start, [&](const Object& there) {
-        const double way = way_to(id, there.pose);
-        if (way < least) least = way, best = start;
-      });
+      const auto judge = [&](const Object& there) {
+        const double way = way_to(id, there.pose), all = way + way_of_others(id) - others;
+        if (way < farthest && all < least) least = all, best = start;
+      };
+      const OperationResult result = m_out.try_put(id, start, judge, 1);
+      if (result.refusal && m_gives_way.empty()) note_who_gives_way(*result.refusal);
       if (least <= kNearInPlace * tolerance()) break;
     }
     return best;
+  }
+
+  void note_who_gives_way(const Refusal& why) {
+    for (const Named& name : why.objects)
+      if (const auto id = m_scene.find(name.name)) m_gives_way.insert(id->index);
+  }
+
+  // The sum over all that were let go.
+  double way_of_others(ObjectId id) const {
+    double out = 0;
+    for (const ObjectId other : m_order)
+      if (other != id && !is_held(other)) out += way_to(other, m_scene.at(other).pose);
+    return out;
   }
 
   // From the given pose: the way of its middle and the turn of its half size.
@@ -128,7 +205,9 @@ class HeapInPlace {
 
   // Above the free pose, then beside it, then turned about level axes.
   std::vector<Pose> starts_of(ObjectId id, const Pose& free) const {
-    std::vector<Pose> out;
+    std::vector<Pose> out{free};
+    const ObjectIntent& meant = *m_meant.find(id);
+    if (meant.is_level) out.push_back(parted(m_scene, meant, levelled_from(id, free)));
     for (const double lift : kLiftsInPlace) out.push_back(moved(free, lift * Vec3::UnitZ()));
     for (const double ring : kRingsInPlace)
       for (int k = 0; k < 8; ++k) {
@@ -146,23 +225,23 @@ class HeapInPlace {
       }
     return out;
   }
+  // Its level attitude, about the middle of where it is.
+  Pose levelled_from(ObjectId id, const Pose& free) const {
+    const Object& object = m_scene.at(id);
+    Pose out = m_meant.find(id)->level;
+    out.translation += middle_of_box(object, free) - middle_of_box(object, out);
+    return out;
+  }
   Pose moved(Pose pose, const Vec3& tolerances) const {
     pose.translation += tolerance() * tolerances;
     return pose;
-  }
-
-  std::vector<ObjectId> not_at_rest() const {
-    std::vector<ObjectId> out;
-    const std::vector<ObjectId> unsettled = unsettled_objects(m_scene, m_out.options());
-    for (const ObjectId id : m_order)
-      if (std::find(unsettled.begin(), unsettled.end(), id) != unsettled.end()) out.push_back(id);
-    return out;
   }
 
   Scene& m_scene;
   const Intent& m_meant;
   const std::vector<ObjectId>& m_order;
   Rearrangement m_out;
+  std::set<std::uint32_t> m_gives_way;  // slots, at the first start that was refused
 };
 
 }  // namespace

@@ -24,9 +24,8 @@ constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
 constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
-constexpr int kAims = 3;                 // tries to hit the place, from where it came to rest
-constexpr double kAimed = 0.1;           // tolerances: near enough
-constexpr double kNearInTolerances = 2;  // of objects in a heap: nothing better is looked for
+constexpr int kAims = 3;        // tries to hit the place, from where it came to rest
+constexpr double kAimed = 0.1;  // tolerances: near enough
 constexpr double kMayBeLevelDeg = 15;
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
@@ -69,9 +68,13 @@ class Mender {
     // Objects without findings stay; only the others leave the scene, and come back.
     m_moving = unsettled_objects(m_scene, m_options);
     const std::vector<ObjectId> order = in_order(m_moving);
+    std::map<std::uint32_t, Pose> given;
+    for (const ObjectId id : m_scene.ids())
+      if (m_scene.at(id).placed) given[id.index] = m_scene.at(id).pose;
     SettledScene settled = is_heap(m_meant, m_moving) ? as_heap(order) : bottom_up(order);
     MendedScene out;
     static_cast<SettledScene&>(out) = std::move(settled);
+    out.moved = moved_since(given, m_scene);  // what was moved twice is told once
     out.tolerance = m_meant.tolerance;
     for (const ObjectId id : m_moving) compare(*m_meant.find(id), out);
     return out;
@@ -89,18 +92,18 @@ class Mender {
     return rearrangement.finish();
   }
 
-  // In place, and what then has no place bottom up; or all bottom up, if that is cheaper.
+  // In place, and what then has no place bottom up; or all bottom up, if that leaves less.
   SettledScene as_heap(const std::vector<ObjectId>& order) {
     MendOptions half = m_options;
     half.seconds /= 2;
     const Scene before = m_scene;
     SettledScene out = mend_in_place(m_scene, half, m_meant, order);
     if (!out.unable.empty()) place_rest(out);
-    if (are_all_near(out)) return out;
+    if (out.unable.empty()) return out;
     Scene heap = std::move(m_scene);
     m_scene = before;
     SettledScene other = bottom_up(order);
-    if (cost_of(other) < cost_of(out)) return other;
+    if (other.unable.size() < out.unable.size()) return other;
     m_scene = std::move(heap);
     return out;
   }
@@ -112,25 +115,7 @@ class Mender {
       for (const UnsettledObject& o : out.unable) left.push_back(o.id);
       SettledScene rest = bottom_up(left);
       out.unable = std::move(rest.unable);
-      for (SettledObject& o : rest.moved) out.moved.push_back(std::move(o));
     }
-    std::stable_sort(
-        out.moved.begin(), out.moved.end(),
-        [](const SettledObject& a, const SettledObject& b) { return a.id.index < b.id.index; });
-  }
-
-  bool are_all_near(const SettledScene& settled) const {
-    return settled.unable.empty() &&
-           std::all_of(settled.moved.begin(), settled.moved.end(), [&](const SettledObject& o) {
-             return o.moved <= kNearInTolerances * m_meant.tolerance;
-           });
-  }
-
-  // The number of those without a place, then metres.
-  static std::pair<size_t, double> cost_of(const SettledScene& settled) {
-    double way = 0;
-    for (const SettledObject& o : settled.moved) way += o.moved;
-    return {settled.unable.size(), way};
   }
 
   // Objects that stand level on one thing are moved apart together, when the first of them comes

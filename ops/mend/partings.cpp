@@ -15,12 +15,13 @@ constexpr double kOverRelaxed = 1.9;  // makes long rows converge in some sweeps
 constexpr double kCompliance = 1e-7;  // bounds multipliers of partings that cannot be met
 
 /// Each parting as a push on its two.
+template <class Way>
 class Relaxation {
  public:
-  Relaxation(const std::vector<Parting>& partings, size_t num)
-      : m_partings(partings), m_pushes(partings.size(), 0), m_shifts(num, Vec2::Zero()) {}
+  Relaxation(const std::vector<PartingAlong<Way>>& partings, size_t num)
+      : m_partings(partings), m_pushes(partings.size(), 0), m_shifts(num, Way::Zero()) {}
 
-  std::vector<Vec2> run() {
+  std::vector<Way> run() {
     for (int sweep = 0; sweep < kMostSweeps; ++sweep)
       if (sweep_once(kOverRelaxed) < kStill) return std::move(m_shifts);
     // Partings that contradict each other overshoot by then.
@@ -32,8 +33,8 @@ class Relaxation {
   double sweep_once(double relaxed) {
     double most = 0;
     for (size_t c = 0; c < m_partings.size(); ++c) {
-      const Parting& p = m_partings[c];
-      const Vec2 between = p.b ? Vec2(m_shifts[p.a] - m_shifts[*p.b]) : m_shifts[p.a];
+      const PartingAlong<Way>& p = m_partings[c];
+      const Way between = p.b ? Way(m_shifts[p.a] - m_shifts[*p.b]) : m_shifts[p.a];
       const double lacks = p.least - p.way.dot(between) - kCompliance * m_pushes[c];
       // A push never pulls: what is farther apart than it must be stays there.
       const double wanted = m_pushes[c] + relaxed * lacks / ((p.b ? 2 : 1) + kCompliance);
@@ -46,9 +47,9 @@ class Relaxation {
     return most;
   }
 
-  const std::vector<Parting>& m_partings;
+  const std::vector<PartingAlong<Way>>& m_partings;
   std::vector<double> m_pushes;  // multipliers, metres
-  std::vector<Vec2> m_shifts;
+  std::vector<Way> m_shifts;
 };
 
 // `a` along the outward normals of `b`.
@@ -65,9 +66,12 @@ void try_normals(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double 
 
 }  // namespace
 
-std::vector<Vec2> least_shifts(const std::vector<Parting>& partings, size_t num) {
-  return Relaxation(partings, num).run();
+template <class Way>
+std::vector<Way> least_shifts(const std::vector<PartingAlong<Way>>& partings, size_t num) {
+  return Relaxation<Way>(partings, num).run();
 }
+template std::vector<Vec2> least_shifts(const std::vector<Parting>&, size_t);
+template std::vector<Vec3> least_shifts(const std::vector<Parting3>&, size_t);
 
 WayApart way_apart(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   WayApart out{Vec2::Zero(), kInfinity};

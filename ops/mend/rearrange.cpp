@@ -3,26 +3,40 @@
 #include <algorithm>
 
 #include "ops/check/check.h"
+#include "ops/operations/commit.h"
 #include "ops/operations/perform.h"
+#include "ops/operations/whole.h"
+#include "ops/placement/clearance.h"
+#include "ops/placement/contacts.h"
 
 namespace trivet {
+namespace {
+
+constexpr std::int64_t kContactsOfEach = 60;  // first contacts by which an object may come to rest
+
+}  // namespace
+
 template <class Target>
-OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& start) {
+OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& start, int tries) {
   PutOperation put;
+  put.tries = tries;
   put.object = m_scene.at(id).name;
   put.start = start;
   RunContext context = m_options.context;
   if (m_options.seconds > 0)  // one that takes long ends with the whole
     context.time_budget_s = std::max(m_options.seconds - 1e-3 * m_watch.milliseconds(), 1e-3);
-  return perform(target, Operation(put), m_options.settle, context);
+  OperationResult out = perform(target, Operation(put), m_options.settle, context);
+  m_num_queries += out.num_queries;
+  return out;
 }
-template OperationResult Rearrangement::put_in(Scene&, ObjectId, const Pose&);
-template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pose&);
+template OperationResult Rearrangement::put_in(Scene&, ObjectId, const Pose&, int);
+template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pose&, int);
 
 Rearrangement::Rearrangement(Scene& scene, const SettleSceneOptions& options,
                              const std::vector<ObjectId>& ids)
     : m_scene(scene), m_options(options) {
-  for (const ObjectId id : ids) m_given[id.index] = scene.at(id).pose;
+  for (const ObjectId id : scene.ids())
+    if (scene.at(id).placed) m_given[id.index] = scene.at(id).pose;
   // All leave the scene at once, so that none is in the way of another's place.
   for (const ObjectId id : ids) edit_object(scene, id, [](Object& o) { o.placed = false; });
   update_contacts(scene, options.settle.clearance, options.settle);
@@ -32,6 +46,32 @@ bool Rearrangement::is_out_of_time() const {
   // A cancelled one has no time left.
   if (m_options.context.cancel && *m_options.context.cancel) return true;
   return m_options.seconds > 0 && m_watch.milliseconds() > 1000 * m_options.seconds;
+}
+
+std::vector<ObjectId> Rearrangement::rest_together(const std::vector<ObjectId>& ids) {
+  if (ids.empty() || !keeps_whole_at_rest(m_options.settle)) return {};
+  const double clearance = clearance_of(m_scene, m_options.settle);
+  const RestRules rules = rest_rules(m_options.settle, clearance);
+  OperationRun run(m_options.settle, m_options.context);
+  Transaction transaction(m_scene);
+  // Links are found anew, as nothing has put them where they stand.
+  for (const ObjectId id : ids) {
+    const Object& object = m_scene.at(id);
+    commit_object(transaction, id, object.pose, ObjectState::Unsupported,
+                  touching(body_of(object), Neighbourhood(m_scene, id), clearance), rules);
+  }
+  const Budget budget{kContactsOfEach * static_cast<std::int64_t>(ids.size())};
+  OperationResult result;
+  const Named name = named(m_scene, Support(ids.front()));
+  const Budget left = settle_whole(transaction, name, clearance, run, result, budget);
+  m_num_queries += budget.first_contacts - left.first_contacts;
+  rate_again(transaction, ids, rules);
+  transaction.commit();
+  std::vector<ObjectId> out;
+  if (result.refusal)
+    for (size_t i = 1; i < result.refusal->objects.size(); ++i)
+      if (const auto id = m_scene.find(result.refusal->objects[i].name)) out.push_back(*id);
+  return out;
 }
 
 bool Rearrangement::stand_still(ObjectId id, const Pose& pose) {
@@ -56,19 +96,26 @@ SettledScene Rearrangement::finish() {
       o.state = ObjectState::Invalid;
     });
   update_contacts(m_scene, m_options.settle.clearance, m_options.settle);
-  for (const ObjectId id : m_scene.ids()) {
+  m_out.moved = moved_since(m_given, m_scene);
+  return std::move(m_out);
+}
+
+std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,
+                                       const Scene& scene) {
+  std::vector<SettledObject> out;
+  for (const ObjectId id : scene.ids()) {
     // Ways and turns are measured from the given poses.
-    const auto it = m_given.find(id.index);
-    if (it == m_given.end()) continue;
-    const Object& object = m_scene.at(id);
+    const auto it = given.find(id.index);
+    if (it == given.end()) continue;
+    const Object& object = scene.at(id);
     const Vec3 was =
         world_from_object(it->second, object.up, object.scale).apply(object.shape->mass.centre);
     const double moved = (object.centre_of_mass() - was).norm();
     const double turned = turn_between_deg(it->second.rotation, object.pose.rotation);
     if (moved > 0 || turned > 0)
-      m_out.moved.push_back({id, object.name, it->second, object.pose, moved, turned});
+      out.push_back({id, object.name, it->second, object.pose, moved, turned});
   }
-  return std::move(m_out);
+  return out;
 }
 
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids) {

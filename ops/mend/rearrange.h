@@ -7,6 +7,7 @@
 #include "ops/base/outcome.h"
 #include "ops/base/stopwatch.h"
 #include "ops/mend/settle_free.h"
+#include "ops/operations/put.h"
 
 namespace trivet {
 
@@ -24,16 +25,21 @@ class Rearrangement {
   bool keep(ObjectId id) { return stand_still(id, given(id)); }
   /// The same of another pose.
   bool stand_still(ObjectId id, const Pose& pose);
-  /// PUT from a start pose.
-  OperationResult put(ObjectId id, const Pose& start) { return put_in(m_scene, id, start); }
+  /// PUT from a start pose. @param tries  see PutOperation.
+  OperationResult put(ObjectId id, const Pose& start, int tries = kTriesOfPut) {
+    return put_in(m_scene, id, start, tries);
+  }
   /// The same, taken back after `judge` has seen the scene.
   template <class Judge>
-  OperationResult try_put(ObjectId id, const Pose& start, const Judge& judge) {
+  OperationResult try_put(ObjectId id, const Pose& start, const Judge& judge,
+                          int tries = kTriesOfPut) {
     Transaction transaction(m_scene);
-    const OperationResult result = put_in(transaction, id, start);
+    const OperationResult result = put_in(transaction, id, start, tries);
     if (result.ok()) judge(m_scene.at(id));
     return result;
   }
+  /// These, where they stand, come to rest as a whole. @return those that do not.
+  std::vector<ObjectId> rest_together(const std::vector<ObjectId>& ids);
   void give_up(ObjectId id, Sentence why) {
     m_out.unable.push_back({id, m_scene.at(id).name, std::move(why)});
   }
@@ -43,14 +49,19 @@ class Rearrangement {
 
  private:
   template <class Target>
-  OperationResult put_in(Target& target, ObjectId id, const Pose& start);
+  OperationResult put_in(Target& target, ObjectId id, const Pose& start, int tries);
 
   Scene& m_scene;
   const SettleSceneOptions& m_options;
-  std::map<std::uint32_t, Pose> m_given;  // by slot
+  std::map<std::uint32_t, Pose> m_given;  // by slot, of all: some give way
   Stopwatch m_watch;
+  std::int64_t m_num_queries = 0;  // of first contacts
   SettledScene m_out;
 };
+
+/// Objects that are elsewhere than they were given, in the scene's order. @param given  by slot.
+std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,
+                                       const Scene& scene);
 
 /// The lowest first.
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids);

@@ -17,13 +17,16 @@ namespace trivet {
 
 class ForceProgram {
  public:
-  /// @param price_of_push  of a push as heavy as what its body carries.
+  /// @param price_of_push  of a push as heavy as what its body carries. @param price_of_gap  of the
+  /// same across a metre.
   ForceProgram(const FreeBodies& part, double clearance, double factor = 1,
-               std::span<const MayCarry> may = {}, double price_of_push = 0)
+               std::span<const MayCarry> may = {}, double price_of_push = 0,
+               double price_of_gap = 0)
       : m_part(part),
         m_clearance(clearance),
         m_factor(factor),
         m_price_of_push(price_of_push),
+        m_price_of_gap(price_of_gap),
         m_carried(part.carried.empty() ? carried_weights(part) : part.carried) {
     add_rows();
     for (size_t k = 0; k < m_part.touches.size(); ++k)
@@ -80,7 +83,7 @@ class ForceProgram {
       double sum = 0;
       // The dual prices tell what the force is worth in the rows that it enters.
       for (const Entry& e : entries) sum += e.value * solution.prices[static_cast<size_t>(e.row)];
-      best = std::max(best, sum);
+      best = std::max(best, sum - price_of(t));
     });
     return best;
   }
@@ -248,13 +251,17 @@ class ForceProgram {
                                           : std::min(m_carried[t.on], m_carried[t.from]);
   }
 
+  double price_of(const BodyContact& t) const {
+    return (m_price_of_push + m_price_of_gap * t.contact.gap) * unit_of(t) / m_carried[t.on];
+  }
+
   void add_touch(const BodyContact& t, const MayCarry& may) {
     Spanned spanned{m_num_columns, unit_of(t), {}};
     for_each_force(t, spanned.unit, [&](const Vec3& edge, const std::vector<Entry>& entries) {
       spanned.edges.push_back(edge);
       // Pushing up what it is not meant to carry has its price.
       const double up = spanned.unit * edge.z();
-      double cost = m_price_of_push * spanned.unit / m_carried[t.on];
+      double cost = price_of(t);
       if (!may.on) cost += std::max(0.0, up) / m_carried[t.on];
       if (!may.from && t.from != BodyContact::kGround)
         cost += std::max(0.0, -up) / m_carried[t.from];
@@ -286,7 +293,7 @@ class ForceProgram {
 
   const FreeBodies& m_part;
   const double m_clearance;
-  const double m_factor, m_price_of_push;
+  const double m_factor, m_price_of_push, m_price_of_gap;
   const std::vector<double> m_carried;
   LinearProgram m_program;
   std::vector<Spanned> m_spanned;

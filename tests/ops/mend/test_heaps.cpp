@@ -1,0 +1,184 @@
+// Heaps whose members hold each other up: parted together, brought into contact together.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/motion/compose.h"
+#include "ops/detect/detector.h"
+#include "ops/mend/boxes.h"
+#include "ops/mend/close_gaps.h"
+#include "ops/mend/mend.h"
+#include "ops/mend/part_together.h"
+#include "ops/operations/perform.h"
+#include "ops/placement/clearance.h"
+#include "ops/stability/stability.h"
+
+namespace trivet {
+namespace {
+
+using namespace trivet::test;
+
+const Vec3 kBoard(0.01, 0.1, 0.15), kSmallBox(0.05, 0.05, 0.05);
+
+std::vector<Placement> taken_out(Boxes& s) {
+  std::vector<Placement> out;
+  for (const ObjectId id : s.ids) {
+    out.push_back({id, s.scene.at(id).pose});
+    edit_object(s.scene, id, [](Object& o) { o.placed = false; });
+  }
+  return out;
+}
+
+TEST(PartTogether, TwoGiveWayByHalf) {
+  Boxes s;
+  s.add("a", kSmallBox, {0, 0, 0.2});
+  s.add("b", kSmallBox, {0.096, 0.001, 0.2});
+  const std::vector<Placement> given = taken_out(s);
+  const std::vector<Placement> out = part_together(s.scene, given, 1e-5);
+  EXPECT_NEAR((out[0].pose.translation - given[0].pose.translation - Vec3(-0.002, 0, 0)).norm(), 0,
+              2e-5);
+  EXPECT_NEAR((out[1].pose.translation - given[1].pose.translation - Vec3(0.002, 0, 0)).norm(), 0,
+              2e-5);
+}
+
+TEST(PartTogether, WhatStaysTakesNoPart) {
+  Boxes s;
+  s.add("a", kSmallBox, {0, 0, 0.047});
+  const std::vector<Placement> given = taken_out(s);
+  s.add("wall", kSmallBox, {0.098, 0, 0.05}, true);
+  const std::vector<Placement> out = part_together(s.scene, given, 1e-5);
+  EXPECT_NEAR((out[0].pose.translation - Vec3(-0.002, 0, 0.05)).norm(), 0, 3e-5);
+}
+
+TEST(PartTogether, WhatIsFreeStaysToTheBit) {
+  Boxes s;
+  s.add("a", kSmallBox, {0, 0, 0.05});
+  s.add("b", kSmallBox, {0.101, 0, 0.05});
+  const std::vector<Placement> given = taken_out(s);
+  const std::vector<Placement> out = part_together(s.scene, given, 1e-5);
+  for (size_t i = 0; i < given.size(); ++i)
+    EXPECT_EQ(out[i].pose.translation, given[i].pose.translation);
+}
+
+/// Two boards that lean on each other.
+Boxes tent() {
+  Boxes s;
+  s.add("left", kBoard, {-0.0641, 0, 0.1453}, false, turn_about(Vec3::UnitY(), 20));
+  s.add("right", kBoard, {0.0641, 0, 0.1453}, false, turn_about(Vec3::UnitY(), -20));
+  return s;
+}
+
+/// Seven bricks, slabs and bars let fall onto each other in any orientation.
+Boxes heap_of_bricks(std::mt19937_64& random) {
+  Boxes s;
+  std::uniform_real_distribution<double> half(0.015, 0.05), place(-0.05, 0.05), part(-1, 1);
+  for (int i = 0; i < 7; ++i) {
+    const Vec3 size(half(random), half(random), half(random));
+    const ObjectId id = s.add("brick " + std::to_string(i), size, {0, 0, 10});
+    edit_object(s.scene, id, [](Object& o) { o.placed = false; });
+    const Rotation turn = Rotation{part(random), part(random), part(random), part(random)};
+    const double x = place(random), y = place(random);
+    EXPECT_TRUE(put(s.scene, id, {turn.normalized(), {x, y, 0.6}}).ok());
+  }
+  return s;
+}
+
+MendedScene mended(Scene& scene, double tolerance, Detector* detector = nullptr) {
+  MendOptions options;
+  options.tolerance = tolerance;
+  options.context.detector = detector;
+  return mend_scene(scene, options);
+}
+
+bool stands(const Scene& given) {
+  Scene scene = given;
+  update_contacts(scene);
+  return is_true(scene) && stability(scene).status != Stability::Status::Unstable;
+}
+
+TEST(CloseGaps, BoardsThatMissEachOtherComeToLean) {
+  Boxes s = tent();
+  ASSERT_TRUE(mended(s.scene, 0.005).unable.empty());
+  const Scene leaning = s.scene;
+  edit_object(s.scene, s.ids[0], [](Object& o) { o.pose.translation += Vec3(-0.001, 0, 1e-4); });
+  edit_object(s.scene, s.ids[1], [](Object& o) { o.pose.translation += Vec3(0.001, 0, 2e-4); });
+  EXPECT_FALSE(stands(s.scene));
+  const GapsToClose gaps{default_clearance(s.scene), 0.005};
+  EXPECT_TRUE(close_gaps(s.scene, s.ids, gaps).empty());
+  EXPECT_TRUE(stands(s.scene));
+  for (const ObjectId id : s.ids)
+    EXPECT_LT((s.at(id) - leaning.at(id).pose.translation).norm(), 0.0025) << id.index;
+}
+
+TEST(CloseGaps, WhatNothingWithinReachHoldsIsNamedAndStays) {
+  Boxes s = tent();
+  mended(s.scene, 0.005);
+  const ObjectId floating = s.add("floating", kSmallBox, {0.5, 0, 0.1});
+  const GapsToClose gaps{default_clearance(s.scene), 0.005};
+  EXPECT_EQ(close_gaps(s.scene, s.ids, gaps), std::vector{floating});
+  EXPECT_EQ(s.at(floating), Vec3(0.5, 0, 0.1));
+}
+
+void perturb(Boxes& s, double metres, double degrees, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const auto triple = [&] {
+    const double x = normal(random), y = normal(random);
+    return Vec3(x, y, normal(random));
+  };
+  for (const ObjectId id : s.ids) {
+    const Vec3 shift = metres * triple(), axis = triple().normalized();
+    const double turn = degrees * normal(random);
+    edit_object(s.scene, id, [&](Object& o) {
+      o.pose.translation += shift;
+      o.pose.rotation = (turn_about(axis, turn) * o.pose.rotation).normalized();
+    });
+  }
+}
+
+// Supports by names, of the true heap that are among those of the mended one.
+std::pair<int, int> kept_of(const Scene& before, const Scene& after) {
+  std::pair<int, int> out;
+  for (const ObjectId id : before.ids())
+    for (const ObjectContact& c : before.at(id).contacts) {
+      if (!holds_up(c)) continue;
+      ++out.second;
+      const auto& now = after.at(id).contacts;
+      out.first += std::any_of(now.begin(), now.end(), [&](const ObjectContact& other) {
+        return holds_up(other) && other.with == c.with;
+      });
+    }
+  return out;
+}
+
+// The cost is counted, as times differ from machine to machine.
+TEST(Heaps, OfBricksAreMendedNearby) {
+  std::mt19937_64 random(1);
+  const Boxes given = heap_of_bricks(random);
+  ASSERT_TRUE(stands(given.scene));
+  for (const double noise : {0.001, 0.005}) {
+    int near = 0, all = 0, kept = 0, meant = 0;
+    for (int run = 0; run < 4; ++run) {
+      Boxes s = given;
+      perturb(s, noise, noise == 0.001 ? 1 : 3, random);
+      const Scene bad = s.scene;
+      Detector detector;
+      EXPECT_TRUE(mended(s.scene, 0, &detector).unable.empty());
+      EXPECT_TRUE(stands(s.scene)) << noise << " " << run;
+      EXPECT_LT(detector.work().num_queries, 600 * static_cast<int>(s.ids.size()));
+      for (const ObjectId id : s.ids) {
+        ++all;
+        near += (s.at(id) - bad.at(id).pose.translation).norm() <= 2 * 1.54 * noise;
+      }
+      const auto [k, m] = kept_of(given.scene, s.scene);
+      kept += k, meant += m;
+      Scene again = bad;
+      mended(again, 0);
+      EXPECT_TRUE(same_bits(again, s.scene));
+    }
+    EXPECT_GE(near, (noise == 0.001 ? 0.95 : 0.8) * all) << noise;
+    EXPECT_GE(kept, 0.9 * meant) << noise;
+  }
+}
+
+}  // namespace
+}  // namespace trivet
