@@ -77,6 +77,13 @@ SolidMoments mesh_moments(const Mesh& mesh, MeshMass rule) {
   return rule == MeshMass::Legacy ? integrate(mesh, once.centre, rule) : once;
 }
 
+Mat3 inertia_of(const std::array<double, 6>& numbers) {
+  const auto [xx, yy, zz, xy, xz, yz] = numbers;
+  Mat3 out;
+  out << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return out;
+}
+
 SolidMoments moments_of(const GivenMass& mass) {
   SolidMoments out;
   out.volume = 1;

@@ -69,6 +69,20 @@ TEST(HostileScenes, BitsAreWholeNumbers) {
   EXPECT_NE(error("0.5").find("32 bits"), std::string::npos);
 }
 
+// An assertion of Eigen stopped the program while it read one.
+TEST(HostileScenes, InertiasAreNumbers) {
+  const std::string of_urdf =
+      "<robot name='r'><link name='base'/><link name='a'><inertial><mass value='1'/>"
+      "<inertia ixx='1' iyy='1' izz='x' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+      "<joint name='j' type='floating'><parent link='base'/><child link='a'/></joint></robot>";
+  const std::string by_urdf = error_thrown_by([&] { scene_of_urdf(of_urdf); });
+  EXPECT_NE(by_urdf.find("izz=\"x\""), std::string::npos) << by_urdf;
+  const std::string by_sdf = sdf_error(
+      "<sdf version='1.8'><model name='m'><link name='l'><inertial><mass>1</mass><inertia>"
+      "<ixx>1</ixx><iyy>x</iyy></inertia></inertial></link></model></sdf>");
+  EXPECT_NE(by_sdf.find("iyy"), std::string::npos) << by_sdf;
+}
+
 TEST(HostileScenes, LinksInARowEnd) {
   std::string robot = "<robot name='r'><link name='0'/>";
   for (int i = 1; i <= 5000; ++i) {
