@@ -81,8 +81,11 @@ OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOper
   };
   // A start that was asked for exactly, or a place that is searched for, has no other tries.
   const bool is_exact = o.tries == 1 || o.place || run.options.literal_paper_rules;
-  if (!is_exact) return put_by_tries(transaction, id, o, put_from, kBudgetOfFirstStart);
-  return put_from(transaction, o, kBudgetOfPut);
+  if (is_exact) return put_from(transaction, o, kBudgetOfPut);
+  OperationResult result = put_by_tries(transaction, id, o, put_from, kBudgetOfFirstStart);
+  // A refusal is that of the first start, but its time is that of all.
+  result.milliseconds = run.stopwatch.milliseconds();
+  return result;
 }
 
 template <class Any>

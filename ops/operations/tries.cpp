@@ -21,8 +21,9 @@ constexpr int kStartsOfTry = 2;   // looked at for each try: some interpenetrate
 /// most other starts it stands at once, in a tenth of the time.
 constexpr int kTriesToStand = 4;
 constexpr Budget kBudgetToStand{40, 0}, kBudgetOfTry{40}, kBudgetOfLast{600};
-/// The first starts have this once more where all were refused: others may move now.
-constexpr Budget kBudgetOfSecondLook{300};
+/// The first start has this once more where all were refused: others may move now. With a quarter
+/// of it for each of four starts fewer are placed, for as much work.
+constexpr Budget kBudgetOfSecondLook{1200};
 
 // Between half a turn either way.
 double wrapped_deg(double deg) { return std::remainder(deg, 360); }
@@ -84,13 +85,11 @@ class Tries {
   }
 
  private:
-  // From the first starts, at which others hardly could move.
+  // From the first start, at which others hardly could move.
   std::optional<OperationResult> look_again() {
-    for (int n = 1; n <= std::min(kTriesToStand, m_operation.tries); ++n) {
-      const auto result = try_number(n, kBudgetOfSecondLook);
-      if (result && (result->ok() || result->status != OperationResult::Status::Refused))
-        return result;
-    }
+    const auto result = try_number(1, kBudgetOfSecondLook);
+    if (result && (result->ok() || result->status != OperationResult::Status::Refused))
+      return result;
     if (m_gap) return take(*m_gap);
     return std::nullopt;
   }

@@ -7,8 +7,10 @@
 #pragma GCC diagnostic pop
 
 #include <cstdint>
+#include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace {
 
@@ -22,12 +24,9 @@ nlohmann::json model_json(const sdf::Model& model) {
           {"mass", model.LinkByIndex(0)->Inertial().MassMatrix().Mass()}};
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
-  if (count != 2) return 2;
+int print(const std::string& path) {
   sdf::Root root;
-  const sdf::Errors errors = root.Load(arguments[1]);
+  const sdf::Errors errors = root.Load(path);
   for (const sdf::Error& error : errors) std::cerr << error.Message() << "\n";
   if (!errors.empty() || root.WorldCount() != 1) return 1;
   nlohmann::json out = {{"objects", nlohmann::json::array()}};
@@ -36,4 +35,15 @@ int main(int count, char** arguments) {
     out["objects"].push_back(model_json(*world.ModelByIndex(i)));
   std::cout << out.dump() << "\n";
   return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return count == 2 ? print(arguments[1]) : 2;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
 }

@@ -15,7 +15,7 @@ namespace {
 using Element = const tinyxml2::XMLElement;
 using rest::Json;
 
-constexpr btScalar kStep = 1.0 / 240;
+constexpr btScalar kStep = 1e-3;  // seconds; of longer ones heavy things crush light ones
 constexpr btScalar kUnit = 100;  // per metre: the engine's thresholds of contacts are absolute
 constexpr int kIterations = 100;
 
