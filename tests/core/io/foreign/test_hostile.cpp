@@ -32,7 +32,7 @@ std::string sdf_error(const std::string& text) {
 
 TEST(HostileScenes, CopiesOfCopiesOfGeomsEnd) {
   std::string geoms = "<geom type='box' size='1 1 1'/>";
-  for (int i = 0; i < 4; ++i) geoms = "<replicate count='1000'>" + geoms + "</replicate>";
+  for (int i = 0; i < 4; ++i) geoms.insert(0, "<replicate count='1000'>").append("</replicate>");
   EXPECT_NE(error_thrown_by([&] { scene_of_mjcf(mjcf(geoms)); }).find("too many bodies"),
             std::string::npos);
 }
@@ -87,8 +87,9 @@ TEST(HostileScenes, LinksInARowEnd) {
   std::string robot = "<robot name='r'><link name='0'/>";
   for (int i = 1; i <= 5000; ++i) {
     const std::string me = std::to_string(i), before = std::to_string(i - 1);
-    robot += "<link name='" + me + "'/><joint name='j" + me + "' type='fixed'><parent link='" +
-             before + "'/><child link='" + me + "'/></joint>";
+    robot.append("<link name='").append(me).append("'/><joint name='j").append(me);
+    robot.append("' type='fixed'><parent link='").append(before);
+    robot.append("'/><child link='").append(me).append("'/></joint>");
   }
   EXPECT_NE(error_thrown_by([&] { scene_of_urdf(robot + "</robot>"); }).find("in a row"),
             std::string::npos);
