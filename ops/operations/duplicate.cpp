@@ -25,6 +25,7 @@ OperationResult apply(Transaction& transaction, const DuplicateOperation& o, Ope
   object.up = original.up;
   object.scale = original.scale;
   object.material = original.material;
+  object.given_mass = original.given_mass;
   transaction.add(std::move(object));
   return done_result();
 }

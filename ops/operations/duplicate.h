@@ -5,7 +5,8 @@
 
 namespace trivet {
 
-/// A new object of the same model, scale, axis and material, free, not placed until it is put.
+/// A new object of the same model, scale, axis, material and mass, free, not placed until it is
+/// put. What hangs in the other by joints is not copied, nor the joint in which it hangs.
 /// "duplicate"
 struct DuplicateOperation {
   std::string object, as;

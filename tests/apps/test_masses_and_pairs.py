@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from program import SLAB, Case, main
+from program import SLAB, Case, main, put
 
 OVER_THE_EDGE = {"name": "a", "model": "cube.obj", "position": [0.52, 0, 0.150002]}
 INSIDE = {"name": "b", "model": "cube.obj", "position": [0.05, 0, 0.150002]}
@@ -27,6 +27,16 @@ class Masses(Case):
         answer = json.loads(self.trivet("check", "scene.glb", "--json")[0])
         weights = {o["name"]: o["weight"] for o in answer["stability"]["objects"]}
         self.assertAlmostEqual(weights["a"], 3 * 9.80665, places=9)
+
+    def test_a_copy_has_the_mass(self):
+        layout = self.layout([SLAB, {**BESIDE, "mass": {"kilograms": 3, "centre": [0.01, 0, 0]}}],
+                             [{"op": "duplicate", "object": "a", "as": "b"}, put("b", 0.2, 0, 1)])
+        self.trivet("run", layout, "-o", "scene.glb", "--report", "report.json")
+        masses = {o["name"]: o.get("mass") for o in self.read_json("report.json")["objects"]}
+        self.assertEqual(masses["b"], {"kilograms": 3, "centre": [0.01, 0, 0]})
+        answer = json.loads(self.trivet("check", "scene.glb", "--json")[0])
+        weights = {o["name"]: o["weight"] for o in answer["stability"]["objects"]}
+        self.assertAlmostEqual(weights["b"], 3 * 9.80665, places=9)
 
     def test_wrong_masses(self):
         for mass, says in ((0, "/objects/1/mass"), ({"centre": [0, 0, 0]}, "kilograms"),

@@ -71,10 +71,17 @@ SolidMoments capsule_moments(double radius, double half) {
 
 SolidMoments mesh_moments(const Mesh& mesh, MeshMass rule) {
   // The surface's centre is a better apex than the box's where tetrahedra count as positive.
-  const SolidMoments surface = integrate(mesh, mesh.box().centre(), MeshMass::Shell);
+  SolidMoments surface = integrate(mesh, mesh.box().centre(), MeshMass::Shell);
   if (rule == MeshMass::Shell) return surface;
   const SolidMoments once = integrate(mesh, surface.centre, rule);
   return rule == MeshMass::Legacy ? integrate(mesh, once.centre, rule) : once;
+}
+
+Mat3 inertia_of(const std::array<double, 6>& numbers) {
+  const auto [xx, yy, zz, xy, xz, yz] = numbers;
+  Mat3 out;
+  out << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return out;
 }
 
 SolidMoments moments_of(const GivenMass& mass) {

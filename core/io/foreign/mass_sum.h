@@ -1,6 +1,7 @@
 // Mass, centre and spread of bodies made of several shapes, by the rules of engines.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/mesh/given_mass.h"
@@ -25,6 +26,10 @@ SolidMoments capsule_moments(double radius, double half);
 /// area.
 enum class MeshMass { Exact, Legacy, Shell };
 SolidMoments mesh_moments(const Mesh& mesh, MeshMass rule);
+
+/// Inertia of its six numbers: xx, yy, zz, xy, xz, yz. All are read before a matrix is filled,
+/// which an error must not interrupt.
+Mat3 inertia_of(const std::array<double, 6>& numbers);
 
 /// The shape of density 1 / volume that has the centre and the inertia of a mass; volume 1.
 SolidMoments moments_of(const GivenMass& mass);

@@ -321,8 +321,8 @@ class SdfReader {
       const auto at = [&](const char* key, double otherwise) {
         return number(*inertia, key, otherwise);
       };
-      m << at("ixx", 1), at("ixy", 0), at("ixz", 0), at("ixy", 0), at("iyy", 1), at("iyz", 0),
-          at("ixz", 0), at("iyz", 0), at("izz", 1);
+      m = inertia_of(
+          {at("ixx", 1), at("iyy", 1), at("izz", 1), at("ixy", 0), at("ixz", 0), at("iyz", 0)});
     }
     SolidMoments moments;
     moments.spread = (0.5 * m.trace() * Mat3::Identity() - m) / kg;

@@ -242,9 +242,7 @@ class UrdfReader {
         const std::string* const text = inertia->find(key);
         return text ? numbers_in(*text, key, place(*inertia), 1, 1)[0] / kg : 0.0;
       };
-      Mat3 m;
-      m << at("ixx"), at("ixy"), at("ixz"), at("ixy"), at("iyy"), at("iyz"), at("ixz"), at("iyz"),
-          at("izz");
+      const Mat3 m = inertia_of({at("ixx"), at("iyy"), at("izz"), at("ixy"), at("ixz"), at("iyz")});
       moments.spread = 0.5 * m.trace() * Mat3::Identity() - m;
     }
     MassSum sum;

@@ -32,7 +32,7 @@ std::string sdf_error(const std::string& text) {
 
 TEST(HostileScenes, CopiesOfCopiesOfGeomsEnd) {
   std::string geoms = "<geom type='box' size='1 1 1'/>";
-  for (int i = 0; i < 4; ++i) geoms = "<replicate count='1000'>" + geoms + "</replicate>";
+  for (int i = 0; i < 4; ++i) geoms.insert(0, "<replicate count='1000'>").append("</replicate>");
   EXPECT_NE(error_thrown_by([&] { scene_of_mjcf(mjcf(geoms)); }).find("too many bodies"),
             std::string::npos);
 }
@@ -69,12 +69,27 @@ TEST(HostileScenes, BitsAreWholeNumbers) {
   EXPECT_NE(error("0.5").find("32 bits"), std::string::npos);
 }
 
+// An assertion of Eigen stopped the program while it read one.
+TEST(HostileScenes, InertiasAreNumbers) {
+  const std::string of_urdf =
+      "<robot name='r'><link name='base'/><link name='a'><inertial><mass value='1'/>"
+      "<inertia ixx='1' iyy='1' izz='x' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+      "<joint name='j' type='floating'><parent link='base'/><child link='a'/></joint></robot>";
+  const std::string by_urdf = error_thrown_by([&] { scene_of_urdf(of_urdf); });
+  EXPECT_NE(by_urdf.find("izz=\"x\""), std::string::npos) << by_urdf;
+  const std::string by_sdf = sdf_error(
+      "<sdf version='1.8'><model name='m'><link name='l'><inertial><mass>1</mass><inertia>"
+      "<ixx>1</ixx><iyy>x</iyy></inertia></inertial></link></model></sdf>");
+  EXPECT_NE(by_sdf.find("iyy"), std::string::npos) << by_sdf;
+}
+
 TEST(HostileScenes, LinksInARowEnd) {
   std::string robot = "<robot name='r'><link name='0'/>";
   for (int i = 1; i <= 5000; ++i) {
     const std::string me = std::to_string(i), before = std::to_string(i - 1);
-    robot += "<link name='" + me + "'/><joint name='j" + me + "' type='fixed'><parent link='" +
-             before + "'/><child link='" + me + "'/></joint>";
+    robot.append("<link name='").append(me).append("'/><joint name='j").append(me);
+    robot.append("' type='fixed'><parent link='").append(before);
+    robot.append("'/><child link='").append(me).append("'/></joint>");
   }
   EXPECT_NE(error_thrown_by([&] { scene_of_urdf(robot + "</robot>"); }).find("in a row"),
             std::string::npos);

@@ -164,7 +164,7 @@ TEST(Mjcf, HostileFilesGetAMessage) {
 TEST(Mjcf, NestedCopiesStayWithinLimits) {
   std::string bodies = "<body><geom size='1'/></body>";
   for (int i = 0; i < 4; ++i)
-    bodies = "<replicate count='1000' offset='1 0 0'>" + bodies + "</replicate>";
+    bodies.insert(0, "<replicate count='1000' offset='1 0 0'>").append("</replicate>");
   EXPECT_NE(error_of(world(bodies)).find("too many bodies"), std::string::npos);
 }
 
