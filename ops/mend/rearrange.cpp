@@ -8,6 +8,7 @@
 #include "ops/operations/whole.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/contacts.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
@@ -115,6 +116,18 @@ std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& give
     if (moved > 0 || turned > 0)
       out.push_back({id, object.name, it->second, object.pose, moved, turned});
   }
+  return out;
+}
+
+std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& options,
+                                  const std::vector<ObjectId>& ids) {
+  std::vector<ObjectId> found = unsettled_objects(scene, options);
+  if (keeps_whole_at_rest(options.settle))
+    for (const ObjectStability& o : stability(scene).objects)
+      if (o.topples) found.push_back(o.object);
+  std::vector<ObjectId> out;
+  for (const ObjectId id : ids)
+    if (std::find(found.begin(), found.end(), id) != found.end()) out.push_back(id);
   return out;
 }
 
