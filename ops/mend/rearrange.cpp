@@ -13,6 +13,12 @@
 namespace trivet {
 namespace {
 
+// To the bit: angles between equal attitudes are rounded.
+bool is_same_pose(const Pose& a, const Pose& b) {
+  const Rotation &r = a.rotation, &q = b.rotation;
+  return a.translation == b.translation && r.w == q.w && r.x == q.x && r.y == q.y && r.z == q.z;
+}
+
 constexpr std::int64_t kContactsOfEach = 60;  // first contacts by which an object may come to rest
 
 }  // namespace
@@ -107,7 +113,7 @@ std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& give
   for (const ObjectId id : scene.ids()) {
     // Ways and turns are measured from the given poses.
     const auto it = given.find(id.index);
-    if (it == given.end()) continue;
+    if (it == given.end() || is_same_pose(it->second, scene.at(id).pose)) continue;
     const Object& object = scene.at(id);
     const Vec3 was =
         world_from_object(it->second, object.up, object.scale).apply(object.shape->mass.centre);
