@@ -89,7 +89,16 @@ class Mender {
       m_object = m_meant.find(id);
       place(rearrangement, id);
     }
-    return rearrangement.finish();
+    SettledScene out = rearrangement.finish();
+    name_what_does_not_rest(out);
+    return out;
+  }
+
+  // A whole without a gap may still not stand; then it is not called mended.
+  void name_what_does_not_rest(SettledScene& out) const {
+    if (!out.unable.empty()) return;
+    for (const ObjectId id : not_at_rest(m_scene, m_options, m_moving))
+      out.unable.push_back({id, m_scene.at(id).name, Sentence("no place near is free")});
   }
 
   // In place, and what then has no place bottom up; or all bottom up, if that leaves less.
@@ -99,6 +108,7 @@ class Mender {
     const Scene before = m_scene;
     SettledScene out = mend_in_place(m_scene, half, m_meant, order);
     if (!out.unable.empty()) place_rest(out);
+    name_what_does_not_rest(out);
     if (out.unable.empty()) return out;
     Scene heap = std::move(m_scene);
     m_scene = before;

@@ -8,9 +8,16 @@
 #include "ops/operations/whole.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/contacts.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
+
+// To the bit: angles between equal attitudes are rounded.
+bool is_same_pose(const Pose& a, const Pose& b) {
+  const Rotation &r = a.rotation, &q = b.rotation;
+  return a.translation == b.translation && r.w == q.w && r.x == q.x && r.y == q.y && r.z == q.z;
+}
 
 constexpr std::int64_t kContactsOfEach = 60;  // first contacts by which an object may come to rest
 
@@ -106,7 +113,7 @@ std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& give
   for (const ObjectId id : scene.ids()) {
     // Ways and turns are measured from the given poses.
     const auto it = given.find(id.index);
-    if (it == given.end()) continue;
+    if (it == given.end() || is_same_pose(it->second, scene.at(id).pose)) continue;
     const Object& object = scene.at(id);
     const Vec3 was =
         world_from_object(it->second, object.up, object.scale).apply(object.shape->mass.centre);
@@ -115,6 +122,18 @@ std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& give
     if (moved > 0 || turned > 0)
       out.push_back({id, object.name, it->second, object.pose, moved, turned});
   }
+  return out;
+}
+
+std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& options,
+                                  const std::vector<ObjectId>& ids) {
+  std::vector<ObjectId> found = unsettled_objects(scene, options);
+  if (keeps_whole_at_rest(options.settle))
+    for (const ObjectStability& o : stability(scene).objects)
+      if (o.topples) found.push_back(o.object);
+  std::vector<ObjectId> out;
+  for (const ObjectId id : ids)
+    if (std::find(found.begin(), found.end(), id) != found.end()) out.push_back(id);
   return out;
 }
 

@@ -34,7 +34,7 @@ class Rearrangement {
   OperationResult try_put(ObjectId id, const Pose& start, const Judge& judge,
                           int tries = kTriesOfPut) {
     Transaction transaction(m_scene);
-    const OperationResult result = put_in(transaction, id, start, tries);
+    OperationResult result = put_in(transaction, id, start, tries);
     if (result.ok()) judge(m_scene.at(id));
     return result;
   }
@@ -62,6 +62,10 @@ class Rearrangement {
 /// Objects that are elsewhere than they were given, in the scene's order. @param given  by slot.
 std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,
                                        const Scene& scene);
+
+/// Objects among these that do not rest where they are: alone, or as a whole, by the rules.
+std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& options,
+                                  const std::vector<ObjectId>& ids);
 
 /// The lowest first.
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids);
