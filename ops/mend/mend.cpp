@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/io/foreign/scene.h"
+#include "core/motion/compose.h"
 #include "ops/mend/attitudes.h"
 #include "ops/mend/in_place.h"
 #include "ops/mend/rearrange.h"
@@ -35,11 +36,6 @@ Pose carried(const Pose& from, const Pose& to, const Pose& then) {
   const Rotation turn = (to.rotation * inverse(from).rotation).normalized();
   return {(turn * then.rotation).normalized(),
           to.translation + turn.matrix() * (then.translation - from.translation)};
-}
-
-bool same_pose(const Pose& a, const Pose& b) {
-  const Rotation &r = a.rotation, &q = b.rotation;
-  return a.translation == b.translation && r.w == q.w && r.x == q.x && r.y == q.y && r.z == q.z;
 }
 
 /// A start and what it costs at least.
@@ -156,7 +152,7 @@ class Mender {
     spread_row_of(scene, *m_object);
     const auto in_row = m_in_row.find(id.index);
     const bool gives_way =
-        in_row != m_in_row.end() && !same_pose(in_row->second, pose_meant(scene, *m_object));
+        in_row != m_in_row.end() && !is_same_pose(in_row->second, pose_meant(scene, *m_object));
     if (!gives_way && !support_moved(scene) && scene.keep(id)) return;
     if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
     const Pose nominal = nominal_pose(scene, id);
@@ -206,7 +202,7 @@ class Mender {
   bool was_moved(const Rearrangement& scene, ObjectId id) const {
     const ObjectIntent* const o = m_meant.find(id);
     return o && m_scene.at(id).placed && m_nominal_given.count(id.index) &&
-           !same_pose(scene.given(id), m_scene.at(id).pose);
+           !is_same_pose(scene.given(id), m_scene.at(id).pose);
   }
 
   Pose nominal_pose(const Rearrangement& scene, ObjectId id) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/motion/compose.h"
 #include "ops/check/check.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/perform.h"
@@ -12,12 +13,6 @@
 
 namespace trivet {
 namespace {
-
-// To the bit: angles between equal attitudes are rounded.
-bool is_same_pose(const Pose& a, const Pose& b) {
-  const Rotation &r = a.rotation, &q = b.rotation;
-  return a.translation == b.translation && r.w == q.w && r.x == q.x && r.y == q.y && r.z == q.z;
-}
 
 constexpr std::int64_t kContactsOfEach = 60;  // first contacts by which an object may come to rest
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "apps/edit/document/same_pose.h"
+#include "core/motion/compose.h"
 #include "core/motion/pose_interpolation.h"
 #include "ops/operations/put_parts.h"
 
@@ -23,7 +23,7 @@ std::optional<SettledWay> settled_way(const Scene& scene, const Operation& opera
     if (const auto load = scene.find(name)) way.moved.push_back(*load);
   way.poses = {*start};
   for (const SettleStep& step : steps) way.poses.push_back(step.pose_after);
-  if (!same_pose(way.poses.back(), object.pose)) way.poses.push_back(object.pose);
+  if (!is_same_pose(way.poses.back(), object.pose)) way.poses.push_back(object.pose);
   way.lengths = {0};
   for (size_t i = 1; i < way.poses.size(); ++i)
     way.lengths.push_back(way.lengths.back() +

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "apps/edit/document/drag_motion.h"
-#include "apps/edit/document/same_pose.h"
+#include "core/motion/compose.h"
 #include "core/motion/pose_interpolation.h"
 
 namespace trivet::edit {
@@ -31,7 +31,7 @@ bool comes_apart(const SceneSnapshot& before, const SceneSnapshot& now,
   const SettledWay& way = *now.way;
   const ObjectSnapshot* const first = before.find(way.moved.front());
   const ObjectSnapshot* const old = before.find(object.id);
-  if (!first || !old || !same_pose((*first)->pose, way.poses.front())) return false;
+  if (!first || !old || !is_same_pose((*first)->pose, way.poses.front())) return false;
   const Pose start = carried_pose(way.poses.front(), way.poses.back(), object->pose);
   return (start.translation - (*old)->pose.translation).norm() > kApart * way.size;
 }
@@ -55,7 +55,7 @@ void Playback::play(const SceneSnapshot& before, std::shared_ptr<const SceneSnap
     const ObjectSnapshot* const old = before.find(object.id);
     if (!old || old->revision == object.revision || !(*old)->placed || !object->placed) continue;
     const bool goes_along = is_on_way(*now, object.id) && !comes_apart(before, *now, object);
-    if (goes_along || same_pose((*old)->pose, object->pose)) continue;
+    if (goes_along || is_same_pose((*old)->pose, object->pose)) continue;
     m_straight[object.id.index] = (*old)->pose;
   }
   if (!now->way && m_straight.empty()) return;

@@ -1,7 +1,7 @@
 // Objects under another name, and made anew in another scale.
-#include "apps/edit/document/same_pose.h"
 #include "apps/edit_document/scene_checks.h"
 #include "apps/edit_document/testing.h"
+#include "core/motion/compose.h"
 
 namespace trivet::edit::test {
 namespace {
@@ -51,7 +51,7 @@ TEST_F(Remake, RenamesAsOneStepThatMovesNothing) {
       << document.last_text();
   EXPECT_FALSE(has("small"));
   const Object& lid = document.object("lid");
-  EXPECT_TRUE(same_pose(lid.pose, before.pose));
+  EXPECT_TRUE(is_same_pose(lid.pose, before.pose));
   EXPECT_EQ(lid.state, before.state);
   EXPECT_EQ(lid.group, "set");
   EXPECT_TRUE(lid.locked);
@@ -81,7 +81,7 @@ TEST_F(Remake, RenamesWhatIsNotPlacedAndWhatIsFixed) {
       << document.last_text();
   EXPECT_TRUE(document.object("shelf").fixed);
   EXPECT_EQ(document.object("shelf").state, ObjectState::Fixed);
-  EXPECT_TRUE(same_pose(document.object("shelf").pose, pose));
+  EXPECT_TRUE(is_same_pose(document.object("shelf").pose, pose));
 }
 
 TEST_F(Remake, RenamesWhatCarriesOthersAndWhatIsHeld) {
@@ -197,7 +197,7 @@ TEST_F(Remake, ComesBackFromFiles) {
     ASSERT_TRUE(document.done(document->save_as(folder.file(file)))) << document.last_text();
     ASSERT_TRUE(document.done(document->open(folder.file(file)))) << document.last_text();
     EXPECT_FALSE(has("small"));
-    EXPECT_TRUE(same_pose(document.object("lid").pose, pose)) << file;
+    EXPECT_TRUE(is_same_pose(document.object("lid").pose, pose)) << file;
     EXPECT_EQ(document.object("lid").scale, 0.5);
   }
 }
