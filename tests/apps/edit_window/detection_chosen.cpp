@@ -5,8 +5,8 @@
 #include <QSettings>
 #include <QStatusBar>
 
-#include "apps/edit/document/same_pose.h"
 #include "apps/edit_window/zlists_watched.h"
+#include "core/motion/compose.h"
 
 namespace trivet::edit::test {
 namespace {
@@ -118,9 +118,9 @@ void push_by_framebuffers_and_bvhs(Document& document, MainWindow& window, User&
   document.go_to_step(0);
   QVERIFY(user.wait());
   QCOMPARE(by_framebuffers.size(), by_bvhs.size());
-  QVERIFY(!same_pose(by_bvhs[0], by_bvhs[5]));
+  QVERIFY(!is_same_pose(by_bvhs[0], by_bvhs[5]));
   for (size_t i = 0; i < by_bvhs.size(); ++i)
-    QVERIFY2(same_pose(by_framebuffers[i], by_bvhs[i]), qPrintable(QString::number(i)));
+    QVERIFY2(is_same_pose(by_framebuffers[i], by_bvhs[i]), qPrintable(QString::number(i)));
 }
 
 void start_again(User& user, const QString& recovery) {
