@@ -63,6 +63,7 @@ class Mender {
   MendedScene run() {
     // Objects without findings stay; only the others leave the scene, and come back.
     m_moving = unsettled_objects(m_scene, m_options);
+    add_loads_meant();
     const std::vector<ObjectId> order = in_order(m_moving);
     std::map<std::uint32_t, Pose> given;
     for (const ObjectId id : m_scene.ids())
@@ -77,6 +78,24 @@ class Mender {
   }
 
  private:
+  // What is meant to stand on one that moves may touch it from the side only, or not at all.
+  void add_loads_meant() {
+    const auto moves = [&](ObjectId id) {
+      return std::find(m_moving.begin(), m_moving.end(), id) != m_moving.end();
+    };
+    const auto may_move = [&](const Object& o) {
+      return o.placed &&
+             (m_options.only.empty() || std::find(m_options.only.begin(), m_options.only.end(),
+                                                  o.name) != m_options.only.end());
+    };
+    for (const ObjectIntent& o : m_meant.objects)
+      if (!moves(o.id) && may_move(m_scene.at(o.id)) &&
+          std::any_of(o.on.begin(), o.on.end(), [&](const IntendedSupport& s) {
+            return s.on.is_object() && moves(s.on.object());
+          }))
+        m_moving.push_back(o.id);
+  }
+
   // Supports come before what they carry, so that each object sees where its support is now.
   SettledScene bottom_up(const std::vector<ObjectId>& order) {
     Rearrangement rearrangement(m_scene, m_options, order);

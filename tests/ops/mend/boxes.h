@@ -29,8 +29,12 @@ struct Boxes {
 
   ObjectId add(const std::string& name, const Vec3& half, const Vec3& at, bool fixed = false,
                const Rotation& rotation = {}) {
+    return add(name, box_of(half), at, fixed, rotation);
+  }
+  ObjectId add(const std::string& name, Mesh mesh, const Vec3& at, bool fixed = false,
+               const Rotation& rotation = {}) {
     auto model = std::make_shared<Model>();
-    model->mesh = box_of(half);
+    model->mesh = std::move(mesh);
     Object object;
     object.name = name;
     object.shape = make_shape(model->mesh);
