@@ -78,7 +78,7 @@ class Mender {
   }
 
  private:
-  // What is meant to stand on one that moves may touch it from the side only, or not at all.
+  // A load may touch what is meant to carry it from the side only, or not at all.
   void add_loads_meant() {
     const auto moves = [&](ObjectId id) {
       return std::find(m_moving.begin(), m_moving.end(), id) != m_moving.end();
