@@ -19,6 +19,8 @@ constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimi
 constexpr double kNearShare = 0.35;    // of the tolerance: what is hardly off
 constexpr double kLeastShare = 0.12;   // of a support
 constexpr double kUnsureScore = 0.25;  // of who lies above: below it is a guess
+// Tolerances: an object that hangs so far above all that it meets may be sunk into something.
+constexpr double kHangs = 9, kDeeper = 3;
 constexpr double kInsideShare = 0.45;  // of columns within the container
 
 double at_share(std::vector<double> values, double share) {
@@ -49,6 +51,7 @@ class IntentFinder {
     }
     m_tolerance = *tolerance;
     look(kColumns);
+    look_deeper();
     Intent out;
     out.tolerance = m_tolerance, out.most_tilt_deg = m_most_tilt;
     out.objects = in_order(m_looked);
@@ -93,18 +96,36 @@ class IntentFinder {
     m_index.clear();
     for (size_t i = 0; i < m_looked.size(); ++i) {
       Looked& l = m_looked[i];
-      const auto at = std::find_if(m_all.begin(), m_all.end(),
-                                   [&](const Placement& p) { return p.id == l.intent.id; });
-      l.columns =
-          columns_of(m_scene, m_all, static_cast<size_t>(at - m_all.begin()), num, m_tolerance);
-      l.above.clear(), l.unsure.clear();
-      l.intent.inside.reset();
+      read_columns(l, num, m_tolerance);
       m_index[l.intent.id.index] = i;
     }
     // Containers tell what may carry what, and order tells who lies on whom.
     for (Looked& l : m_looked) find_container(l);
     for (Looked& l : m_looked) find_below(l);
     for (Looked& l : m_looked) find_supports(l);
+  }
+
+  void read_columns(Looked& l, int num, double tolerance) const {
+    const auto at = std::find_if(m_all.begin(), m_all.end(),
+                                 [&](const Placement& p) { return p.id == l.intent.id; });
+    l.columns = columns_of(m_scene, m_all, static_cast<size_t>(at - m_all.begin()), num, tolerance);
+    l.above.clear(), l.unsure.clear();
+    l.intent.inside.reset();
+  }
+
+  // The tolerance is of the scene; single objects are off by more than it.
+  void look_deeper() {
+    for (Looked& l : m_looked) {
+      if (!l.intent.on.empty() && l.intent.gap <= kHangs * m_tolerance) continue;
+      Looked deeper = l;
+      read_columns(deeper, kColumns, kDeeper * m_tolerance);
+      find_container(deeper);
+      find_below(deeper);
+      find_supports(deeper);
+      const bool is_nearer =
+          l.intent.on.empty() || std::abs(deeper.intent.gap) < std::abs(l.intent.gap);
+      if (!deeper.intent.on.empty() && is_nearer) l = std::move(deeper);
+    }
   }
 
   const Looked* looked(ObjectId id) const {

@@ -1,4 +1,4 @@
-// Two that hold each other a little above what was meant to carry them.
+// Supports that poses mean where one is far off, or where two hold each other.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,6 +63,29 @@ TEST(HeldByEachOther, TheyMakeWayForWhatWasMeantToCarryThem) {
   EXPECT_NEAR(s.at(block).z(), 0.09, 2e-5);
   // The slot has no room in which the plank could be let go: it lies on the block then.
   EXPECT_TRUE(rests_on(s.scene, plank, block));
+}
+
+// One thing is off by three times what all others are.
+TEST(Intent, OfWhatIsSunkByMoreThanTheToleranceIsItsSupport) {
+  Boxes s;
+  const ObjectId table = s.add("table", {0.5, 0.5, 0.02}, {0, 0, 0.7}, true);
+  const ObjectId keyboard = s.add("keyboard", {0.2, 0.08, 0.012}, {0, 0, 0.727});
+  update_contacts(s.scene);
+  const Intent intent = infer_intent(s.scene, 0.002);
+  const ObjectIntent& meant = *intent.find(keyboard);
+  ASSERT_EQ(meant.on.size(), 1u);
+  EXPECT_TRUE(meant.on[0].on.is_object() && meant.on[0].on.object() == table);
+  EXPECT_NEAR(meant.gap, -0.005, 1e-8);
+}
+
+TEST(Intent, OfWhatHangsFarAboveStaysTheFloor) {
+  Boxes s;
+  s.add("shelf", {0.5, 0.5, 0.02}, {0, 0, 0.7}, true);
+  const ObjectId box = s.add("box", {0.05, 0.05, 0.05}, {0.7, 0, 0.8});
+  const Intent intent = infer_intent(s.scene, 0.002);
+  ASSERT_EQ(intent.find(box)->on.size(), 1u);
+  EXPECT_TRUE(intent.find(box)->on[0].on.is_floor());
+  EXPECT_NEAR(intent.find(box)->gap, 0.75, 1e-8);
 }
 
 }  // namespace
