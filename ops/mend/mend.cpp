@@ -259,7 +259,7 @@ class Mender {
     std::vector<Start> out;
     // The levelled attitude is tried first, then the given one, which costs a little more.
     std::vector<Pose> attitudes{nominal};
-    const Pose given = scene.given(id);
+    const Pose& given = scene.given(id);
     if (turn_between_deg(nominal.rotation, given.rotation) > 0.3) {
       Pose as_given = given;
       as_given.translation += middle_of(id, nominal) - middle_of(id, given);
