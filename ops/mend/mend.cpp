@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 
 #include "core/io/foreign/scene.h"
 #include "core/motion/compose.h"
@@ -80,20 +81,18 @@ class Mender {
  private:
   // A load may touch what is meant to carry it from the side only, or not at all.
   void add_loads_meant() {
-    const auto moves = [&](ObjectId id) {
-      return std::find(m_moving.begin(), m_moving.end(), id) != m_moving.end();
-    };
-    const auto may_move = [&](const Object& o) {
-      return o.placed &&
-             (m_options.only.empty() || std::find(m_options.only.begin(), m_options.only.end(),
-                                                  o.name) != m_options.only.end());
-    };
-    for (const ObjectIntent& o : m_meant.objects)
-      if (!moves(o.id) && may_move(m_scene.at(o.id)) &&
-          std::any_of(o.on.begin(), o.on.end(), [&](const IntendedSupport& s) {
-            return s.on.is_object() && moves(s.on.object());
-          }))
-        m_moving.push_back(o.id);
+    std::set<std::uint32_t> moving;
+    for (const ObjectId id : m_moving) moving.insert(id.index);
+    const std::set<std::string> only(m_options.only.begin(), m_options.only.end());
+    // Supports come before their loads, so that loads of loads are found, too.
+    for (const ObjectIntent& o : m_meant.objects) {
+      const Object& object = m_scene.at(o.id);
+      if (!object.placed || (!only.empty() && !only.count(object.name))) continue;
+      const bool is_load = std::any_of(o.on.begin(), o.on.end(), [&](const IntendedSupport& s) {
+        return s.on.is_object() && moving.count(s.on.object().index) > 0;
+      });
+      if (is_load && moving.insert(o.id.index).second) m_moving.push_back(o.id);
+    }
   }
 
   // Supports come before what they carry, so that each object sees where its support is now.

@@ -20,7 +20,7 @@ class LinkMove {
   /// From the value that the joint has in the scene, where the planner's group is, to another one
   /// or to the first contact. @param goal  metres or degrees.
   void drive(MovePlanner& planner, double goal);
-  /// Where the last drive ended. Metres or degrees.
+  /// The value at which the last drive ended. Metres or degrees.
   double value() const { return m_value; }
   /// Sets the value of the joint, once the link is where it was driven.
   void keep_value(Transaction& transaction) const;

@@ -10,7 +10,7 @@
 
 namespace trivet::edit {
 
-/// Where a slide is to be: along its axis under the mouse; seen along the axis, downwards comes
+/// A slide follows the mouse along its axis; in a view along the axis, a drag downwards brings it
 /// towards the viewer. A hinge turns as in Turning, about the point of its axis at the height of
 /// what was grabbed.
 class JointPull {
