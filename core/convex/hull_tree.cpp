@@ -12,12 +12,12 @@
 namespace trivet {
 namespace {
 
-constexpr double kConvexDefect = 1e-6;         // of a component's volume
-constexpr double kSolid = 0.9;                 // of the volume of its hull
-constexpr double kThinnestBacking = 1.0 / 16;  // of a shell
-constexpr double kThinner = 1.0 / 4;           // of the thickness of a flat part
+constexpr double kConvexDefect = 1e-6;                     // of a component's volume
+constexpr double kSolid = 0.9;                             // of the volume of its hull
+constexpr double kThinnestBacking = 1.0 / 16;              // of a shell
+constexpr double kThinner = 1.0 / 4;                       // of the thickness of a flat part
 constexpr double kThinnestFlat = kFlatPartThickness / 64;  // of the size
-constexpr double kRoundings = 0x1p-20;         // 16 roundings to float32
+constexpr double kRoundings = 0x1p-20;                     // 16 roundings to float32
 
 double volume_of_hull(const std::vector<Vec3>& points) {
   const ConvexHull hull = convex_hull(points);
