@@ -56,13 +56,14 @@ double deepest(const Scene& scene) {
   return out;
 }
 
-constexpr double kGap = 2e-6;
+/// Wider than the thinnest part of a metre.
+constexpr double kNarrowGap = 3e-6;
 
 TEST(FlatParts, LeaveRoomAtTheBack) {
   Scene scene = without_floor();
   add_mesh(scene, "sheet", sheet(0.5), {});
   add_mesh(scene, "on its back", box_triangles(Vec3::Constant(0.05)),
-           {{}, Vec3(0, 0, 0.05 + kGap)});
+           {{}, Vec3(0, 0, 0.05 + kNarrowGap)});
   EXPECT_EQ(deepest(scene), 0);
   const TemporaryFolder folder;
   EXPECT_NO_THROW(export_simulation(scene, folder.file("s.xml")));
@@ -72,8 +73,8 @@ TEST(FlatParts, LeaveRoomBetweenTwo) {
   Scene scene = without_floor();
   add_mesh(scene, "sheet", sheet(0.5), {});
   const std::vector<Triangle> box = box_triangles(Vec3::Constant(0.05));
-  add_mesh(scene, "on its back", box, {{}, Vec3(0, 0, 0.05 + kGap)});
-  add_mesh(scene, "in front", box, {{}, Vec3(0, 0, -0.05 - kGap)});
+  add_mesh(scene, "on its back", box, {{}, Vec3(0, 0, 0.05 + kNarrowGap)});
+  add_mesh(scene, "in front", box, {{}, Vec3(0, 0, -0.05 - kNarrowGap)});
   EXPECT_EQ(deepest(scene), 0);
 }
 
@@ -81,7 +82,7 @@ TEST(FlatParts, LeaveRoomAboveTheFloor) {
   Scene scene;
   std::vector<Triangle> seen_from_above = sheet(0.5);
   for (Triangle& t : seen_from_above) std::swap(t[1], t[2]);
-  add_mesh(scene, "sheet", seen_from_above, {{}, Vec3(0, 0, kGap)});
+  add_mesh(scene, "sheet", seen_from_above, {{}, Vec3(0, 0, kNarrowGap)});
   EXPECT_EQ(deepest(scene), 0);
 }
 
@@ -90,15 +91,17 @@ TEST(FlatParts, LeaveRoomBesideNeedles) {
   for (const Vec3& side : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(0, 0, -1)}) {
     Scene scene = without_floor();
     add_mesh(scene, "needle", needle(0.5), {});
-    add_mesh(scene, "beside", box_triangles(Vec3::Constant(0.05)), {{}, (0.05 + kGap) * side});
-    EXPECT_LT(deepest(scene), 1e-7) << side.transpose();
+    add_mesh(scene, "beside", box_triangles(Vec3::Constant(0.05)),
+             {{}, (0.05 + kNarrowGap) * side});
+    EXPECT_LT(deepest(scene), 3e-7) << side.transpose();  // the fit ends at rounding
   }
 }
 
 TEST(FlatParts, AreThinOnlyWhereTheyMustBe) {
   Scene scene = without_floor();
   add_mesh(scene, "sheet", sheet(0.5), {});
-  add_mesh(scene, "in front", box_triangles(Vec3::Constant(0.05)), {{}, Vec3(0, 0, -0.05 - kGap)});
+  add_mesh(scene, "in front", box_triangles(Vec3::Constant(0.05)),
+           {{}, Vec3(0, 0, -0.05 - kNarrowGap)});
   const SimulationExport done = simulation_of(scene, "s", {});
   ASSERT_EQ(done.scene.models[0].parts.size(), 1u);
   EXPECT_NEAR(volume_of(done.scene.models[0].parts[0]), 0.01 * std::sqrt(2), 1e-6)
@@ -170,8 +173,10 @@ TEST(FlatParts, OverlapByRoundingIfTrianglesDoNotCross) {
         add_mesh(scene, "b", concave(random.integer(0, 3), random), {random.rotation(), {}});
     if (!bring_near(scene, a, b, random.direction(), 1e-5)) continue;
     ++num_near;
+    // The thinnest parts of both, and the rounding of their corners.
+    const double sizes = scene.at(a).shape->box.diagonal() + scene.at(b).shape->box.diagonal();
     for (const PartOverlap& o : simulation_of(scene, "s", {}).overlaps)
-      EXPECT_LT(o.depth, 5e-6) << "trial " << trial << ", allowed " << o.allowed;
+      EXPECT_LT(o.depth, 2e-6 * sizes) << "trial " << trial << ", allowed " << o.allowed;
   }
   EXPECT_GT(num_near, num_trials / 2);
 }
