@@ -18,8 +18,8 @@ class HullMemo {
   using Halves = std::array<Faces, 2>;
 
   template <class Make>
-  HullTree::Node node(const Faces& faces, double shell, const Make& make) {
-    return remembered(m_nodes, std::pair(shell, faces), make);
+  HullTree::Node node(const Faces& faces, const PartThickness& thickness, const Make& make) {
+    return remembered(m_nodes, std::pair(thickness, faces), make);
   }
   template <class Make>
   Halves halves(const Faces& faces, const Make& make) {
@@ -42,7 +42,7 @@ class HullMemo {
     return known.emplace(key, std::move(value)).first->second;
   }
 
-  std::map<std::pair<double, Faces>, HullTree::Node> m_nodes;  // by shell
+  std::map<std::pair<PartThickness, Faces>, HullTree::Node> m_nodes;
   std::map<Faces, Halves> m_halves;
   std::map<Index, double> m_filled;
 };

@@ -12,9 +12,12 @@
 namespace trivet {
 namespace {
 
-constexpr double kConvexDefect = 1e-6;         // of a component's volume
-constexpr double kSolid = 0.9;                 // of the volume of its hull
-constexpr double kThinnestBacking = 1.0 / 16;  // of a shell
+constexpr double kConvexDefect = 1e-6;                     // of a component's volume
+constexpr double kSolid = 0.9;                             // of the volume of its hull
+constexpr double kThinnestBacking = 1.0 / 16;              // of a shell
+constexpr double kThinner = 1.0 / 4;                       // of the thickness of a flat part
+constexpr double kThinnestFlat = kFlatPartThickness / 64;  // of the size
+constexpr double kRoundings = 0x1p-20;                     // 16 roundings to float32
 
 double volume_of_hull(const std::vector<Vec3>& points) {
   const ConvexHull hull = convex_hull(points);
@@ -49,7 +52,7 @@ HullTree::HullTree(const Mesh& mesh, const Adjacency& adjacency, double shell, H
     faces[whole ? 0 : adjacency.face_component[f]].push_back(static_cast<Index>(f));
   for (std::vector<Index>& of_root : faces) {
     if (of_root.empty()) continue;
-    m_nodes.push_back(known_node(std::move(of_root), m_shell));
+    m_nodes.push_back(known_node(std::move(of_root), {m_shell}));
     // A mesh that fills its hull is convex: no cut can bring its hull closer.
     const auto fill = [&] { return whole ? 0 : filled_part(m_num_roots); };
     const double filled = m_memo ? m_memo->filled_part(m_num_roots, fill) : fill();
@@ -81,7 +84,7 @@ bool HullTree::refine(Index leaf) {
   if (const double backing = m_nodes[leaf].backing; backing > 0) {
     const bool solid = m_nodes[leaf].solid;
     const bool thin = backing <= kThinnestBacking * m_shell;
-    m_nodes[leaf] = known_node(std::move(m_nodes[leaf].faces), thin ? 0 : backing / 2);
+    m_nodes[leaf] = known_node(std::move(m_nodes[leaf].faces), {thin ? 0 : backing / 2});
     m_nodes[leaf].solid = solid;
     return true;
   }
@@ -94,8 +97,8 @@ bool HullTree::refine(Index leaf) {
   Node of_a, of_b;
   // Both halves have to have hulls before the tree changes, so that a failure leaves it as it was.
   try {
-    of_a = known_node(a, m_shell);
-    of_b = known_node(b, m_shell);
+    of_a = known_node(a, {m_shell});
+    of_b = known_node(b, {m_shell});
   } catch (const Error&) {
     return false;  // too small for hulls of their own
   }
@@ -110,26 +113,52 @@ bool HullTree::refine(Index leaf) {
   return true;
 }
 
-HullTree::Node HullTree::known_node(std::vector<Index> faces, double shell) const {
-  // Trees with different shells of one mesh ask for the same nodes.
-  if (!m_memo) return make_node(std::move(faces), shell);
-  return m_memo->node(faces, shell, [&] { return make_node(faces, shell); });
+bool HullTree::thin(Index leaf) {
+  Node& node = m_nodes[leaf];
+  // A backing is more than a flat part needs; refine() takes it away.
+  if (node.flat == 0 || node.backing > 0) return false;
+  const std::vector<Vec3> points = corners_of(m_mesh, node.faces);
+  const double size = size_of(points);
+  double farthest = 0;
+  for (const Vec3& p : points) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
+  // Coordinates are written in float32, so that less would be lost far from the origin.
+  const double least = std::max(kThinnestFlat * size, kRoundings * farthest);
+  const double thinner = std::max(kThinner * node.flat, least);
+  if (!(thinner < node.flat)) return false;
+  try {
+    Node made = known_node(node.faces, {0, thinner / size});
+    made.solid = node.solid;
+    node = std::move(made);
+  } catch (const Error&) {
+    return false;  // too thin for a hull
+  }
+  return true;
 }
 
-HullTree::Node HullTree::make_node(std::vector<Index> faces, double shell) const {
+HullTree::Node HullTree::known_node(std::vector<Index> faces,
+                                    const PartThickness& thickness) const {
+  // Trees with different shells of one mesh ask for the same nodes.
+  if (!m_memo) return make_node(std::move(faces), thickness);
+  return m_memo->node(faces, thickness, [&] { return make_node(faces, thickness); });
+}
+
+HullTree::Node HullTree::make_node(std::vector<Index> faces, const PartThickness& thickness) const {
   Node node;
   std::vector<Vec3> points = corners_of(m_mesh, faces);
-  const auto add_behind = [&](double thickness) {
-    const std::vector<Vec3> behind = backed_corners(faces, thickness);
+  const auto add_behind = [&](double depth) {
+    const std::vector<Vec3> behind = backed_corners(faces, depth);
     points.insert(points.end(), behind.begin(), behind.end());
     return !behind.empty();
   };
+  const double flat = thickness.flat * size_of(points);
   // A part thinner than a shell is backed up to its thickness; refine() takes that back where there
   // is no room.
-  if (shell > 0 && add_behind(shell)) node.backing = shell;
+  if (thickness.shell > 0 && add_behind(thickness.shell)) node.backing = thickness.shell;
   // A part that is still flat is thickened behind its faces only: in front of them others may lie.
-  if (solid_hull(points, node.part) && add_behind(kFlatPartThickness * size_of(points)))
-    solid_hull(points, node.part);
+  if (solid_hull(points, node.part, thickness.flat)) {
+    node.flat = flat;
+    if (add_behind(flat)) solid_hull(points, node.part, thickness.flat);
+  }
   for (const Vec3& v : node.part.vertices) node.box.extend(v);
   node.faces = std::move(faces);
   return node;

@@ -65,11 +65,11 @@ bool hull_part(const std::vector<Vec3>& points, ConvexPart& part) {
 }
 
 /// Points in a plane, on a line or in one place, copied to both sides along their flat directions.
-std::vector<Vec3> thickened(const std::vector<Vec3>& points) {
+std::vector<Vec3> thickened(const std::vector<Vec3>& points, double thickness) {
   Aabb box;
   for (const Vec3& p : points) box.extend(p);
   const double size = box.diagonal() > 0 ? box.diagonal() : 1.0;
-  const double half = kFlatPartThickness * size / 2;
+  const double half = thickness * size / 2;
   const Vec3 centre = mean_of(points);
   // The eigenvectors of the covariance are the directions in which the points lie flat, and those
   // in which they spread.
@@ -165,13 +165,13 @@ struct Planes {
 
 }  // namespace
 
-bool solid_hull(std::span<const Vec3> points, ConvexPart& part) {
+bool solid_hull(std::span<const Vec3> points, ConvexPart& part, double thickness) {
   // The hull is taken of positions rounded to float32, as files hold them, so that it is convex
   // there.
   std::vector<Vec3> rounded;
   for (const Vec3& p : points) rounded.push_back(as_float32(p));
   if (hull_part(rounded, part)) return false;
-  if (!hull_part(thickened(rounded), part))
+  if (!hull_part(thickened(rounded, thickness), part))
     throw Error(Error::Kind::BadInput, "a convex part is too small for a solid hull");
   return true;
 }

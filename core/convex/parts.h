@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/sentence.h"
+#include "core/base/tunables.h"
 #include "core/mesh/adjacency.h"
 #include "core/mesh/mesh.h"
 
@@ -35,8 +36,11 @@ struct ConvexParts {
 ///   decompose, Decomposition falls back to Components.
 ConvexParts convex_parts(const Mesh& mesh, const Adjacency& adjacency, PartRule rule);
 
-/// The hull of points in any position. @return whether it had to be thickened.
-bool solid_hull(std::span<const Vec3> points, ConvexPart& part);
+/// The hull of points in any position. @param thickness  of a flat one, relative to its size.
+/// @return whether it had to be thickened.
+/// @throws Error (BadInput) when the points are too near to each other for a hull.
+bool solid_hull(std::span<const Vec3> points, ConvexPart& part,
+                double thickness = kFlatPartThickness);
 
 /// The part with every face moved inwards by `clearance`, or by half the distance from the centroid
 /// to the nearest face if that is less.

@@ -136,10 +136,13 @@ bool is_walled_in(const Body& body, const Vec3& at, double wall) {
   return true;
 }
 
-bool is_apart(const Profile& profile, double size) {
-  // A wall rises above both ends, or the ground falls: either parts the two places.
+// A wall rises above both ends.
+bool has_wall(const Profile& profile, double size) {
   const double wall = profile.highest - kWall * size;
-  if (wall > profile.first && wall > profile.last) return true;
+  return wall > profile.first && wall > profile.last;
+}
+
+bool falls_away(const Profile& profile, double size) {
   return profile.last < profile.first - kStep * size;
 }
 
@@ -165,21 +168,27 @@ Container::Container(const Scene& scene, std::vector<ObjectId> moving, const Vec
   }
 }
 
-bool Container::holds(const Vec3& centre) const {
+Container::Place Container::find(const Vec3& centre) const {
   // The way is a straight line, seen from above.
   const Vec2 from = m_at.head<2>(), to = centre.head<2>();
-  if (!((to - from).norm() > 0)) return true;
+  Place out = Place::Same;
+  if (!((to - from).norm() > 0)) return out;
+  const auto judge = [&](const Profile& profile) {
+    if (has_wall(profile, m_size)) out = Place::BehindWall;
+    if (out == Place::Same && falls_away(profile, m_size)) out = Place::Lower;
+  };
   // Each free ground is judged by itself.
   for (const Body& body : m_free) {
     Cut cut(from, to, m_at.z());
     cut.add(body);
-    if (is_apart(cut.profile, m_size)) return false;
+    judge(cut.profile);
   }
   // The fixed ones and the floor are one ground together.
   Cut cut(from, to, m_at.z());
   for (const Body& body : fixed_bodies(to)) cut.add(body);
   if (m_scene.floor) cut.profile.add_floor(m_at.z());
-  return !is_apart(cut.profile, m_size);
+  judge(cut.profile);
+  return out;
 }
 
 std::vector<Body> Container::fixed_bodies(const Vec2& towards) const {

@@ -21,9 +21,15 @@ class Container {
 
   /// True if a centre there is over the same place. Only what is not above `at` counts. Cost of the
   /// faces over the straight way, seen from above.
-  bool holds(const Vec3& centre) const;
+  bool holds(const Vec3& centre) const { return find(centre) == Place::Same; }
+
+  /// True if a wall lies between: the centre is beside a bin, or in another one. What went over an
+  /// edge and lies lower is not parted so.
+  bool is_behind_wall(const Vec3& centre) const { return find(centre) == Place::BehindWall; }
 
  private:
+  enum class Place { Same, BehindWall, Lower };
+  Place find(const Vec3& centre) const;
   std::vector<Body> fixed_bodies(const Vec2& towards) const;  // over the way
 
   const Scene& m_scene;

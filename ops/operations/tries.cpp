@@ -16,6 +16,7 @@ constexpr double kTurnDeg = 137.5;          // of a start from that before it: t
 constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
 constexpr int kTriesToTouch = 3;  // more of them, where it came to rest across a gap
+constexpr double kLeastWay = 0.1;  // that leads over a wall, in parts of the object's size
 constexpr int kStartsOfTry = 2;   // looked at for each try: some interpenetrate
 /// The whole has to stand at once at the first tries, may move at the next, most at the last. From
 /// most other starts it stands at once, in a tenth of the time.
@@ -49,6 +50,21 @@ bool starts_blocked(const OperationResult& result) {
          result.refusal->at == Refusal::At::Start;
 }
 
+/// How an object lies; the better one is less.
+enum class Rest { Touching, AcrossGap, BesideContainer };
+
+// Where it came to rest from that start.
+Rest rest_from(const Scene& scene, ObjectId id, const Pose& start) {
+  const Object& object = scene.at(id);
+  const Vec3 from = centre_at(object, start), to = object.centre_of_mass();
+  const double size = size_of(object);
+  // Over a wall leads a long way only: most objects ask for no container.
+  if ((to - from).head<2>().norm() > kLeastWay * size &&
+      Container(scene, carried_with(scene, id), from, size).is_behind_wall(to))
+    return Rest::BesideContainer;
+  return is_carried_across_gap(object) ? Rest::AcrossGap : Rest::Touching;
+}
+
 /// The starts after the first.
 class Tries {
  public:
@@ -60,22 +76,22 @@ class Tries {
         m_container(transaction.scene(), carried_with(transaction.scene(), id), centre(o.start),
                     size_of(object())) {}
 
-  /// @param first  refused, or at rest across a gap and taken back.
-  OperationResult go_on(OperationResult first, Budget budget) {
-    // A rest across a gap is kept in hand while a few starts are tried for a closer one.
-    if (first.ok()) note_gap({1, 0, 0, m_operation.start}, budget);
+  /// @param first  refused, or taken back: at rest across a gap or beside its container.
+  OperationResult go_on(OperationResult first, Rest rest, Budget budget) {
+    // Such a rest is kept in hand while other starts are tried for a better one.
+    if (first.ok()) keep({1, 0, 0, m_operation.start}, rest, budget);
     int num_tries = 1;
     // Blocked starts cost little and do not count as tries; their number is bounded, too.
     for (int n = 2; n <= kStartsOfTry * m_operation.tries && num_tries < m_operation.tries; ++n) {
-      if (m_gap && m_gap->tries_left-- <= 0) break;
+      if (m_in_hand && m_in_hand->rest == Rest::AcrossGap && m_in_hand->tries_left-- <= 0) break;
       const auto result = try_number(n, budget_of(num_tries + 1));
       if (!result) continue;
       const bool is_over = result->ok() || result->status != OperationResult::Status::Refused;
       if (is_over) return *result;
       ++num_tries;
     }
-    // No try was better than the rest across a gap.
-    if (m_gap) return take(*m_gap);
+    // No try was better than the rest in hand.
+    if (m_in_hand) return take(*m_in_hand);
     if (auto result = look_again()) return *result;
     if (num_tries > 1) {
       first.refusal->numbers.push_back({"tries", static_cast<double>(num_tries)});
@@ -90,7 +106,7 @@ class Tries {
     const auto result = try_number(1, kBudgetOfSecondLook);
     if (result && (result->ok() || result->status != OperationResult::Status::Refused))
       return result;
-    if (m_gap) return take(*m_gap);
+    if (m_in_hand) return take(*m_in_hand);
     return std::nullopt;
   }
 
@@ -102,20 +118,22 @@ class Tries {
   const Object& object() const { return m_transaction.scene().at(m_id); }
   Vec3 centre(const Pose& pose) const { return centre_at(object(), pose); }
 
-  /// A start from which it rests, but across a gap: taken if a few more are no better.
-  struct Gap {
+  /// A start from which it rests, but less well than it may from another one.
+  struct InHand {
     StartTried start;
+    Rest rest;
     Budget budget;
     int tries_left = kTriesToTouch;
   };
 
-  void note_gap(const StartTried& start, Budget budget) {
-    if (!m_gap) m_gap = Gap{start, budget};
+  // A rest across a gap in the container is better than one beside it.
+  void keep(const StartTried& start, Rest rest, Budget budget) {
+    if (!m_in_hand || rest < m_in_hand->rest) m_in_hand = InHand{start, rest, budget};
   }
 
-  OperationResult take(const Gap& gap) {
+  OperationResult take(const InHand& in_hand) {
     m_accepts_gap = true;
-    return try_from(gap.start, gap.budget);
+    return try_from(in_hand.start, in_hand.budget);
   }
 
   // As far from the first start as it is free and in the container. @return nothing: nowhere.
@@ -141,7 +159,7 @@ class Tries {
     if (start.number > 1 && !m_container.holds(inner.scene().at(m_id).centre_of_mass()))
       return refused({Refusal::Cause::LeavesRegion, {named(inner.scene(), Support(m_id))}});
     if (!m_accepts_gap && is_carried_across_gap(inner.scene().at(m_id))) {
-      note_gap(start, budget);
+      keep(start, Rest::AcrossGap, budget);
       return refused({Refusal::Cause::Topples, {named(inner.scene(), Support(m_id))}});
     }
     if (start.number > 1) result.tried = start;
@@ -154,7 +172,7 @@ class Tries {
   const PutOperation& m_operation;
   const PutFrom& m_put;
   const Container m_container;
-  std::optional<Gap> m_gap;
+  std::optional<InHand> m_in_hand;
   bool m_accepts_gap = false;
 };
 
@@ -180,14 +198,18 @@ StartTried start_to_try(const Object& object, const PutOperation& o, int number,
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
                              const PutFrom& put, Budget budget) {
   OperationResult first;
+  Rest rest = Rest::Touching;
   {
     Transaction inner(transaction);
     first = put(inner, o, budget);
-    const bool touches = first.ok() && !is_carried_across_gap(inner.scene().at(id));
-    if (touches) inner.commit();
-    if (touches || !(first.ok() || may_do_better_nearby(first))) return first;
+    if (!first.ok() && !may_do_better_nearby(first)) return first;
+    if (first.ok()) rest = rest_from(inner.scene(), id, o.start);
+    if (first.ok() && rest == Rest::Touching) {
+      inner.commit();
+      return first;
+    }
   }
-  return Tries(transaction, id, o, put).go_on(std::move(first), budget);
+  return Tries(transaction, id, o, put).go_on(std::move(first), rest, budget);
 }
 
 }  // namespace trivet

@@ -6,6 +6,8 @@
 //   interpenetrates, or leaves the container (container.h)
 //                            shifted by a half, a quarter, nothing instead; then skipped
 //   leans across a gap       tried at three more; taken if none of these does better
+//   got over a wall from the first start
+//                            tried at all others; taken if none of these ends in the container
 //   else                     an operation of its own, proved as any other; the first that is done
 //                            and ends in the container is taken. From starts 2 to 4 the whole has
 //                            to stand at once, from the next ones after few motions, from the last

@@ -31,7 +31,7 @@ class PartFitter {
  private:
   struct Placed {
     std::unique_ptr<PlacedPart> part;
-    double backing = 0;
+    double backing = 0, flat = 0;
   };
   struct Pair {
     Index a, b;
@@ -45,9 +45,9 @@ class PartFitter {
     const HullTree::Node& of_tree = tree(body).node(node);
     Placed& out = all[node];
     // A part whose thickness has changed is placed anew.
-    if (!out.part || out.backing != of_tree.backing) {
+    if (!out.part || out.backing != of_tree.backing || out.flat != of_tree.flat) {
       out.part = std::make_unique<PlacedPart>(of_tree.part, m_bodies[body].world_from_tree);
-      out.backing = of_tree.backing;
+      out.backing = of_tree.backing, out.flat = of_tree.flat;
     }
     return *out.part;
   }
@@ -82,6 +82,17 @@ class PartFitter {
     return m_changed = true;
   }
 
+  bool thin(size_t body, Index leaf) {
+    if (!tree(body).thin(leaf)) return false;
+    return m_changed = true;
+  }
+
+  /// Metres by which thin() can bring the part closer; 0: the part is not flat.
+  double flat_thickness(size_t body, Index leaf) {
+    const HullTree::Node& node = tree(body).node(leaf);
+    return node.backing > 0 ? 0 : node.flat * m_bodies[body].scale;
+  }
+
   void fit_to_floor(size_t body) {
     std::vector<Index> open = leaves(body, nullptr);
     while (!open.empty()) {
@@ -90,9 +101,15 @@ class PartFitter {
       const HullTree::Node& node = tree(body).node(i);
       if (!node.is_leaf())
         open.insert(open.end(), node.children.begin(), node.children.end());
-      else if (-placed(body, i).box.lower.z() > m_limit(body, body) && refine(body, i))
+      else if (-placed(body, i).box.lower.z() > m_limit(body, body) && closer_to_floor(body, i))
         open.push_back(i);
     }
+  }
+
+  bool closer_to_floor(size_t body, Index i) {
+    // A flat part that is below by its thickness alone needs no cut.
+    if (-placed(body, i).box.lower.z() <= flat_thickness(body, i) && thin(body, i)) return true;
+    return refine(body, i) || thin(body, i);
   }
 
   void fit(size_t a, size_t b) {
@@ -111,15 +128,28 @@ class PartFitter {
         for (const Index child : of_a.children) open.push_back({child, pair.b});
       } else if (!of_b_node.is_leaf()) {
         for (const Index child : of_b_node.children) open.push_back({pair.a, child});
-      } else if (is_too_deep(a, b, pair) && refine_one(a, b, pair)) {
+      } else if (const double overlap = depth(a, b, pair);
+                 overlap > m_limit(a, b) && closer(a, b, pair, overlap)) {
         open.push_back(pair);
       }
     }
   }
 
-  bool is_too_deep(size_t a, size_t b, const Pair& pair) {
+  double depth(size_t a, size_t b, const Pair& pair) {
     const PlacedPart &of_a = placed(a, pair.a), &of_b = placed(b, pair.b);
-    return overlaps(of_a.box, of_b.box) && penetration_depth(of_a, of_b) > m_limit(a, b);
+    return overlaps(of_a.box, of_b.box) ? penetration_depth(of_a, of_b) : 0;
+  }
+
+  // Flat parts that overlap by their thickness alone get thinner: no cut would help. Others are
+  // thinned last, where nothing can be cut.
+  bool closer(size_t a, size_t b, const Pair& pair, double overlap) {
+    const double flat_a = flat_thickness(a, pair.a), flat_b = flat_thickness(b, pair.b);
+    const auto thin_one = [&] {
+      if (flat_a >= flat_b) return thin(a, pair.a) || thin(b, pair.b);
+      return thin(b, pair.b) || thin(a, pair.a);
+    };
+    if (overlap <= std::max(flat_a, flat_b) && thin_one()) return true;
+    return refine_one(a, b, pair) || thin_one();
   }
 
   // Thickness goes first, then the larger part gives way; last a solid, as its parts

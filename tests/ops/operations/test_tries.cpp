@@ -136,6 +136,32 @@ TEST(Tries, FillBin) {
   std::printf("%d of %d with one try each\n", exactly, num);
 }
 
+/// Where the centre of a bar ends that is let go across the rim of a bin, its middle inside.
+double bar_over_rim(double inside, int tries, int& number) {
+  Scene scene;
+  add_at(scene, "bin", bin(0.4, 0.2, 0.01), {0, 0, 1e-4}, true);
+  const ObjectId id = scene.add(object_of("bar", box_triangles({0.1, 0.02, 0.02})));
+  // It is turned down on the outside, meets the rim there, and slides over it.
+  const Rotation tilt = Rotation::about_axis(Vec3::UnitY(), turn_time(50));
+  PutOperation put{{"bar"}, {tilt, Vec3(0.2 - inside, 0, 0.4)}};
+  put.tries = tries;
+  const OperationResult result = perform(scene, put);
+  EXPECT_TRUE(result.ok()) << result.reason();
+  number = result.tried ? result.tried->number : 1;
+  return scene.at(id).centre_of_mass().x();
+}
+
+TEST(Tries, DoNotEndBesideTheBin) {
+  int number = 0, num_called_back = 0;
+  for (const double inside : {0.001, 0.003, 0.005, 0.01, 0.02}) {
+    const bool is_beside = bar_over_rim(inside, 1, number) > 0.21;
+    EXPECT_LT(bar_over_rim(inside, 12, number), 0.2) << inside;
+    EXPECT_EQ(number > 1, is_beside) << inside << ": a start that ends in the bin is kept";
+    num_called_back += is_beside;
+  }
+  EXPECT_GT(num_called_back, 0);
+}
+
 /// Counts tries, and answers them as it is told to.
 struct Answers {
   Scene scene;
@@ -143,14 +169,18 @@ struct Answers {
   std::vector<Pose> starts;
   std::vector<std::int64_t> budgets;
 
-  OperationResult run(int tries, const std::function<OperationResult(int)>& answer) {
+  /// @param aside  x at which each try ends, metres from its start.
+  OperationResult run(int tries, const std::function<OperationResult(int)>& answer,
+                      double aside = 0) {
     PutOperation o{{"o"}, {{}, Vec3(0, 0, 1)}};
     o.tries = tries;
     Transaction transaction(scene);
     const PutFrom from = [&](Transaction& inner, const PutOperation& put, Budget budget) {
       starts.push_back(put.start);
       budgets.push_back(budget.first_contacts);
-      inner.edit(id, [&](Object& object) { object.pose = put.start; });
+      inner.edit(id, [&](Object& object) {
+        object.pose = {put.start.rotation, put.start.translation + Vec3(aside, 0, 0)};
+      });
       return answer(static_cast<int>(starts.size()));
     };
     return put_by_tries(transaction, id, o, from, Budget{120});
@@ -211,6 +241,16 @@ TEST(Tries, AreTwelveUnlessAsked) {
   EXPECT_TRUE(first.ok());
   EXPECT_FALSE(first.tried) << "from the start that was asked for";
   EXPECT_EQ(answers.starts.size(), 1u);
+}
+
+// Nothing else is done: the one beside the bin is taken.
+TEST(Tries, EndBesideTheBinIfNoneEndsInIt) {
+  Answers answers;
+  add_at(answers.scene, "bin", bin(0.5, 0.5, 0.01), {0, 0, 1e-4}, true);
+  const OperationResult result = answers.run(12, [&](int) { return OperationResult(); }, 0.8);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(answers.starts.size(), 13u);
+  EXPECT_FALSE(result.tried);
 }
 
 // Three more starts, then the first again.
