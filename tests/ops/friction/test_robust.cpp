@@ -107,7 +107,7 @@ TEST(Robust, GivesTheSameBitsWithAnyNumberOfThreads) {
   EXPECT_EQ(difference(scenes[0], scenes[2]), "");
 }
 
-// Nothing lies below the slope, so that what slides is refused.
+// There is no floor below the slope, so that what slides is refused.
 TEST(Robust, RefusesWhatNothingWouldHoldWithReserve) {
   const double slope = std::atan(0.4) * 180 / M_PI;
   Stage stage(0.5, false);
