@@ -247,8 +247,18 @@ class HeapInPlace {
 }  // namespace
 
 bool is_heap(const Intent& meant, const std::vector<ObjectId>& moving) {
+  // A tilted thing on one level thing alone has been turned by noise, or leans: it has an order.
+  std::set<std::uint32_t> in_heap;
+  for (const ObjectIntent& o : meant.objects) {
+    if (o.is_level) continue;
+    for (const IntendedSupport& s : o.on) {
+      const ObjectIntent* const below = s.on.is_object() ? meant.find(s.on.object()) : nullptr;
+      if (o.on.size() > 1) in_heap.insert(o.id.index);
+      if (below && !below->is_level) in_heap.insert({o.id.index, below->id.index});
+    }
+  }
   const auto tilted = static_cast<size_t>(std::count_if(
-      moving.begin(), moving.end(), [&](ObjectId id) { return !meant.find(id)->is_level; }));
+      moving.begin(), moving.end(), [&](ObjectId id) { return in_heap.count(id.index) > 0; }));
   return tilted >= kLeastOfHeap &&
          static_cast<double>(tilted) >= kTiltedShareOfHeap * static_cast<double>(moving.size());
 }

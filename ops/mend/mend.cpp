@@ -13,22 +13,18 @@
 #include "ops/mend/in_place.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
+#include "ops/mend/starts.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
 
 namespace trivet {
 namespace {
 
-constexpr double kLeastAir = 2e-5;  // metres between an object and its place when it is let go
-// Lifts and radii, in tolerances.
-constexpr double kLiftsInTolerances[] = {0, 0.06, 0.25, 0.7, 1.5, 3, 8};
-constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
-constexpr double kRingLifts[] = {0, 0.7, 2};
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
-constexpr int kAims = 3;        // tries to hit the place, from where it came to rest
-constexpr double kAimed = 0.1;  // tolerances: near enough
-constexpr double kMayBeLevelDeg = 15;
+constexpr int kAims = 3;           // tries to hit the place, from where it came to rest
+constexpr double kAimed = 0.1;     // tolerances: near enough
+constexpr double kMayBeNoise = 2;  // times the tilt that is taken for level
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
 // Pose `then`, carried along by what moves `from` to `to`.
@@ -38,12 +34,6 @@ Pose carried(const Pose& from, const Pose& to, const Pose& then) {
   return {(turn * then.rotation).normalized(),
           to.translation + turn.matrix() * (then.translation - from.translation)};
 }
-
-/// A start and what it costs at least.
-struct Start {
-  double cost;
-  Pose pose;
-};
 
 /// A place where it rested, and what that costs.
 struct Landing {
@@ -148,9 +138,13 @@ class Mender {
     if (!first.is_level || first.on.empty() || m_in_row.count(first.id.index)) return;
     std::vector<Placement> row;
     for (const ObjectId id : m_moving) {
-      const ObjectIntent& meant = *m_meant.find(id);
-      if (!meant.is_level || meant.on.empty() || meant.on[0].on != first.on[0].on) continue;
-      if (!m_scene.at(id).placed) row.push_back({id, pose_meant(scene, meant)});
+      ObjectIntent meant = *m_meant.find(id);
+      if (meant.on.empty() || meant.on[0].on != first.on[0].on || m_scene.at(id).placed) continue;
+      // The row keeps room for one that leans by little more than noise: see stand_in_row().
+      if (!meant.is_level && meant.tilt_deg > kMayBeNoise * m_meant.most_tilt_deg) continue;
+      if (!meant.is_level) meant.level = levelled(m_scene.at(id), downs_of(m_scene.at(id)));
+      meant.is_level = true;
+      row.push_back({id, pose_meant(scene, meant)});
     }
     for (const Placement& p : spread_row(m_scene, std::move(row), first.on[0].on, m_meant.tolerance,
                                          m_meant.most_tilt_deg))
@@ -168,19 +162,25 @@ class Mender {
     // An object that stands well where it is, on supports that did not move, stays; but not where
     // its row needs room.
     spread_row_of(scene, *m_object);
-    const auto in_row = m_in_row.find(id.index);
-    const bool gives_way =
-        in_row != m_in_row.end() && !is_same_pose(in_row->second, pose_meant(scene, *m_object));
+    const bool gives_way = m_object->is_level && m_in_row.count(id.index) &&
+                           !is_same_pose(m_in_row.at(id.index), pose_meant(scene, *m_object));
     if (!gives_way && !support_moved(scene) && scene.keep(id)) return;
     if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
     const Pose nominal = nominal_pose(scene, id);
+    // Let go from there, a thin one may tip by what rounding leaves.
+    const auto as_meant = [&](const Object& there) {
+      return judged(id, there, nominal, nominal).as_meant;
+    };
+    if (m_object->is_level && scene.stand_still(id, nominal, as_meant)) return;
     Sentence why = "no place near is free";
     Landing best;
     int tries = 0;
-    for (const Start& start : starts_around(scene, id, nominal)) {
-      // A landing as it was meant ends the search, unless a cheaper start is left; so do too many
-      // tries.
-      const bool enough = best.as_meant && (start.cost > best.cost || tries > 12);
+    for (const Start& start :
+         starts_around(m_scene, *m_object, scene.given(id), nominal, m_meant.tolerance)) {
+      // A landing as it was meant ends the search, if it is near enough or no cheaper start is
+      // left; so do too many tries.
+      const bool enough = best.as_meant && (best.cost < kAimed * m_meant.tolerance ||
+                                            start.cost > best.cost || tries > 12);
       if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
       if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
         break;
@@ -194,8 +194,17 @@ class Mender {
       });
       if (result.refusal) why = sentence_of(*result.refusal);
     }
+    if (!best.as_meant && !m_object->is_level && stand_in_row(scene, id)) return;
     aim_again(scene, id, nominal, best);
     if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
+  }
+
+  // One that seems to lean, and finds no place so, may have been tilted by noise.
+  bool stand_in_row(Rearrangement& scene, ObjectId id) const {
+    const auto in_row = m_in_row.find(id.index);
+    return in_row != m_in_row.end() &&
+           scene.stand_still(id, in_row->second,
+                             [&](const Object& there) { return carried_as_meant(there); });
   }
 
   // A start from as far on the other side of the nominal place as it came to rest from that.
@@ -226,11 +235,19 @@ class Mender {
   Pose nominal_pose(const Rearrangement& scene, ObjectId id) {
     m_nominal_given.insert(id.index);
     const auto in_row = m_in_row.find(id.index);
-    return in_row != m_in_row.end() ? in_row->second : pose_meant(scene, *m_object);
+    const bool stands = m_object->is_level && in_row != m_in_row.end();
+    return stands ? in_row->second : pose_meant(scene, *m_object);
   }
 
-  // Level, lowered or lifted by its gap, and along with its main support.
+  // Level, in contact with its supports, and along with its main one.
   Pose pose_meant(const Rearrangement& scene, const ObjectIntent& meant) const {
+    const Pose pose = at_gap(scene, meant);
+    const Body body = body_of(m_scene.at(meant.id), pose);
+    return in_contact(m_scene, meant, pose, m_meant.tolerance,
+                      clearance_near(m_scene, m_options.settle, body.world_box));
+  }
+
+  Pose at_gap(const Rearrangement& scene, const ObjectIntent& meant) const {
     Pose pose = meant.level;
     pose.translation.z() -= meant.gap;
     if (meant.on.empty() || !meant.on[0].on.is_object()) return pose;
@@ -249,52 +266,6 @@ class Mender {
 
   Vec3 middle_of(ObjectId id, const Pose& pose) const {
     return middle_of_box(m_scene.at(id), pose);
-  }
-
-  // The nominal one freed by the shortest shifts, then lifts and rings around both; by cost.
-  std::vector<Start> starts_around(const Rearrangement& scene, ObjectId id,
-                                   const Pose& nominal) const {
-    const double tol = std::max(m_meant.tolerance, 0.002);
-    std::vector<Start> out;
-    // The levelled attitude is tried first, then the given one, which costs a little more.
-    std::vector<Pose> attitudes{nominal};
-    const Pose& given = scene.given(id);
-    if (turn_between_deg(nominal.rotation, given.rotation) > 0.3) {
-      Pose as_given = given;
-      as_given.translation += middle_of(id, nominal) - middle_of(id, given);
-      attitudes.push_back(as_given);
-    }
-    // An object that leans a little may have been meant level all the same.
-    if (!m_object->is_level && m_object->tilt_deg <= kMayBeLevelDeg)
-      attitudes.push_back(levelled(m_scene.at(id), downs_of(m_scene.at(id))));
-    for (size_t j = 0; j < attitudes.size(); ++j) {
-      const double more = static_cast<double>(j) * 0.3 * tol;
-      const Pose& base = attitudes[j];
-      // Starts: parted from what it crosses, lifted, and in rings around the place.
-      add(out, parted(m_scene, *m_object, base), base, more);
-      for (const double lift : kLiftsInTolerances)
-        add(out, shifted(base, 0, 0, kLeastAir + lift * tol), base, more);
-      for (const double ring : kRings)
-        for (int k = 0; k < 8; ++k)
-          for (const double lift : kRingLifts) {
-            const Vec3 way = turn_about(Vec3::UnitZ(), 45.0 * k).matrix().col(0) * ring * tol;
-            add(out, shifted(base, way.x(), way.y(), kLeastAir + lift * tol), base, more);
-          }
-    }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const Start& a, const Start& b) { return a.cost < b.cost; });
-    return out;
-  }
-
-  static Pose shifted(Pose pose, double x, double y, double z) {
-    pose.translation += Vec3(x, y, z);
-    return pose;
-  }
-
-  // Lifts count a quarter: what is let go falls back.
-  static void add(std::vector<Start>& out, const Pose& pose, const Pose& base, double extra) {
-    const Vec3 way = pose.translation - base.translation;
-    out.push_back({way.head<2>().norm() + 0.25 * std::abs(way.z()) + extra, pose});
   }
 
   Landing judged(ObjectId id, const Object& there, const Pose& nominal, const Pose& start) const {

@@ -76,7 +76,8 @@ std::vector<ObjectId> Rearrangement::rest_together(const std::vector<ObjectId>& 
   return out;
 }
 
-bool Rearrangement::stand_still(ObjectId id, const Pose& pose) {
+bool Rearrangement::stand_still(ObjectId id, const Pose& pose,
+                                const std::function<bool(const Object&)>& accept) {
   // The object is kept only if it stands there and is stable.
   Transaction transaction(m_scene);
   StandOperation there;
@@ -85,6 +86,7 @@ bool Rearrangement::stand_still(ObjectId id, const Pose& pose) {
   const OperationResult result =
       perform(transaction, Operation(there), m_options.settle, m_options.context);
   if (!result.ok() || m_scene.at(id).state != ObjectState::Stable) return false;
+  if (accept && !accept(m_scene.at(id))) return false;
   transaction.commit();
   return true;
 }

@@ -1,6 +1,7 @@
 // Objects taken out of a scene and put back one after the other. Private.
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include "core/scene/transaction.h"
@@ -23,8 +24,9 @@ class Rearrangement {
 
   /// Where it was, if it is free and at rest there.
   bool keep(ObjectId id) { return stand_still(id, given(id)); }
-  /// The same of another pose.
-  bool stand_still(ObjectId id, const Pose& pose);
+  /// The same of another pose. @param accept  asked of the object there; empty: always.
+  bool stand_still(ObjectId id, const Pose& pose,
+                   const std::function<bool(const Object&)>& accept = {});
   /// PUT from a start pose. @param tries  see PutOperation.
   OperationResult put(ObjectId id, const Pose& start, int tries = kTriesOfPut) {
     return put_in(m_scene, id, start, tries);

@@ -88,7 +88,7 @@ class Whole {
     // Only parts connected with what changed can have lost their balance.
     const std::vector<ObjectId> changed = touched();
     PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
-                                      m_clearance, kMaxProgramObjects, proof());
+                                      m_clearance, kMaxProgramObjects);
     if (!verdict.stands || m_is_trial) return verdict;
     judge_each();
     // Names are sorted, so that the order in which they were found does not matter.
@@ -99,8 +99,6 @@ class Whole {
     verdict.stands = verdict.topples.empty();
     return verdict;
   }
-
-  Proof proof() const { return m_most_movers == 0 ? Proof::Quickest : Proof::Whole; }
 
   std::vector<ObjectId> parts() const { return connected_with(m_scene, touched()); }
 

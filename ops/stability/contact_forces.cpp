@@ -82,7 +82,7 @@ std::vector<double> carried_weights(const FreeBodies& part) {
 PartForces contact_forces(FreeBodies& part, double clearance, double factor, double price_of_gap) {
   while (true) {
     // The program grows by contacts until the forces balance or no contact would help.
-    ForceProgram program(part, clearance, factor, {}, 0, price_of_gap);
+    ForceProgram program(part, clearance, factor, {}, price_of_gap);
     program.add_missing(1, kInfinity);
     const LinearProgram::Solution solution = program.solve();
     if (!solution.optimal) return {};
@@ -92,13 +92,6 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor, dou
     const bool is_enough = price_of_gap == 0 && out.balanced();
     if (is_enough || !join_best(part, gain)) return out;
   }
-}
-
-PartForces least_forces(const FreeBodies& part, double clearance, double price_of_push) {
-  ForceProgram program(part, clearance, 1, {}, price_of_push);
-  program.add_missing(1, kInfinity);
-  const LinearProgram::Solution solution = program.solve_by_dual(kInfinity);
-  return solution.optimal ? program.forces_of(solution) : PartForces{};
 }
 
 std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,

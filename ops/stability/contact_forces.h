@@ -35,10 +35,6 @@ struct PartForces {
 PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1,
                           double price_of_gap = 0);
 
-/// The same by `touches` alone, where pushes have a price.
-/// @param price_of_push  as heavy as what a body carries; a missing weight costs 1.
-PartForces least_forces(const FreeBodies& part, double clearance, double price_of_push);
-
 /// Each body's weight with all that lies on it by the touches, directly or not, in newtons. Limits
 /// of friction and pushes are in parts of it.
 std::vector<double> carried_weights(const FreeBodies& part);

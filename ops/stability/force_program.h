@@ -1,4 +1,5 @@
-// The linear program of contact forces that balance free bodies. Private to contact_forces.cpp.
+// The linear program of contact forces that balance free bodies. Private to contact_forces.cpp and
+// interior_point.cpp.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,17 +18,14 @@ namespace trivet {
 
 class ForceProgram {
  public:
-  /// @param price_of_push  of a push as heavy as what its body carries. @param price_of_gap  of the
-  /// same across a metre.
+  /// @param price_of_gap  of a push as heavy as what its body carries, across a metre.
   ForceProgram(const FreeBodies& part, double clearance, double factor = 1,
-               std::span<const MayCarry> may = {}, double price_of_push = 0,
-               double price_of_gap = 0)
+               std::span<const MayCarry> may = {}, double price_of_gap = 0)
       : m_part(part),
         m_clearance(clearance),
         m_factor(factor),
-        m_price_of_push(price_of_push),
         m_price_of_gap(price_of_gap),
-        m_carried(part.carried.empty() ? carried_weights(part) : part.carried) {
+        m_carried(carried_weights(part)) {
     add_rows();
     for (size_t k = 0; k < m_part.touches.size(); ++k)
       add_touch(m_part.touches[k], may.empty() ? MayCarry{} : may[k]);
@@ -120,12 +118,9 @@ class ForceProgram {
       const double own = m_part.bodies[i].weight / m_carried[i];
       // This column holds what is missing beyond the tolerance.
       const size_t beyond = m_first_missing + kMissingColumns * (i + 1) - 1;
-      double motion = 0;
-      for (int k = 0; k < 6; ++k)
-        motion = std::max(motion, std::abs(solution.prices[row_of(i) + k]));
       out.missing.push_back(solution.x[beyond] / own);
-      out.moves.push_back(own * motion > kMoves);
     }
+    out.moves = moves_of(solution);
     out.motions = motions_of(solution);
     // A contact force is the sum of its edges, each times the value of its column.
     for (const Spanned& s : m_spanned) {
@@ -137,15 +132,17 @@ class ForceProgram {
     return out;
   }
 
- private:
-  using Entry = LinearProgram::Entry;
-
-  static constexpr double kMoves = 1e-6;  // virtual velocities, at most 1: rounding below this
-  // Rows of a body, all in parts of what it carries: force x y z, torque x y z, friction, pushes,
-  // what is missing beyond the tolerance.
-  static constexpr int kRowsPerBody = 9;
-  static constexpr int kFrictionRow = 6, kPushRow = 7, kMissingRow = 8;
-  static constexpr int kMissingColumns = 13;  // of a body: 6 rows with both signs; beyond
+  // Of each body, whether it takes part in the motion that the prices are.
+  std::vector<bool> moves_of(const LinearProgram::Solution& solution) const {
+    std::vector<bool> out;
+    for (size_t i = 0; i < m_part.bodies.size(); ++i) {
+      double motion = 0;
+      for (int k = 0; k < 6; ++k)
+        motion = std::max(motion, std::abs(solution.prices[row_of(i) + k]));
+      out.push_back(m_part.bodies[i].weight / m_carried[i] * motion > kMoves);
+    }
+    return out;
+  }
 
   // Prices are virtual velocities against all contact forces, so that bodies go the other way; they
   // belong to rows that are scaled by what a body carries, and by its size.
@@ -171,6 +168,16 @@ class ForceProgram {
     }
     return out;
   }
+
+ private:
+  using Entry = LinearProgram::Entry;
+
+  static constexpr double kMoves = 1e-6;  // virtual velocities, at most 1: rounding below this
+  // Rows of a body, all in parts of what it carries: force x y z, torque x y z, friction, pushes,
+  // what is missing beyond the tolerance.
+  static constexpr int kRowsPerBody = 9;
+  static constexpr int kFrictionRow = 6, kPushRow = 7, kMissingRow = 8;
+  static constexpr int kMissingColumns = 13;  // of a body: 6 rows with both signs; beyond
 
   // Prices alone, such that no column of what is missing gains.
   LinearProgram::Solution priced_by(const std::vector<VirtualMotion>& motions) const {
@@ -252,7 +259,7 @@ class ForceProgram {
   }
 
   double price_of(const BodyContact& t) const {
-    return (m_price_of_push + m_price_of_gap * t.contact.gap) * unit_of(t) / m_carried[t.on];
+    return m_price_of_gap * t.contact.gap * unit_of(t) / m_carried[t.on];
   }
 
   void add_touch(const BodyContact& t, const MayCarry& may) {
@@ -293,7 +300,7 @@ class ForceProgram {
 
   const FreeBodies& m_part;
   const double m_clearance;
-  const double m_factor, m_price_of_push, m_price_of_gap;
+  const double m_factor, m_price_of_gap;
   const std::vector<double> m_carried;
   LinearProgram m_program;
   std::vector<Spanned> m_spanned;

@@ -38,9 +38,6 @@ struct FreeBodies {
   std::vector<BodyContact> more;
   /// For near_bodies(): objects that are neither bodies nor ground, and touch some; sorted by slot.
   std::vector<ObjectId> left_out;
-  /// Newtons that each body carries, with its own weight, where these are a few of a larger part;
-  /// empty: carried_weights() of these alone.
-  std::vector<double> carried;
 };
 
 /// All placed objects that are not fixed, each one with what hangs in it by joints, with the

@@ -7,15 +7,13 @@
 
 #include "core/scene/joint.h"
 #include "ops/placement/slot_order.h"
-#include "ops/stability/block_balance.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
+#include "ops/stability/interior_point.h"
 #include "ops/stability/unbalanced.h"
 
 namespace trivet {
 namespace {
-
-constexpr size_t kManyBodies = 24;  // for which it pays to look for balance alone, at first
 
 // False if a body has no contact that could push it up, but by what is tolerated.
 bool may_all_be_held_up(const FreeBodies& part) {
@@ -37,13 +35,12 @@ bool may_all_be_held_up(const FreeBodies& part) {
 class Judgement {
  public:
   Judgement(const Scene& scene, std::span<const ObjectId> ids, std::span<const ObjectId> changed,
-            double clearance, int max_program_objects, Proof proof)
+            double clearance, int max_program_objects)
       : m_scene(scene),
         m_ids(ids),
         m_changed(changed),
         m_clearance(clearance),
         m_limit(static_cast<size_t>(max_program_objects)),
-        m_proof(proof),
         m_all(linked_bodies(scene, ids, std::nullopt)),
         m_certificate(vertical_certificate(m_all)) {}
 
@@ -90,38 +87,15 @@ class Judgement {
     FreeBodies chosen = loaded_bodies(nearest, [&](ObjectId id, const Object& object) {
       return is_fixed_or_held(id, object) || !is_certified(id);
     });
-    if (chosen.bodies.size() > kManyBodies) {
-      // Many bodies mostly stand: the quick proof spares the search for contacts.
-      if (quickly_balanced(chosen, m_clearance)) return;
-      if (m_proof == Proof::Quickest) return note_all(chosen);
-    }
-    note(chosen, contact_forces(chosen, m_clearance));
+    note(chosen, quickest_forces(chosen, m_clearance));
   }
 
-  // Many bodies are judged block by block; where that leaves it open, the quick proof mostly
-  // answers at once.
   void judge_together(const Members& part, FreeBodies whole, bool may_stand_alone) {
-    const bool is_large = whole.bodies.size() > kManyBodies;
-    if (is_large && judge_by_blocks(whole)) return;
-    if (is_large && m_proof == Proof::Quickest) {
-      const bool stands =
-          (may_stand_alone && stands_alone(part, {})) || quickly_balanced(whole, m_clearance);
-      if (!stands) note_all(whole);
-      return;
-    }
-    if (is_large && quickly_balanced(whole, m_clearance)) return;
-    const PartForces forces = contact_forces(whole, m_clearance);
+    const PartForces forces = quickest_forces(whole, m_clearance);
     if (forces.solved && forces.balanced()) return;
     const Larger larger{whole, forces};
     if (may_stand_alone && stands_alone(part, larger)) return;
     note(whole, forces);
-  }
-
-  // @return false: that leaves it open.
-  bool judge_by_blocks(const FreeBodies& whole) {
-    const BlockBalance found = balance_by_blocks(whole, m_clearance);
-    if (found.verdict == BlockBalance::Verdict::Topples) note(whole, found.moves);
-    return found.verdict != BlockBalance::Verdict::Open;
   }
 
   /// A part with others, which does not stand.
@@ -136,7 +110,7 @@ class Judgement {
     if (part.all.size() <= m_limit && !may_all_be_held_up(open)) return false;
     if (larger && clearly_unbalanced(open, m_clearance, larger->bodies, larger->forces))
       return false;
-    const PartForces forces = contact_forces(open, m_clearance);
+    const PartForces forces = quickest_forces(open, m_clearance);
     return forces.solved && forces.balanced();
   }
 
@@ -147,16 +121,6 @@ class Judgement {
     // Bodies that the proof moves are those that topple.
     for (size_t k = 0; k < part.bodies.size(); ++k)
       if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
-  }
-
-  void note(const FreeBodies& part, const std::vector<Index>& moves) {
-    m_out.stands = false;
-    for (const Index i : moves) m_out.topples.push_back(part.bodies[i].id);
-  }
-
-  void note_all(const FreeBodies& part) {
-    m_out.stands = false;
-    for (const FreeBody& body : part.bodies) m_out.topples.push_back(body.id);
   }
 
   std::vector<ObjectId> ids_of(const std::vector<Index>& members) const {
@@ -204,7 +168,6 @@ class Judgement {
   const std::span<const ObjectId> m_ids, m_changed;
   const double m_clearance;
   const size_t m_limit;
-  const Proof m_proof;
   const FreeBodies m_all;
   const Certificate m_certificate;
   PartVerdict m_out;
@@ -252,8 +215,8 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
 
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects, Proof proof) {
-  return Judgement(scene, ids, changed, clearance, max_program_objects, proof).run();
+                        int max_program_objects) {
+  return Judgement(scene, ids, changed, clearance, max_program_objects).run();
 }
 
 }  // namespace trivet

@@ -20,11 +20,6 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
                      const IsGround& is_ground, std::optional<double> friction,
                      double num_clearances = kCarryingTolerance);
 
-enum class Proof {
-  Whole,     // and, where there is none, who moves
-  Quickest,  // a large part for which no balance is found quickly counts as one that moves
-};
-
 struct PartVerdict {
   bool stands = true;
   bool known = true;              // false: a part is too large for a proof, or not solved
@@ -38,6 +33,6 @@ struct PartVerdict {
 /// @param ids  as connected_with() returns them. @param changed  any of them.
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects, Proof proof = Proof::Whole);
+                        int max_program_objects);
 
 }  // namespace trivet

@@ -12,6 +12,7 @@
 #include "ops/stability/carried.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
+#include "ops/stability/interior_point.h"
 #include "ops/stability/part.h"
 
 namespace trivet {
@@ -155,9 +156,11 @@ class StabilityCheck {
   // Judges a part that holds with a little less friction, too.
   void judge_reserve(FreeBodies part) {
     if (is_small(part)) {
-      // The dual simplex usually answers at once; the slower way lets more contacts join.
-      if (quickly_balanced(part, m_clearance, kMarginalFriction)) return;
-      const PartForces found = contact_forces(part, m_clearance, kMarginalFriction);
+      // Of few the dual simplex usually answers at once; the slower way lets more contacts join.
+      if (part.bodies.size() <= kManyBodies &&
+          quickly_balanced(part, m_clearance, kMarginalFriction))
+        return;
+      const PartForces found = quickest_forces(part, m_clearance, kMarginalFriction);
       if (found.solved && found.balanced()) return;
     }
     for (const Index i : members_of(part)) m_out.objects[i].marginal = true;
@@ -186,7 +189,7 @@ class StabilityCheck {
     if (!is_small(part))
       return worsen("a part of " + std::to_string(members.size()) +
                     " objects is too large for a proof");
-    const PartForces found = contact_forces(part, m_clearance);
+    const PartForces found = forces_of(part);
     if (!found.solved) return worsen("the linear program was not solved");
     m_out.residual = std::max(m_out.residual, found.residual);
     // Forces that balance everything are the proof; without them gravity moves these bodies.
@@ -206,6 +209,17 @@ class StabilityCheck {
     // Forces that the scene's links explain are preferred to others that balance as well.
     for (size_t k = 0; k < part.touches.size(); ++k)
       add_force(part, part.touches[k], forces.empty() ? found.forces[k] : forces[k]);
+  }
+
+  // Many bodies mostly stand, without further contacts; else those that matter join.
+  PartForces forces_of(FreeBodies& part) const {
+    if (part.bodies.size() > kManyBodies) {
+      FreeBodies first = part;
+      first.more.clear();
+      const PartForces out = forces_by_interior_point(first, m_clearance);
+      if (out.solved && out.balanced()) return out;
+    }
+    return contact_forces(part, m_clearance);
   }
 
   // Forces of the supports that the scene's links name, where these suffice.

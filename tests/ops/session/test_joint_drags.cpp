@@ -1,7 +1,7 @@
 // Links that follow a hand: the same bits as by MOVE_JOINT, one step, and what stops them.
 #include "core/scene/fingerprint.h"
-#include "kitchen.h"
 #include "ops/operations/live_move.h"
+#include "ops/session/kitchen.h"
 
 namespace trivet {
 namespace {
