@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/tunables.h"
+#include "core/convex/flat_thickness.h"
 #include "core/convex/hull_memo.h"
 #include "core/mesh/hull.h"
 
@@ -17,7 +18,6 @@ constexpr double kSolid = 0.9;                             // of the volume of i
 constexpr double kThinnestBacking = 1.0 / 16;              // of a shell
 constexpr double kThinner = 1.0 / 4;                       // of the thickness of a flat part
 constexpr double kThinnestFlat = kFlatPartThickness / 64;  // of the size
-constexpr double kRoundings = 0x1p-20;                     // 16 roundings to float32
 
 double volume_of_hull(const std::vector<Vec3>& points) {
   const ConvexHull hull = convex_hull(points);
@@ -32,12 +32,6 @@ double volume_of_hull(const std::vector<Vec3>& points) {
         std::abs((points[t[0]] - inside).cross(points[t[1]] - inside).dot(points[t[2]] - inside)) /
         6;
   return volume;
-}
-
-double size_of(const std::vector<Vec3>& points) {
-  Aabb box;
-  for (const Vec3& p : points) box.extend(p);
-  return box.diagonal();
 }
 
 }  // namespace
@@ -118,15 +112,10 @@ bool HullTree::thin(Index leaf) {
   // A backing is more than a flat part needs; refine() takes it away.
   if (node.flat == 0 || node.backing > 0) return false;
   const std::vector<Vec3> points = corners_of(m_mesh, node.faces);
-  const double size = size_of(points);
-  double farthest = 0;
-  for (const Vec3& p : points) farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
-  // Coordinates are written in float32, so that less would be lost far from the origin.
-  const double least = std::max(kThinnestFlat * size, kRoundings * farthest);
-  const double thinner = std::max(kThinner * node.flat, least);
+  const double thinner = std::max(kThinner * node.flat, flat_thickness(points, kThinnestFlat));
   if (!(thinner < node.flat)) return false;
   try {
-    Node made = known_node(node.faces, {0, thinner / size});
+    Node made = known_node(node.faces, {0, thinner / flat_size(points)});
     made.solid = node.solid;
     node = std::move(made);
   } catch (const Error&) {
@@ -150,7 +139,7 @@ HullTree::Node HullTree::make_node(std::vector<Index> faces, const PartThickness
     points.insert(points.end(), behind.begin(), behind.end());
     return !behind.empty();
   };
-  const double flat = thickness.flat * size_of(points);
+  const double flat = flat_thickness(points, thickness.flat);
   // A part thinner than a shell is backed up to its thickness; refine() takes that back where there
   // is no room.
   if (thickness.shell > 0 && add_behind(thickness.shell)) node.backing = thickness.shell;

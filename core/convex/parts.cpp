@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/float32.h"
 #include "core/base/tunables.h"
+#include "core/convex/flat_thickness.h"
 #include "core/mesh/hull.h"
 
 namespace trivet {
@@ -38,7 +39,8 @@ bool is_flat(const std::vector<Vec3>& points) {
     }
     return high - low;
   };
-  return extent(axes.col(0)) < kThinnestHull * extent(axes.col(2));
+  return extent(axes.col(0)) < std::max(kThinnestHull * extent(axes.col(2)),
+                                        kFlatByRounding * farthest_coordinate(points));
 }
 
 /// Makes the hull a part, faces turned outwards. Returns whether the hull is solid.
@@ -66,10 +68,7 @@ bool hull_part(const std::vector<Vec3>& points, ConvexPart& part) {
 
 /// Points in a plane, on a line or in one place, copied to both sides along their flat directions.
 std::vector<Vec3> thickened(const std::vector<Vec3>& points, double thickness) {
-  Aabb box;
-  for (const Vec3& p : points) box.extend(p);
-  const double size = box.diagonal() > 0 ? box.diagonal() : 1.0;
-  const double half = thickness * size / 2;
+  const double half = flat_thickness(points, thickness) / 2;
   const Vec3 centre = mean_of(points);
   // The eigenvectors of the covariance are the directions in which the points lie flat, and those
   // in which they spread.

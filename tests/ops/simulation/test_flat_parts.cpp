@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/float32.h"
 #include "core/convex/hull_tree.h"
 #include "core/exact/interpenetration.h"
 #include "core/scene/transaction.h"
@@ -125,6 +126,24 @@ TEST(FlatParts, GetThinnerToALimit) {
   EXPECT_FALSE(tree.thin(0));
   ASSERT_TRUE(tree.refine(0));
   EXPECT_NEAR(tree.node(1).backing, 0.01, 0) << "halves have a thickness again";
+}
+
+// The end of a wire of a rack, 15 cm from the origin: float32 gives it a thickness in one unit, and
+// takes it away in another, where MuJoCo refuses it.
+TEST(FlatParts, StayThickInOtherUnits) {
+  const std::vector<Vec3> end{{-0.151483268, -0.205344155, 0.0614722446},
+                              {-0.153483301, -0.20334442, 0.0615058914},
+                              {-0.155483276, -0.205344155, 0.0614722446},
+                              {-0.153483242, -0.207343891, 0.0614385977}};
+  for (const double unit : {1.0, 0.01, 0.0254, 0.3, 7.0}) {
+    std::vector<Vec3> points;
+    for (const Vec3& p : end) points.emplace_back(p / unit);
+    ConvexPart part;
+    EXPECT_TRUE(solid_hull(points, part, kFlatPartThickness / 64)) << unit;
+    for (Vec3& v : part.vertices) v = as_float32(Vec3(v * unit));
+    ConvexPart in_metres;
+    EXPECT_FALSE(solid_hull(part.vertices, in_metres)) << unit;
+  }
 }
 
 /// Concave meshes, open and closed, some of them inside out.
