@@ -15,9 +15,9 @@ namespace {
 constexpr double kTurnDeg = 137.5;          // of a start from that before it: the golden angle
 constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
-constexpr int kTriesToTouch = 3;  // more of them, where it came to rest across a gap
+constexpr int kTriesToTouch = 3;   // more of them, where it came to rest across a gap
 constexpr double kLeastWay = 0.1;  // that leads over a wall, in parts of the object's size
-constexpr int kStartsOfTry = 2;   // looked at for each try: some interpenetrate
+constexpr int kStartsOfTry = 2;    // looked at for each try: some interpenetrate
 /// The whole has to stand at once at the first tries, may move at the next, most at the last. From
 /// most other starts it stands at once, in a tenth of the time.
 constexpr int kTriesToStand = 4;
@@ -50,10 +50,10 @@ bool starts_blocked(const OperationResult& result) {
          result.refusal->at == Refusal::At::Start;
 }
 
-/// How an object lies; the better one is less.
+/// Kinds of rest; the better one is less.
 enum class Rest { Touching, AcrossGap, BesideContainer };
 
-// Where it came to rest from that start.
+// The object came to rest from that start.
 Rest rest_from(const Scene& scene, ObjectId id, const Pose& start) {
   const Object& object = scene.at(id);
   const Vec3 from = centre_at(object, start), to = object.centre_of_mass();

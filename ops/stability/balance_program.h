@@ -46,11 +46,11 @@ class BalanceProgram {
   /// Adds A D A^T, D diagonal.
   void add_normal_matrix(const Vector& d, BlockFactor& to) const;
 
-  /// Whether the forces of x alone keep all limits, and leave no more missing than may be.
+  /// True if the forces of x alone keep all limits, and leave no more missing than may be.
   bool are_proof(const Vector& x) const;
   /// Newtons, of each contact, on its body `on`.
   std::vector<Vec3> forces(const Vector& x) const;
-  /// What is missing of each body beyond the tolerance, in its weights.
+  /// Missing force and torque of each body beyond the tolerance, in its weights.
   std::vector<double> missing(const Vector& x) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace trivet {
 namespace {
 
-/// Of the fastest, from which a body is among the few.
+/// Part of the fastest one's speed, from which a body is among the few.
 constexpr double kShareOfFastest[] = {0.3, 0.03, 3e-3};
 
 double fastest_point(const VirtualMotion& motion, const FreeBody& body) {
@@ -50,7 +50,7 @@ std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
       if (fastest_point(forces.motions[i], part.bodies[i]) >= share) few.push_back(i);
     if (few.size() == all.size()) break;
     if (few.empty()) continue;
-    // What does not stand among others that cannot move, falls among others that can.
+    // A body that falls among others that cannot move, falls among others that can.
     FreeBodies alone = among_ground(part, few);
     const PartForces found = quickest_forces(alone, clearance);
     if (!found.solved || found.balanced()) continue;

@@ -132,7 +132,7 @@ class ForceProgram {
     return out;
   }
 
-  // Of each body, whether it takes part in the motion that the prices are.
+  // The bodies that take part in the motion that the prices are.
   std::vector<bool> moves_of(const LinearProgram::Solution& solution) const {
     std::vector<bool> out;
     for (size_t i = 0; i < m_part.bodies.size(); ++i) {

@@ -46,7 +46,7 @@ class InteriorPoint {
     for (size_t i = 0; i < m_y.size(); ++i) sum += m_program.b()[i].dot(m_y[i]);
     return sum - kPushLimit * m_w.sum();
   }
-  /// Whether the equations of both held before the last step, up to rounding.
+  /// True if the equations of both held before the last step, up to rounding.
   bool is_feasible() const { return m_error <= kPriceRounding; }
 
   void step() {

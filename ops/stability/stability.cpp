@@ -156,7 +156,7 @@ class StabilityCheck {
   // Judges a part that holds with a little less friction, too.
   void judge_reserve(FreeBodies part) {
     if (is_small(part)) {
-      // Of few the dual simplex usually answers at once; the slower way lets more contacts join.
+      // The dual simplex usually answers at once for few; the slower way lets more contacts join.
       if (part.bodies.size() <= kManyBodies &&
           quickly_balanced(part, m_clearance, kMarginalFriction))
         return;

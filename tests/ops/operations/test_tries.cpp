@@ -243,11 +243,12 @@ TEST(Tries, AreTwelveUnlessAsked) {
   EXPECT_EQ(answers.starts.size(), 1u);
 }
 
-// Nothing else is done: the one beside the bin is taken.
+// The one beside the bin is taken where all others leave it, too.
 TEST(Tries, EndBesideTheBinIfNoneEndsInIt) {
   Answers answers;
   add_at(answers.scene, "bin", bin(0.5, 0.5, 0.01), {0, 0, 1e-4}, true);
-  const OperationResult result = answers.run(12, [&](int) { return OperationResult(); }, 0.8);
+  const OperationResult result = answers.run(
+      12, [&](int) { return OperationResult(); }, 0.8);
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(answers.starts.size(), 13u);
   EXPECT_FALSE(result.tried);
