@@ -18,6 +18,7 @@ RunOptions run_options(const std::string& path, const Rules& rules = {}) {
   out.settle.clearance = rules.clearance;
   out.settle.perfect_friction = rules.perfect_friction;
   out.settle.whole_at_rest = rules.whole_at_rest;
+  out.settle.robust = rules.robust;
   out.settle.max_motions = rules.max_motions;
   out.layout_file = path;
   return out;

@@ -119,6 +119,7 @@ Scene scene_of(OpenedSession opened, Rules rules) {
   const SettleOptions settle = with_rules({}, opened.rules);
   rules.perfect_friction = settle.perfect_friction;
   rules.whole_at_rest = settle.whole_at_rest;
+  rules.robust = settle.robust;
   if (!(rules.clearance > 0)) rules.clearance = opened.clearance;
   auto internal = std::make_unique<Scene::Internal>(std::move(opened));
   internal->rules = rules;
@@ -130,6 +131,7 @@ SettleOptions Scene::Internal::settle() const {
   out.clearance = rules.clearance;
   out.perfect_friction = rules.perfect_friction;
   out.whole_at_rest = rules.whole_at_rest;
+  out.robust = rules.robust;
   out.max_motions = rules.max_motions;
   return out;
 }

@@ -140,6 +140,9 @@ void add_settle_options(CLI::App& app, SettleArguments& arguments) {
   add_rule(app, "--whole-at-rest,!--objects-alone", arguments.rules.whole_at_rest,
            "Settle whatever an operation unbalances, or refuse the operation (default); "
            "--objects-alone: judge each object by itself, as if its supports stood still");
+  add_rule(app, "--robust,!--just-at-rest", arguments.rules.robust,
+           "Settle with a reserve, for scenes that are to stay in simulators: operations count 70 "
+           "% of all friction; files keep the true one. Default: what just rests will do");
   add_rule(app, "--literal-paper-rules", arguments.rules.literal_paper_rules,
            "Settle by the paper's three cases alone, for comparison");
 }

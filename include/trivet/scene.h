@@ -83,6 +83,7 @@ struct Rules {
   bool perfect_friction = false;  // as in the paper
   bool whole_at_rest = true;      // what an operation unbalances gives way, or it is refused
   int max_motions = 5000;         // of an operation
+  bool robust = false;            // rest with a reserve of friction, for simulators
 };
 
 /// Finder of candidates for first contact. Results are the same bits by each; times differ.

@@ -22,26 +22,34 @@ struct SettleOptions {
   /// Accept an object that can neither move nor be shown to be supported, as ObjectState::Wedged;
   /// otherwise the operation is refused.
   bool accept_wedged = false;
+  /// Rest with a reserve, for scenes that are to stay in simulators: only kRobustFriction of all
+  /// friction counts, when things settle and when they are judged. Perfect friction has none.
+  bool robust = false;
 };
+
+/// Part of the coefficients of friction that robust rest may need.
+inline constexpr double kRobustFriction = 0.7;
 
 /// Options that say what counts as rest, as far as a file or a user states them.
 struct SettleRules {
-  std::optional<bool> perfect_friction, whole_at_rest, literal_paper_rules;
+  std::optional<bool> perfect_friction, whole_at_rest, literal_paper_rules, robust;
 };
 
 /// Rules of journals and scene files that state none: they are of the time before there was a
 /// choice.
-constexpr SettleRules kRulesBefore{true, false, false};
+constexpr SettleRules kRulesBefore{true, false, false, false};
 
 inline SettleOptions with_rules(SettleOptions options, const SettleRules& rules) {
   options.perfect_friction = rules.perfect_friction.value_or(options.perfect_friction);
   options.whole_at_rest = rules.whole_at_rest.value_or(options.whole_at_rest);
   options.literal_paper_rules = rules.literal_paper_rules.value_or(options.literal_paper_rules);
+  options.robust = rules.robust.value_or(options.robust);
   return options;
 }
 
 inline SettleRules rules_of(const SettleOptions& options) {
-  return {options.perfect_friction, options.whole_at_rest, options.literal_paper_rules};
+  return {options.perfect_friction, options.whole_at_rest, options.literal_paper_rules,
+          options.robust};
 }
 
 /// The paper's rules know perfect friction only.
@@ -53,5 +61,8 @@ inline bool has_finite_friction(const SettleOptions& options) {
 inline bool keeps_whole_at_rest(const SettleOptions& options) {
   return options.whole_at_rest && has_finite_friction(options);
 }
+
+/// Part of all friction that rest may need.
+double friction_share(const SettleOptions& options);
 
 }  // namespace trivet

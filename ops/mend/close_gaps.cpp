@@ -62,8 +62,7 @@ class GapCloser {
     };
     for (double reach = kFirstReach * m_clearance;;
          reach = std::min(kWiderReach * reach, m_farthest)) {
-      m_part =
-          near_bodies(m_scene, m_ids, m_clearance, is_ground, std::nullopt, reach / m_clearance);
+      m_part = near_bodies(m_scene, m_ids, m_clearance, is_ground, {}, reach / m_clearance);
       keep_nearest_of_pairs();
       m_forces = contact_forces(m_part, m_clearance, 1, kPriceOfReach / m_farthest);
       if (reach >= m_farthest || none_missing()) return;

@@ -43,11 +43,11 @@ std::vector<ContactsWith> carriers(const Scene& scene, ObjectId id, const RestRu
   const ObjectId ids[] = {id};
   // Contacts that the scene knows are asked first; those farther away only if the close ones do not
   // hold it.
-  if (auto close = carriers_among(linked_bodies(scene, ids, friction), rules.clearance))
+  if (auto close = carriers_among(linked_bodies(scene, ids, {friction}), rules.clearance))
     return std::move(*close);
   const auto is_ground = [](ObjectId, const Object&) { return true; };
   const double reach = rules.perfect_friction ? kBalanceTolerance : kCarryingTolerance;
-  return carriers_among(near_bodies(scene, ids, rules.clearance, is_ground, friction, reach),
+  return carriers_among(near_bodies(scene, ids, rules.clearance, is_ground, {friction}, reach),
                         rules.clearance)
       .value_or(std::vector<ContactsWith>{});
 }

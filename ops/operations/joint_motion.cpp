@@ -228,7 +228,8 @@ class JointMotion {
           0};
       // A blocker that is a contact already says nothing new.
       if (is_known(c)) continue;
-      c.friction = kSlidingFriction * friction_between(m_scene, m_ids[blocker.body], blocker.with);
+      c.friction = kSlidingFriction * friction_share(m_run.options) *
+                   friction_between(m_scene, m_ids[blocker.body], blocker.with);
       Vec3 speed = m_motion.velocity(c.on, c.point);
       if (c.from != CoulombContact::kGround) speed -= m_motion.velocity(c.from, c.point);
       // The contact may close for as long as the motion went on until it was met.

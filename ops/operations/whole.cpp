@@ -8,7 +8,6 @@
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_memory.h"
-#include "core/scene/friction.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/joint_motion.h"
 #include "ops/placement/slot_order.h"
@@ -88,7 +87,7 @@ class Whole {
     // Only parts connected with what changed can have lost their balance.
     const std::vector<ObjectId> changed = touched();
     PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
-                                      m_clearance, kMaxProgramObjects);
+                                      m_clearance, kMaxProgramObjects, friction());
     if (!verdict.stands || m_is_trial) return verdict;
     judge_each();
     // Names are sorted, so that the order in which they were found does not matter.
@@ -99,6 +98,8 @@ class Whole {
     verdict.stands = verdict.topples.empty();
     return verdict;
   }
+
+  ContactFriction friction() const { return {std::nullopt, friction_share(m_run.options)}; }
 
   std::vector<ObjectId> parts() const { return connected_with(m_scene, touched()); }
 
@@ -134,7 +135,7 @@ class Whole {
     if (move_each(m_transaction, verdict.topples)) return true;
     // The motion will meet what is near, but too far to carry.
     const FreeBodies part =
-        near_part(m_scene, parts(), m_clearance, is_fixed_or_held, std::nullopt, kBalanceTolerance);
+        near_part(m_scene, parts(), m_clearance, is_fixed_or_held, friction(), kBalanceTolerance);
     // Members of groups and locked objects take no part in joint motions.
     std::vector<ObjectId> free = verdict.topples;
     std::erase_if(free, [&](ObjectId id) { return !may_move_alone(id); });
@@ -284,14 +285,15 @@ class Whole {
   void refuse(const PartVerdict& verdict) {
     // The refusal names all that topple, and the least friction among their contacts.
     Refusal why{Refusal::Cause::Topples, {m_object}};
-    double friction = kInfinity;
+    const ContactFriction rule = friction();
+    double least = kInfinity;
     for (const ObjectId id : verdict.topples) {
       why.objects.push_back(named(m_scene, Support(id)));
-      friction = std::min(friction, m_scene.at(id).material.friction);
+      least = std::min(least, rule.share * m_scene.at(id).material.friction);
       for (const ObjectContact& entry : m_scene.at(id).contacts)
-        friction = std::min(friction, friction_between(m_scene, id, entry.with));
+        least = std::min(least, rule.of(m_scene, id, entry.with));
     }
-    why.numbers = {{"friction", friction}};
+    why.numbers = {{"friction", least}};
     m_result.refuse(std::move(why));
   }
 

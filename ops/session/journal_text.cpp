@@ -71,7 +71,7 @@ JournalJson settle_json(const SettleOptions& options) {
 
 SettleOptions read_settle(const JsonPlace& place) {
   place.expect_object({}, {"clearance", "literal_paper_rules", "perfect_friction", "whole_at_rest",
-                           "max_motions", "accept_wedged"});
+                           "robust", "max_motions", "accept_wedged"});
   SettleOptions options = with_rules(with_rules({}, kRulesBefore), read_settle_rules(place));
   if (const auto p = place.find("clearance")) options.clearance = p->number(0, kMaxLength);
   if (const auto p = place.find("max_motions"))

@@ -135,7 +135,8 @@ const Surface& SettlingBody::surface_of_body(Index body) const {
 }
 
 double SettlingBody::friction_with(Index body, const Support& with) const {
-  return friction_between(m_problem.others->scene(), surface_of_body(body), with);
+  return friction_share(m_problem.options) *
+         friction_between(m_problem.others->scene(), surface_of_body(body), with);
 }
 
 std::vector<FrictionContact> SettlingBody::friction_points(double num_clearances) const {
@@ -146,6 +147,8 @@ std::vector<FrictionContact> SettlingBody::friction_points(double num_clearances
                           contacts_of(i, num_clearances), num_clearances * clearance());
     out.insert(out.end(), more.begin(), more.end());
   }
+  // Robust rest may not need all of it.
+  for (FrictionContact& c : out) c.friction *= friction_share(m_problem.options);
   return out;
 }
 

@@ -76,13 +76,13 @@ FreeBodies bodies_only(const Scene& scene, std::span<const ObjectId> ids) {
 
 // Contacts of a member of a body, by the links of the scene.
 void add_touches(const Scene& scene, ObjectId member, Index body, const BodyIndex& index,
-                 std::optional<double> friction, FreeBodies& out) {
+                 const ContactFriction& friction, FreeBodies& out) {
   for (const ObjectContact& entry : scene.at(member).contacts) {
     // A contact across a gap carries nothing.
     if (entry.across_gap) continue;
     const Index from = index.find(entry.with);
     if (from != BodyContact::kGround && from <= body) continue;  // seen from the other side already
-    const double of_pair = friction.value_or(friction_between(scene, member, entry.with));
+    const double of_pair = friction.of(scene, member, entry.with);
     for (const ContactPoint& p : entry.contact.points)
       out.touches.push_back({body, from, entry.with, of_pair, p});
   }
@@ -107,20 +107,24 @@ double reach_of(const Object& object, double tolerance) {
 
 }  // namespace
 
+double ContactFriction::of(const Scene& scene, ObjectId object, const Support& with) const {
+  return share * of_all.value_or(friction_between(scene, object, with));
+}
+
 bool is_fixed(ObjectId, const Object& object) { return object.fixed; }
 
 bool is_fixed_or_held(ObjectId, const Object& object) {
   return object.fixed || object.state == ObjectState::Held;
 }
 
-FreeBodies free_bodies(const Scene& scene, std::optional<double> friction) {
+FreeBodies free_bodies(const Scene& scene, const ContactFriction& friction) {
   std::vector<ObjectId> ids = scene.ids();
   std::erase_if(ids, [&](ObjectId id) { return !scene.at(id).placed || scene.at(id).fixed; });
   return linked_bodies(scene, ids, friction);
 }
 
 FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
-                         std::optional<double> friction) {
+                         const ContactFriction& friction) {
   FreeBodies out = bodies_only(scene, ids);
   const BodyIndex index(scene, ids);
   for (Index i = 0; i < static_cast<Index>(ids.size()); ++i)
@@ -134,7 +138,7 @@ namespace {
 class NearContacts {
  public:
   NearContacts(const Scene& scene, std::span<const ObjectId> ids, double clearance,
-               const IsGround& is_ground, std::optional<double> friction, double num_clearances,
+               const IsGround& is_ground, const ContactFriction& friction, double num_clearances,
                FreeBodies& out)
       : m_scene(scene),
         m_ids(ids),
@@ -162,7 +166,7 @@ class NearContacts {
       // A neighbour that could move is not ground. The caller decides whether it joins these
       // bodies.
       if (from == BodyContact::kGround && could_move(c.with)) continue;
-      const double of_pair = m_friction.value_or(friction_between(m_scene, member, c.with));
+      const double of_pair = m_friction.of(m_scene, member, c.with);
       // The program begins with points that span the contact; the others wait until they are worth
       // it.
       const std::vector<ContactPoint> all = merged(c.points, tolerance);
@@ -186,7 +190,7 @@ class NearContacts {
   std::span<const ObjectId> m_ids;
   double m_clearance;
   const IsGround& m_is_ground;
-  std::optional<double> m_friction;
+  ContactFriction m_friction;
   double m_num_clearances;
   BodyIndex m_index;
   FreeBodies& m_out;
@@ -195,7 +199,7 @@ class NearContacts {
 }  // namespace
 
 FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
-                       const IsGround& is_ground, std::optional<double> friction,
+                       const IsGround& is_ground, const ContactFriction& friction,
                        double num_clearances) {
   FreeBodies out = bodies_only(scene, ids);
   NearContacts(scene, ids, clearance, is_ground, friction, num_clearances, out).add_all();

@@ -29,6 +29,14 @@ struct BodyContact {
   ContactPoint contact;
 };
 
+/// Friction of contacts.
+struct ContactFriction {
+  std::optional<double> of_all;  // none: friction_between() each pair
+  double share = 1;              // of it that may be used
+
+  double of(const Scene& scene, ObjectId object, const Support& with) const;
+};
+
 /// Every contact point once.
 struct FreeBodies {
   std::vector<FreeBody> bodies;      // in the order of Scene::ids()
@@ -42,12 +50,11 @@ struct FreeBodies {
 
 /// All placed objects that are not fixed, each one with what hangs in it by joints, with the
 /// contacts of the scene's links, but for those across gaps.
-/// @param friction  of all contacts; none: friction_between() each pair.
-FreeBodies free_bodies(const Scene& scene, std::optional<double> friction = {});
+FreeBodies free_bodies(const Scene& scene, const ContactFriction& friction = {});
 
 /// These objects in this order; all others are ground.
 FreeBodies linked_bodies(const Scene& scene, std::span<const ObjectId> ids,
-                         std::optional<double> friction);
+                         const ContactFriction& friction);
 
 /// True for bodies that carry without being carried: ground, as the floor is.
 using IsGround = std::function<bool(ObjectId, const Object&)>;
@@ -58,7 +65,7 @@ bool is_fixed_or_held(ObjectId id, const Object& object);
 /// 12 of a pair among the touches. Contacts with other objects that are no ground are left
 /// out.
 FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double clearance,
-                       const IsGround& is_ground, std::optional<double> friction,
+                       const IsGround& is_ground, const ContactFriction& friction,
                        double num_clearances = kCarryingTolerance);
 
 /// Connected part of each body, by contacts between bodies; parts are numbered in the order of

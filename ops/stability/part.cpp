@@ -35,13 +35,14 @@ bool may_all_be_held_up(const FreeBodies& part) {
 class Judgement {
  public:
   Judgement(const Scene& scene, std::span<const ObjectId> ids, std::span<const ObjectId> changed,
-            double clearance, int max_program_objects)
+            double clearance, int max_program_objects, const ContactFriction& friction)
       : m_scene(scene),
         m_ids(ids),
         m_changed(changed),
         m_clearance(clearance),
         m_limit(static_cast<size_t>(max_program_objects)),
-        m_all(linked_bodies(scene, ids, std::nullopt)),
+        m_friction(friction),
+        m_all(linked_bodies(scene, ids, friction)),
         m_certificate(vertical_certificate(m_all)) {}
 
   PartVerdict run() {
@@ -75,7 +76,7 @@ class Judgement {
     if (!mostly_open && stands_alone(part, {})) return;
     if (part.all.size() <= m_limit) {
       FreeBodies whole =
-          near_part(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, std::nullopt);
+          near_part(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, m_friction);
       if (whole.bodies.size() <= m_limit)
         return judge_together(part, std::move(whole), mostly_open);
     }
@@ -131,7 +132,7 @@ class Judgement {
   }
 
   FreeBodies loaded_bodies(const std::vector<Index>& open, const IsGround& is_ground) const {
-    FreeBodies out = near_bodies(m_scene, ids_of(open), m_clearance, is_ground, std::nullopt);
+    FreeBodies out = near_bodies(m_scene, ids_of(open), m_clearance, is_ground, m_friction);
     add_certified_loads(m_all, m_certificate, out);
     return out;
   }
@@ -168,6 +169,7 @@ class Judgement {
   const std::span<const ObjectId> m_ids, m_changed;
   const double m_clearance;
   const size_t m_limit;
+  const ContactFriction m_friction;
   const FreeBodies m_all;
   const Certificate m_certificate;
   PartVerdict m_out;
@@ -198,7 +200,7 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
 }
 
 FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
-                     const IsGround& is_ground, std::optional<double> friction,
+                     const IsGround& is_ground, const ContactFriction& friction,
                      double num_clearances) {
   while (true) {
     std::sort(ids.begin(), ids.end(), by_name(scene));
@@ -215,8 +217,8 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
 
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects) {
-  return Judgement(scene, ids, changed, clearance, max_program_objects).run();
+                        int max_program_objects, const ContactFriction& friction) {
+  return Judgement(scene, ids, changed, clearance, max_program_objects, friction).run();
 }
 
 }  // namespace trivet

@@ -17,7 +17,7 @@ std::vector<ObjectId> connected_with(const Scene& scene, std::span<const ObjectI
 /// near_bodies() of these and of all that such contacts connect with them, sorted by name: what is
 /// held across a gap wider than a link's is of the same part.
 FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clearance,
-                     const IsGround& is_ground, std::optional<double> friction,
+                     const IsGround& is_ground, const ContactFriction& friction,
                      double num_clearances = kCarryingTolerance);
 
 struct PartVerdict {
@@ -33,6 +33,6 @@ struct PartVerdict {
 /// @param ids  as connected_with() returns them. @param changed  any of them.
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects);
+                        int max_program_objects, const ContactFriction& friction = {});
 
 }  // namespace trivet

@@ -45,7 +45,7 @@ std::vector<ObjectId> judged_with(const Scene& scene, ObjectId object,
   while (true) {
     // Each pass adds what lies within the tolerance, and everything that is linked with that.
     const FreeBodies near =
-        near_part(scene, ids, clearance_of(scene, options), is_fixed, options.friction);
+        near_part(scene, ids, clearance_of(scene, options), is_fixed, {options.friction});
     if (near.bodies.size() == ids.size()) return ids;
     ids.clear();
     for (const FreeBody& body : near.bodies) ids.push_back(body.id);
@@ -139,7 +139,7 @@ class StabilityCheck {
 
   // The bodies of one part, with all contacts that settling would count on, and what these join.
   FreeBodies near(Index p) const {
-    return near_part(m_scene, m_ids_of_part[p], m_clearance, is_fixed, m_options.friction);
+    return near_part(m_scene, m_ids_of_part[p], m_clearance, is_fixed, {m_options.friction});
   }
 
   // Indices in m_all of a part's bodies.
@@ -296,14 +296,14 @@ const char* to_string(Stability::Method method) {
 }
 
 Stability stability(const Scene& scene, const StabilityOptions& options) {
-  return StabilityCheck(scene, options, free_bodies(scene, options.friction)).run();
+  return StabilityCheck(scene, options, free_bodies(scene, {options.friction})).run();
 }
 
 Stability stability_of_part(const Scene& scene, ObjectId object, const StabilityOptions& options) {
   const Object& of = scene.at(object);
   std::vector<ObjectId> ids;
   if (of.placed && !of.fixed) ids = judged_with(scene, object, options);
-  return StabilityCheck(scene, options, linked_bodies(scene, ids, options.friction)).run();
+  return StabilityCheck(scene, options, linked_bodies(scene, ids, {options.friction})).run();
 }
 
 namespace {
@@ -328,12 +328,12 @@ std::vector<CarriedBy> carried_by_part(const Scene& scene, ObjectId object,
   if (ids.size() > kMostAskedForCarriers) return {};
   // Vertical forces through the links name all carriers: the usual case, which costs little.
   const auto is_certified = [](const Certificate::Body& body) { return body.certified; };
-  const FreeBodies linked = linked_bodies(scene, ids, options.friction);
+  const FreeBodies linked = linked_bodies(scene, ids, {options.friction});
   const Certificate certificate = vertical_certificate(linked);
   if (std::all_of(certificate.bodies.begin(), certificate.bodies.end(), is_certified)) return {};
   ids = judged_with(scene, object, options);
   if (ids.size() > kMostAskedForCarriers) return {};
-  StabilityCheck check(scene, options, linked_bodies(scene, ids, options.friction),
+  StabilityCheck check(scene, options, linked_bodies(scene, ids, {options.friction}),
                        Wanted::ForcesAlone);
   return carried_by_forces(scene, check.run());
 }

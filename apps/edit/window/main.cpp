@@ -40,6 +40,7 @@ void add_options(QCommandLineParser& parser) {
                     "Settles with nearly perfect friction, each object alone, as the paper does"});
   parser.addOption({"objects-alone",
                     "Settles each object on what stands still, whether the whole stands or not"});
+  parser.addOption({"robust", "Settles with a reserve of friction, for simulators"});
   parser.addOption({"language",
                     "Language of the windows: en or de; default: the chosen one, else the system's",
                     "code"});
@@ -86,6 +87,7 @@ int run(int argc, char** argv) {
   options.detection = trivet::edit::backend_options(detection);
   if (parser.isSet("perfect-friction")) options.rules.perfect_friction = true;
   if (parser.isSet("objects-alone")) options.rules.whole_at_rest = false;
+  if (parser.isSet("robust")) options.rules.robust = true;
   options.recovery_folder =
       QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString();
   QDir().mkpath(QString::fromStdString(options.recovery_folder));

@@ -36,15 +36,15 @@ ScenePointer shared(OpenedSession opened, SettleOptions settle) {
 
 ScenePointer open(const std::string& path, const std::string& importer, const SettleOptions& settle,
                   std::optional<bool> perfect_friction, std::optional<bool> whole_at_rest,
-                  const py::object& progress, const std::string& detector,
-                  const std::string& device) {
+                  std::optional<bool> robust, const py::object& progress,
+                  const std::string& detector, const std::string& device) {
   const std::shared_ptr<ChosenDetectors> chosen = detectors_of(detector, device);
   std::atomic<bool> cancel = false;
   const Cancellable cancellable(cancel);
   PythonCallback told(progress, cancel);
   RunOptions options;
   options.settle = settle;
-  options.rules = {perfect_friction, whole_at_rest, std::nullopt};
+  options.rules = {perfect_friction, whole_at_rest, std::nullopt, robust};
   options.context.cancel = &cancel;
   if (told.is_given())
     options.progress = [&](const Progress& p) { told(p.stage, p.item, p.done, p.total); };
@@ -180,7 +180,7 @@ void bind_files(py::module_& m, SceneClass& scene) {
       });
   scene
       .def_static("open", &open, "path"_a, "importer"_a, "settle"_a, "perfect_friction"_a,
-                  "whole_at_rest"_a, "progress"_a, "detector"_a, "device"_a)
+                  "whole_at_rest"_a, "robust"_a, "progress"_a, "detector"_a, "device"_a)
       .def("snapshot", &snapshot)
       .def("restore", &restore, "snapshot"_a)
       .def("save", &save, "path"_a)

@@ -136,6 +136,7 @@ void bind_settle_options(py::module_& m) {
       .def_readwrite("clearance", &SettleOptions::clearance)
       .def_readwrite("perfect_friction", &SettleOptions::perfect_friction)
       .def_readwrite("whole_at_rest", &SettleOptions::whole_at_rest)
+      .def_readwrite("robust", &SettleOptions::robust)
       .def_readwrite("accept_wedged", &SettleOptions::accept_wedged)
       .def_readwrite("max_motions", &SettleOptions::max_motions);
   m.def("settle_options", [] { return SettleOptions(); });

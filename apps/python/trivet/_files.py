@@ -114,7 +114,7 @@ class Files:
             For each of `notes`: operations of a layout that were refused, and what a file lost.
         """
         scene = cls._of(_trivet.Scene.open(_arrays.path("path", path), find_importer(), settings(clearance, options),
-                                           options.get("perfect_friction"), options.get("whole_at_rest"),
+                                           options.get("perfect_friction"), options.get("whole_at_rest"), options.get("robust"),
                                            _arrays.callback("progress", progress), *detection(detector, device)))
         for note in scene.notes:
             warnings.warn(note, TrivetWarning, stacklevel=2)

@@ -44,8 +44,8 @@ class Scene(Files, History, Pictures, Pours, Questions, Repairs):
     device : int or "auto"
         Number of the EGL device of a GPU, from 1, as ``--device`` of the program.
     **options
-        How to settle: `perfect_friction`, `whole_at_rest`, `accept_wedged` (bool), `max_motions` (int); what is left out
-        is as in the program `trivet`.
+        How to settle: `perfect_friction`, `whole_at_rest`, `robust`, `accept_wedged` (bool), `max_motions` (int); what is
+        left out is as in the program `trivet`.
     """
 
     __slots__ = ("_scene", "__weakref__")
@@ -146,7 +146,7 @@ class Scene(Files, History, Pictures, Pours, Questions, Repairs):
 
     @property
     def settle(self) -> Settle:
-        """Rules of settling: `clearance`, `perfect_friction`, `whole_at_rest`, `accept_wedged`, `max_motions`."""
+        """Rules of settling: `clearance`, `perfect_friction`, `whole_at_rest`, `robust`, `accept_wedged`, `max_motions`."""
         return Settle(self._scene.settle)
 
     @property

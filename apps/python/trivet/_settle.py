@@ -9,8 +9,8 @@ import numpy as np
 from . import _arrays, _trivet
 from ._errors import BadInputError
 
-_FLAGS = ("accept_wedged", "perfect_friction", "whole_at_rest")
-_NAMES = ("accept_wedged", "clearance", "max_motions", "perfect_friction", "whole_at_rest")
+_FLAGS = ("accept_wedged", "perfect_friction", "robust", "whole_at_rest")
+_NAMES = ("accept_wedged", "clearance", "max_motions", "perfect_friction", "robust", "whole_at_rest")
 _LARGEST = float(np.finfo(float).max)
 
 
@@ -33,8 +33,9 @@ class Settle:
         Metres that objects stay apart; 0: 2^-20 of the size of what is within 10 m, at most 0.0095 mm (more for large objects).
     max_motions : int
         Operations that need more are refused, 1 to 1,000,000,000.
-    perfect_friction, whole_at_rest, accept_wedged : bool
-        The rules of rest; see ``--perfect-friction``, ``--whole-at-rest`` and ``--accept-wedged`` of ``trivet run``.
+    perfect_friction, whole_at_rest, robust, accept_wedged : bool
+        The rules of rest; see ``--perfect-friction``, ``--whole-at-rest``, ``--robust`` and ``--accept-wedged`` of
+        ``trivet run``.
     """
 
     __slots__ = ("_options",)
@@ -42,6 +43,7 @@ class Settle:
     max_motions: int
     perfect_friction: bool
     whole_at_rest: bool
+    robust: bool
     accept_wedged: bool
 
     def __init__(self, options: _trivet.SettleOptions) -> None:

@@ -70,6 +70,7 @@ class SettleOptions:
     clearance: float
     perfect_friction: bool
     whole_at_rest: bool
+    robust: bool
     accept_wedged: bool
     max_motions: int
 
@@ -114,7 +115,8 @@ class Scene:
                  settle: SettleOptions) -> Scene: ...
     @staticmethod
     def open(path: str, importer: str, settle: SettleOptions, perfect_friction: Optional[bool],
-             whole_at_rest: Optional[bool], progress: Optional[_Progress], detector: str, device: str) -> Scene: ...
+             whole_at_rest: Optional[bool], robust: Optional[bool], progress: Optional[_Progress],
+             detector: str, device: str) -> Scene: ...
     def choose_detector(self, detector: str, device: str) -> None: ...
     @property
     def detector(self) -> str: ...

@@ -214,7 +214,8 @@ Layout parse_layout(const std::string& text, const std::string& file) {
     layout.floor_material = read_material(*material);
   if (const auto pairs = root.find("pairs")) layout.pairs = read_pair_rules(*pairs);
   if (const auto settle = root.find("settle")) {
-    settle->expect_object({}, {"perfect_friction", "whole_at_rest", "literal_paper_rules"});
+    settle->expect_object({},
+                          {"perfect_friction", "whole_at_rest", "literal_paper_rules", "robust"});
     layout.settle = read_settle_rules(*settle);
   }
   read_objects(root.at("objects"), folder_of(file), layout);

@@ -161,6 +161,7 @@ UNSEEN = [
     (lambda s: setattr(s.settle, "clearance", NAN), ["clearance", "nan", "metres"]),
     (lambda s: setattr(s.settle, "max_motions", -3), ["max_motions", "-3", "1 to"]),
     (lambda s: setattr(s.settle, "whole_at_rest", "no"), ["whole_at_rest", "no"]),
+    (lambda s: setattr(s.settle, "robust", 1), ["robust", "1"]),
     (lambda s: setattr(s.settle, "gravity", 1), ["gravity", "max_motions"]),
     (lambda s: trivet.Scene(max_motions=-1), ["max_motions", "-1"]),
     (lambda s: trivet.Scene(max_motions=10 ** 30), ["max_motions", "10000000000", "1 to 1000000000"]),

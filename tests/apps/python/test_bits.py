@@ -204,7 +204,8 @@ def test_scenes_are_saved_and_read(tmp_path):
 
 def test_rules_of_settling_are_kept(tmp_path):
     usual = trivet.Scene().settle
-    other = dict(perfect_friction=not usual.perfect_friction, whole_at_rest=not usual.whole_at_rest)
+    other = dict(perfect_friction=not usual.perfect_friction, whole_at_rest=not usual.whole_at_rest,
+                 robust=not usual.robust)
     scene = trivet.Scene(clearance=1e-5, **other)
     scene.add("a", box()).put([0, 0, 1])
     scene.save(tmp_path / "scene.glb")
@@ -214,6 +215,7 @@ def test_rules_of_settling_are_kept(tmp_path):
     asked = trivet.Scene.load(tmp_path / "scene.glb", whole_at_rest=usual.whole_at_rest)
     assert asked.settle.whole_at_rest == usual.whole_at_rest
     assert asked.settle.perfect_friction != usual.perfect_friction
+    assert trivet.Scene.load(tmp_path / "scene.glb", robust=False).settle.robust is False
 
 
 def test_refused_operations_of_layouts_are_warned_of(tmp_path):

@@ -39,8 +39,7 @@ PartVerdict judged(const Scene& scene, int limit) {
 
 bool stands_by_program(const Scene& scene) {
   const std::vector<ObjectId> all = scene.ids();
-  FreeBodies part =
-      near_bodies(scene, connected_with(scene, all), kEps, is_fixed_or_held, std::nullopt);
+  FreeBodies part = near_bodies(scene, connected_with(scene, all), kEps, is_fixed_or_held, {});
   return contact_forces(part, kEps).balanced();
 }
 

@@ -232,6 +232,20 @@ TEST_F(JournalFiles, KeepRulesOfTheLayout) {
   EXPECT_EQ(restored.opened.session.layout().settle.whole_at_rest, true);
 }
 
+TEST_F(JournalFiles, KeepTheReserve) {
+  RunOptions options;
+  options.rules.robust = true;
+  {
+    OpenedSession opened = open_session(path("layout.json"), options, {}, {path("j")});
+    ASSERT_TRUE(opened.session.perform(put_at("b", 0.05, 0.02), with_rules({}, opened.rules)).ok());
+  }
+  const RestoredSession restored = restore();
+  EXPECT_TRUE(restored.exact);
+  EXPECT_EQ(restored.opened.rules.robust, true);
+  ASSERT_EQ(restored.opened.session.steps().size(), 1u);
+  EXPECT_TRUE(restored.opened.session.steps()[0].settle.robust);
+}
+
 TEST_F(JournalFiles, RefuseStepThatCannotBeWritten) {
   OpenedSession opened = open();
   ASSERT_TRUE(opened.session.perform(put_at("b", 1, 0)).ok());

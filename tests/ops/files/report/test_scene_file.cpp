@@ -302,6 +302,12 @@ TEST(Geometry, FingerprintDependsOnEveryBitAndOrder) {
   EXPECT_EQ(geometry_fingerprint(other), fingerprint);
 }
 
+TEST_F(SceneFileTest, KeepsReserve) {
+  Layout layout;
+  layout.settle.robust = true;
+  EXPECT_EQ(parse_scene_extras(scene_extras({}, layout, {}), "a.glb").layout.settle.robust, true);
+}
+
 // Scene files that state no rules are of the time when friction was perfect.
 TEST_F(SceneFileTest, KeepsRulesOfSettling) {
   const auto kept = [](const Layout& layout, bool states_rules) {
@@ -315,6 +321,7 @@ TEST_F(SceneFileTest, KeepsRulesOfSettling) {
   EXPECT_EQ(kept(layout, true).whole_at_rest, true);
   layout.settle.perfect_friction = true;
   EXPECT_EQ(kept(layout, true).perfect_friction, true);
+  EXPECT_EQ(kept(layout, true).robust, false);
   EXPECT_EQ(kept({}, false).perfect_friction, true);
   EXPECT_EQ(kept({}, false).whole_at_rest, false);
 }
