@@ -23,8 +23,7 @@ namespace trivet {
 struct Budget {
   std::int64_t first_contacts = 300;
   /// Objects that may be about to move at a time: where more are, it is refused at once, as their
-  /// joint motion costs more than another start. 0: all have to stand as they are; in large parts
-  /// the quickest proof that they do is the only one.
+  /// joint motion costs more than another start. 0: all have to stand as they are.
   size_t most_movers = std::numeric_limits<size_t>::max();
 
   /// The smaller of both.

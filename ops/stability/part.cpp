@@ -9,6 +9,7 @@
 #include "ops/placement/slot_order.h"
 #include "ops/stability/certificate.h"
 #include "ops/stability/contact_forces.h"
+#include "ops/stability/fewest_movers.h"
 #include "ops/stability/interior_point.h"
 #include "ops/stability/unbalanced.h"
 
@@ -119,7 +120,12 @@ class Judgement {
     if (!forces.solved) m_out.known = false;
     if (!forces.solved || forces.balanced()) return;
     m_out.stands = false;
-    // Bodies that the proof moves are those that topple.
+    // Bodies that the proof moves are those that topple; of many, those that do so first.
+    if (part.bodies.size() > kManyBodies) {
+      for (const Index i : fewest_movers(part, m_clearance, forces))
+        m_out.topples.push_back(part.bodies[i].id);
+      return;
+    }
     for (size_t k = 0; k < part.bodies.size(); ++k)
       if (forces.moves[k]) m_out.topples.push_back(part.bodies[k].id);
   }

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "ops/stability/block_factor.h"
+#include "ops/stability/fewest_movers.h"
 #include "ops/stability/interior_point.h"
 #include "support/effort.h"
 #include "support/random_shapes.h"
@@ -241,6 +242,41 @@ TEST(InteriorPoint, RepeatsItself) {
   EXPECT_EQ(a.solved, b.solved);
   EXPECT_EQ(a.forces, b.forces);
   EXPECT_EQ(a.moves, b.moves);
+}
+
+// A box on the edge of a tower falls alone, whatever else may move in the same motion.
+TEST(FewestMovers, AreThoseThatFallWhileAllOthersStandStill) {
+  FreeBodies pile = towers_of_boxes(1, 26, 0, 0.5);
+  const Index top = 26;
+  pile.bodies.push_back({{}, Vec3(0.6, 0, 26.5), 1, std::sqrt(3.0)});
+  for (const double x : {0.1, 0.5})
+    for (const double y : {-0.5, 0.5})
+      touch(pile, top, top - 1, Vec3(x, y, 26), Vec3::UnitZ(), 0.5);
+  const PartForces found = forces_by_interior_point(pile, kClearance);
+  ASSERT_TRUE(found.solved);
+  ASSERT_FALSE(found.balanced());
+  EXPECT_EQ(fewest_movers(pile, kClearance, found), std::vector<Index>{top});
+}
+
+TEST(FewestMovers, MoveInTheProofToo) {
+  Random random(11);
+  int num_fewer = 0, num_asked = 0;
+  for (int k = 0; k < 20; ++k) {
+    const FreeBodies pile =
+        pile_of_balls({random.uniform(0, 0.3), random.integer(0, 1) > 0, 0.9, 3}, random);
+    const PartForces found = forces_by_interior_point(pile, kClearance);
+    if (!found.solved || found.balanced()) continue;
+    const std::vector<Index> few = fewest_movers(pile, kClearance, found);
+    EXPECT_FALSE(few.empty());
+    EXPECT_TRUE(std::is_sorted(few.begin(), few.end()));
+    for (const Index i : few) EXPECT_TRUE(found.moves[i]);
+    const auto num = static_cast<size_t>(std::count(found.moves.begin(), found.moves.end(), true));
+    num_fewer += few.size() < num;
+    ++num_asked;
+  }
+  std::printf("fewer in %d of %d\n", num_fewer, num_asked);
+  EXPECT_GT(num_asked, 5);
+  EXPECT_GT(num_fewer, 0);
 }
 
 TEST(BlockFactor, SolvesAsTheWholeMatrix) {
