@@ -247,14 +247,17 @@ class HeapInPlace {
 }  // namespace
 
 bool is_heap(const Intent& meant, const std::vector<ObjectId>& moving) {
-  // A tilted thing on one level thing alone has been turned by noise, or leans: it has an order.
+  // A tilted thing on one level object alone has been turned by noise, or leans: it has an order.
+  // On the floor two may hold each other, as the boards of a tent.
   std::set<std::uint32_t> in_heap;
   for (const ObjectIntent& o : meant.objects) {
     if (o.is_level) continue;
+    const bool on_one_object = o.on.size() == 1 && o.on[0].on.is_object();
+    const ObjectIntent* const below = on_one_object ? meant.find(o.on[0].on.object()) : nullptr;
+    if (!on_one_object || (below && !below->is_level)) in_heap.insert(o.id.index);
     for (const IntendedSupport& s : o.on) {
-      const ObjectIntent* const below = s.on.is_object() ? meant.find(s.on.object()) : nullptr;
-      if (o.on.size() > 1) in_heap.insert(o.id.index);
-      if (below && !below->is_level) in_heap.insert({o.id.index, below->id.index});
+      const ObjectIntent* const carrier = s.on.is_object() ? meant.find(s.on.object()) : nullptr;
+      if (carrier && !carrier->is_level) in_heap.insert(carrier->id.index);
     }
   }
   const auto tilted = static_cast<size_t>(std::count_if(

@@ -6,8 +6,8 @@
 
 namespace trivet {
 
-/// True if so many objects lie tilted, on several others or on tilted ones, that they hold each
-/// other up: there is no order in which each finds all that carries it.
+/// True if so many objects lie tilted, on the floor, on several others or on tilted ones, that they
+/// hold each other up: there is no order in which each finds all that carries it.
 bool is_heap(const Intent& meant, const std::vector<ObjectId>& moving);
 
 /// `pose` out of each object that it passes through there, by the shortest way: up from what

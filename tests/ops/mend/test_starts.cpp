@@ -119,6 +119,14 @@ TEST(IsHeap, TiltedThingsOnLevelOnesAreNone) {
   EXPECT_FALSE(is_heap(intent, all_of(intent)));
 }
 
+TEST(IsHeap, BoardsOfTentAreOne) {
+  Boxes s;
+  s.add("left", {0.01, 0.1, 0.15}, {-0.0641, 0, 0.1453}, false, turn_about(Vec3::UnitY(), 20));
+  s.add("right", {0.01, 0.1, 0.15}, {0.0641, 0, 0.1453}, false, turn_about(Vec3::UnitY(), -20));
+  const Intent intent = infer_intent(s.scene, 0.005);
+  EXPECT_TRUE(is_heap(intent, all_of(intent)));
+}
+
 TEST(IsHeap, TiltedThingsOnEachOtherAreOne) {
   Boxes s;
   s.add("low", {0.1, 0.1, 0.01}, {0, 0, 0.05}, false, turn_about(Vec3::UnitY(), 25));
