@@ -103,7 +103,7 @@ class Tries {
  private:
   // From the first start, at which others hardly could move.
   std::optional<OperationResult> look_again() {
-    const auto result = try_number(1, kBudgetOfSecondLook);
+    auto result = try_number(1, kBudgetOfSecondLook);
     if (result && (result->ok() || result->status != OperationResult::Status::Refused))
       return result;
     if (m_in_hand) return take(*m_in_hand);

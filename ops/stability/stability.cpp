@@ -216,7 +216,7 @@ class StabilityCheck {
     if (part.bodies.size() > kManyBodies) {
       FreeBodies first = part;
       first.more.clear();
-      const PartForces out = forces_by_interior_point(first, m_clearance);
+      PartForces out = forces_by_interior_point(first, m_clearance);
       if (out.solved && out.balanced()) return out;
     }
     return contact_forces(part, m_clearance);

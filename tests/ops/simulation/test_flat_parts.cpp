@@ -136,8 +136,8 @@ TEST(FlatParts, StayThickInOtherUnits) {
                               {-0.155483276, -0.205344155, 0.0614722446},
                               {-0.153483242, -0.207343891, 0.0614385977}};
   for (const double unit : {1.0, 0.01, 0.0254, 0.3, 7.0}) {
-    std::vector<Vec3> points;
-    for (const Vec3& p : end) points.emplace_back(p / unit);
+    std::vector<Vec3> points = end;
+    for (Vec3& p : points) p /= unit;
     ConvexPart part;
     EXPECT_TRUE(solid_hull(points, part, kFlatPartThickness / 64)) << unit;
     for (Vec3& v : part.vertices) v = as_float32(Vec3(v * unit));
