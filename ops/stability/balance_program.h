@@ -36,7 +36,7 @@ class BalanceProgram {
   /// Pairs of bodies that touch.
   std::vector<std::pair<Index, Index>> couplings() const;
 
-  /// Where to start: forces of a weight, prices of a virtual velocity.
+  /// Sets a start: forces of a weight, prices of a virtual velocity.
   /// @param w  prices of the limits of pushes.
   void start(Vector& x, Vector& z, Vector& w) const;
   /// out += sign A x

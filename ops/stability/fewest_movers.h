@@ -1,4 +1,4 @@
-// Who has to be told of a part that does not stand. Private.
+// Names the bodies that make a part fall. Private.
 #pragma once
 
 #include <vector>

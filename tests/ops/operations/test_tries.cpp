@@ -136,7 +136,7 @@ TEST(Tries, FillBin) {
   std::printf("%d of %d with one try each\n", exactly, num);
 }
 
-/// Where the centre of a bar ends that is let go across the rim of a bin, its middle inside.
+/// Lets a bar go across the rim of a bin, its middle inside. @return x of its centre at the end.
 double bar_over_rim(double inside, int tries, int& number) {
   Scene scene;
   add_at(scene, "bin", bin(0.4, 0.2, 0.01), {0, 0, 1e-4}, true);
