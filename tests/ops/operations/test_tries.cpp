@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/scene/transaction.h"
 #include "ops/operations/arrangements.h"
 #include "ops/operations/container.h"
 #include "ops/operations/perform.h"
@@ -59,6 +60,33 @@ TEST(Container, IsNotWhatLiesInHeap) {
   Scene scene;
   add_at(scene, "piece", box_triangles({0.05, 0.05, 0.05}), {0, 0, 0.0501}, false);
   EXPECT_TRUE(is_same_place(scene, {0, 0, 0.5}, {0.1, 0, 0.05}));
+}
+
+// A bowl that leans on a block holds things by chance. A fixed one is meant to.
+TEST(Container, IsNoBowlThatLeans) {
+  Scene scene;
+  add_at(scene, "block", box_triangles({0.1, 0.3, 0.1}), {0, 0, 0.1001}, false);
+  const ObjectId id = scene.add(object_of("bowl", dish(0.3, 0.15, 0.01, 2, 48)));
+  PutOperation put{{"bowl"}, {{}, Vec3(0.35, 0, 0.5)}};
+  ASSERT_TRUE(perform(scene, put).ok());
+  ASSERT_EQ(scene.at(id).contacts.size(), 2u) << "the floor and the block";
+  const Vec3 inside = scene.at(id).centre_of_mass() + Vec3(0, 0, 0.5);
+  const Vec3 beside(inside.x(), 0.5, 0.05);
+  EXPECT_TRUE(is_same_place(scene, inside, beside));
+  Transaction transaction(scene);
+  transaction.edit(id, [](Object& object) { object.fixed = true; });
+  transaction.commit();
+  EXPECT_FALSE(is_same_place(scene, inside, beside));
+}
+
+TEST(Container, IsTableTopOnFourLegs) {
+  Scene scene;
+  for (int k = 0; k < 4; ++k)
+    add_at(scene, "leg " + std::to_string(k), box_triangles({0.03, 0.03, 0.35}),
+           {k % 2 ? 0.4 : -0.4, k < 2 ? 0.4 : -0.4, 0.3501}, false);
+  add_at(scene, "top", box_triangles({0.5, 0.5, 0.02}), {0, 0, 0.7202}, false);
+  EXPECT_TRUE(is_same_place(scene, {0.4, 0, 1}, {0.45, 0.1, 0.75}));
+  EXPECT_FALSE(is_same_place(scene, {0.45, 0, 1}, {0.55, 0, 0.05}));
 }
 
 TEST(Container, IsTableWhoeverHoldsIt) {
