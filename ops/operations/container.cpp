@@ -12,7 +12,7 @@ namespace {
 constexpr double kWall = 0.05;     // height of a wall, in parts of the object's size
 constexpr double kStep = 0.5;      // height by which the ground may fall, likewise
 constexpr double kMuchLarger = 3;  // size of a free object that is a ground, likewise
-constexpr double kLevelNormalZ = 0.999;  // of contacts of what stands level
+constexpr double kLevel = 1e-3;    // difference of heights below it, in parts of its own size
 constexpr double kHalfRoot = 0.70710678118654752;
 
 /// Heights of a surface over a straight way seen from above: its highest points at both ends, and
@@ -141,15 +141,21 @@ bool is_walled_in(const Body& body, const Vec3& at, double wall) {
 // A body stands on one thing, or level on several, as a table's top does on its legs. Others lean
 // or lie in a heap, and what is open above there holds things by chance.
 bool stands_as_ground(const Object& object) {
+  if (object.contacts.empty() || object.state == ObjectState::Held) return true;
   const Vec3 centre = object.centre_of_mass();
-  std::vector<ContactPoint> level;
-  bool stands = object.contacts.empty() || object.state == ObjectState::Held;
+  std::vector<ContactPoint> all;
+  double lowest = kInfinity, highest = -kInfinity;
   for (const ObjectContact& entry : object.contacts) {
     const std::vector<ContactPoint>& points = entry.contact.points;
-    level.insert(level.end(), points.begin(), points.end());
-    stands = stands || carrying_margin(points, centre) >= 0;
+    if (carrying_margin(points, centre) >= 0) return true;
+    for (const ContactPoint& p : points) {
+      if (p.normal.z() < kCarryingNormalZ) continue;
+      all.push_back(p);
+      lowest = std::min(lowest, p.point.z());
+      highest = std::max(highest, p.point.z());
+    }
   }
-  return stands || carrying_margin(level, centre, kLevelNormalZ) >= 0;
+  return highest - lowest <= kLevel * size_of(object) && carrying_margin(all, centre) >= 0;
 }
 
 // A wall rises above both ends.
