@@ -100,12 +100,13 @@ def poses_of(program, scene):
 
 
 def with_poses(xml, poses):
-    """The same MJCF with bodies elsewhere."""
+    """The same MJCF with bodies elsewhere, and without the keyframe that says where they were laid out."""
     def moved(match):
         pose = poses.get(match.group(2))
         return match.group(0) if pose is None else '%s" pos="%s" quat="%s">' % (
             match.group(1), " ".join(map(repr, pose[:3])), " ".join(map(repr, pose[3:])))
-    return re.sub(r'(<body name="([^"]*))" pos="[^"]*" quat="[^"]*">', moved, xml)
+    xml = re.sub(r'(<body name="([^"]*))" pos="[^"]*" quat="[^"]*">', moved, xml)
+    return re.sub(r"<keyframe>.*</keyframe>", "", xml, flags=re.DOTALL)
 
 
 def turned(a, b):
