@@ -4,6 +4,7 @@
 #include <array>
 
 #include "ops/placement/neighbourhood.h"
+#include "ops/settle/equilibrium.h"
 
 namespace trivet {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 constexpr double kWall = 0.05;     // height of a wall, in parts of the object's size
 constexpr double kStep = 0.5;      // height by which the ground may fall, likewise
 constexpr double kMuchLarger = 3;  // size of a free object that is a ground, likewise
+constexpr double kLevel = 1e-3;    // difference of heights below it, in parts of its own size
 constexpr double kHalfRoot = 0.70710678118654752;
 
 /// Heights of a surface over a straight way seen from above: its highest points at both ends, and
@@ -136,6 +138,26 @@ bool is_walled_in(const Body& body, const Vec3& at, double wall) {
   return true;
 }
 
+// A body stands on one thing, or level on several, as a table's top does on its legs. Others lean
+// or lie in a heap, and what is open above there holds things by chance.
+bool stands_as_ground(const Object& object) {
+  if (object.contacts.empty() || object.state == ObjectState::Held) return true;
+  const Vec3 centre = object.centre_of_mass();
+  std::vector<ContactPoint> all;
+  double lowest = kInfinity, highest = -kInfinity;
+  for (const ObjectContact& entry : object.contacts) {
+    const std::vector<ContactPoint>& points = entry.contact.points;
+    if (carrying_margin(points, centre) >= 0) return true;
+    for (const ContactPoint& p : points) {
+      if (p.normal.z() < kCarryingNormalZ) continue;
+      all.push_back(p);
+      lowest = std::min(lowest, p.point.z());
+      highest = std::max(highest, p.point.z());
+    }
+  }
+  return highest - lowest <= kLevel * size_of(object) && carrying_margin(all, centre) >= 0;
+}
+
 // A wall rises above both ends.
 bool has_wall(const Profile& profile, double size) {
   const double wall = profile.highest - kWall * size;
@@ -159,7 +181,7 @@ Container::Container(const Scene& scene, std::vector<ObjectId> moving, const Vec
   for (size_t k = 0; k < below.ids.size(); ++k) {
     const Object& object = scene.at(below.ids[k]);
     // Fixed bodies are asked later, along each way.
-    if (object.fixed) continue;
+    if (object.fixed || !stands_as_ground(object)) continue;
     const Body& body = below.bodies[k];
     const bool is_below =
         profile_at(body, at, Vec2(body.world_box.diagonal(), 0)).first > -kInfinity;

@@ -12,7 +12,8 @@ namespace trivet {
 /// Grounds below a point, and how to tell that another point is not over the same place of one:
 /// a wall between them rises above both, or the ground falls away. Grounds are the floor with all
 /// fixed objects; and each free object below the point that walls the point in on all sides (a
-/// bowl, a box), or is several times as large as the object. What lies in a heap is none.
+/// bowl, a box), or is several times as large as the object. What leans or lies in a heap, on
+/// several things of different heights, is none.
 class Container {
  public:
   /// @param moving  left out. @param at  centre of the object at its start, world.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/motion/motion.h"
 #include "ops/operations/container.h"
@@ -17,14 +18,13 @@ constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
 constexpr int kTriesToTouch = 3;   // more of them, where it came to rest across a gap
 constexpr double kLeastWay = 0.1;  // that leads over a wall, in parts of the object's size
-constexpr int kStartsOfTry = 2;    // looked at for each try: some interpenetrate
-/// The whole has to stand at once at the first tries, may move at the next, most at the last. From
-/// most other starts it stands at once, in a tenth of the time.
-constexpr int kTriesToStand = 4;
-constexpr Budget kBudgetToStand{40, 0}, kBudgetOfTry{40}, kBudgetOfLast{600};
-/// The first start has this once more where all were refused: others may move now. With a quarter
-/// of it for each of four starts fewer are placed, for as much work.
-constexpr Budget kBudgetOfSecondLook{1200};
+constexpr int kStartsOfTry = 2;    // looked at for each try: some interpenetrate, most topple
+/// From other starts the whole has to stand at once. A fifth of them do, which costs a fifth of
+/// what moving others does to place as many.
+constexpr Budget kBudgetToStand{40, 0};
+/// Where all were refused others may move, at the starts at which the fewest would.
+constexpr size_t kSecondLooks = 2;
+constexpr Budget kBudgetOfSecondLook{600};
 
 // Between half a turn either way.
 double wrapped_deg(double deg) { return std::remainder(deg, 360); }
@@ -80,11 +80,12 @@ class Tries {
   OperationResult go_on(OperationResult first, Rest rest, Budget budget) {
     // Such a rest is kept in hand while other starts are tried for a better one.
     if (first.ok()) keep({1, 0, 0, m_operation.start}, rest, budget);
+    note_movers({1, 0, 0, m_operation.start}, first);
     int num_tries = 1;
-    // Blocked starts cost little and do not count as tries; their number is bounded, too.
-    for (int n = 2; n <= kStartsOfTry * m_operation.tries && num_tries < m_operation.tries; ++n) {
-      if (m_in_hand && m_in_hand->rest == Rest::AcrossGap && m_in_hand->tries_left-- <= 0) break;
-      const auto result = try_number(n, budget_of(num_tries + 1));
+    // A second round costs less than to move others from starts of the first one.
+    for (int n = 2; n <= kStartsOfTry * m_operation.tries; ++n) {
+      if (m_in_hand && gives_up(num_tries)) break;
+      const auto result = try_number(n);
       if (!result) continue;
       const bool is_over = result->ok() || result->status != OperationResult::Status::Refused;
       if (is_over) return *result;
@@ -101,22 +102,39 @@ class Tries {
   }
 
  private:
-  // From the first start, at which others hardly could move.
-  std::optional<OperationResult> look_again() {
-    auto result = try_number(1, kBudgetOfSecondLook);
-    if (result && (result->ok() || result->status != OperationResult::Status::Refused))
-      return result;
-    if (m_in_hand) return take(*m_in_hand);
-    return std::nullopt;
+  // A rest in hand is not worth many tries.
+  bool gives_up(int num_tries) {
+    return num_tries >= m_operation.tries ||
+           (m_in_hand->rest == Rest::AcrossGap && m_in_hand->tries_left-- <= 0);
   }
 
-  Budget budget_of(int try_number) const {
-    if (try_number == m_operation.tries) return kBudgetOfLast;
-    return try_number <= kTriesToStand ? kBudgetToStand : kBudgetOfTry;
+  void note_movers(const StartTried& start, const OperationResult& result) {
+    if (may_do_better_nearby(result))
+      m_would_move.push_back({result.refusal->objects.size(), start});
+  }
+
+  // From where the fewest would move, now that others may.
+  std::optional<OperationResult> look_again() {
+    std::stable_sort(m_would_move.begin(), m_would_move.end(),
+                     [](const auto& a, const auto& b) { return a.num < b.num; });
+    // Looks note their starts again, so that the list is taken first.
+    const std::vector<WouldMove> fewest = std::exchange(m_would_move, {});
+    for (size_t k = 0; k < std::min(kSecondLooks, fewest.size()); ++k) {
+      OperationResult result = try_from(fewest[k].start, kBudgetOfSecondLook);
+      if (result.ok() || result.status != OperationResult::Status::Refused) return result;
+      if (m_in_hand) return take(*m_in_hand);
+    }
+    return std::nullopt;
   }
 
   const Object& object() const { return m_transaction.scene().at(m_id); }
   Vec3 centre(const Pose& pose) const { return centre_at(object(), pose); }
+
+  /// A start from which it topples with others.
+  struct WouldMove {
+    size_t num;
+    StartTried start;
+  };
 
   /// A start from which it rests, but less well than it may from another one.
   struct InHand {
@@ -137,12 +155,12 @@ class Tries {
   }
 
   // As far from the first start as it is free and in the container. @return nothing: nowhere.
-  std::optional<OperationResult> try_number(int number, Budget budget) {
+  std::optional<OperationResult> try_number(int number) {
     // A start that is blocked is tried nearer to the first one.
     for (const double part : kPartsOfShift) {
       const StartTried start = start_to_try(object(), m_operation, number, part);
       if (!m_container.holds(centre(start.start))) continue;
-      OperationResult result = try_from(start, budget);
+      OperationResult result = try_from(start, kBudgetToStand);
       if (!starts_blocked(result)) return result;
     }
     return std::nullopt;
@@ -154,7 +172,10 @@ class Tries {
     // Each try has a transaction of its own, and leaves no trace unless it is taken.
     Transaction inner(m_transaction);
     OperationResult result = m_put(inner, put, budget);
-    if (!result.ok()) return result;
+    if (!result.ok()) {
+      note_movers(start, result);
+      return result;
+    }
     // The object may roll out of its container: then the try fails.
     if (start.number > 1 && !m_container.holds(inner.scene().at(m_id).centre_of_mass()))
       return refused({Refusal::Cause::LeavesRegion, {named(inner.scene(), Support(m_id))}});
@@ -172,6 +193,7 @@ class Tries {
   const PutOperation& m_operation;
   const PutFrom& m_put;
   const Container m_container;
+  std::vector<WouldMove> m_would_move;
   std::optional<InHand> m_in_hand;
   bool m_accepts_gap = false;
 };

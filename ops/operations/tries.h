@@ -9,10 +9,10 @@
 //   got over a wall from the first start
 //                            tried at all others; taken if none of these ends in the container
 //   else                     an operation of its own, proved as any other; the first that is done
-//                            and ends in the container is taken. From starts 2 to 4 the whole has
-//                            to stand at once, from the next ones after few motions, from the last
-//                            after more. Where all are refused, starts 1 to 4 once more, after
-//                            motions of any number of objects
+//                            and ends in the container is taken. From starts after the first the
+//                            whole has to stand at once
+//   all were refused         as many starts more, the farthest, in other directions; then the two
+//                            starts at which the fewest would move, where others may move now
 #pragma once
 
 #include <functional>
