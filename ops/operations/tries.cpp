@@ -19,6 +19,7 @@ constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones
 constexpr int kTriesToTouch = 3;   // more of them, where it came to rest across a gap
 constexpr double kLeastWay = 0.1;  // that leads over a wall, in parts of the object's size
 constexpr int kStartsOfTry = 2;    // looked at for each try: some interpenetrate, most topple
+constexpr int kMostThatLeave = 1;  // tries that end out of the container, before a second round
 /// From other starts the whole has to stand at once. A fifth of them do, which costs a fifth of
 /// what moving others does to place as many.
 constexpr Budget kBudgetToStand{40, 0};
@@ -81,14 +82,16 @@ class Tries {
     // Such a rest is kept in hand while other starts are tried for a better one.
     if (first.ok()) keep({1, 0, 0, m_operation.start}, rest, budget);
     note_movers({1, 0, 0, m_operation.start}, first);
-    int num_tries = 1;
+    int num_tries = 1, num_left = 0;
     // A second round costs less than to move others from starts of the first one.
     for (int n = 2; n <= kStartsOfTry * m_operation.tries; ++n) {
       if (m_in_hand && gives_up(num_tries)) break;
+      if (n > m_operation.tries && num_left > kMostThatLeave) break;
       const auto result = try_number(n);
       if (!result) continue;
       const bool is_over = result->ok() || result->status != OperationResult::Status::Refused;
       if (is_over) return *result;
+      num_left += result->refusal->cause == Refusal::Cause::LeavesRegion;
       ++num_tries;
     }
     // No try was better than the rest in hand.

@@ -11,8 +11,9 @@
 //   else                     an operation of its own, proved as any other; the first that is done
 //                            and ends in the container is taken. From starts after the first the
 //                            whole has to stand at once
-//   all were refused         as many starts more, the farthest, in other directions; then the two
-//                            starts at which the fewest would move, where others may move now
+//   all were refused         as many starts more, the farthest, in other directions, unless several
+//                            left the container; then the two starts at which the fewest would
+//                            move, where others may move now
 #pragma once
 
 #include <functional>

@@ -282,6 +282,19 @@ TEST(Tries, EndBesideTheBinIfNoneEndsInIt) {
   EXPECT_FALSE(result.tried);
 }
 
+// No second round follows where several leave the container: its starts are no nearer.
+TEST(Tries, HaveOneRoundWhereSeveralLeave) {
+  for (const int num_left : {0, 1, 2, 11}) {
+    Answers answers;
+    add_at(answers.scene, "bin", bin(0.5, 0.5, 0.01), {0, 0, 1e-4}, true);
+    const OperationResult result = answers.run(
+        12, [&](int k) { return 1 < k && k <= 1 + num_left ? OperationResult() : topples(); }, 0.8);
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.refusal->number("tries"), num_left > 1 ? 12 : 24);
+    EXPECT_EQ(answers.starts.size(), num_left == 11 ? 13u : num_left > 1 ? 14u : 26u);
+  }
+}
+
 // Three more starts, then the first again.
 TEST(Tries, PreferContactsThatTouch) {
   for (const int touching : {1, 2, 9}) {
