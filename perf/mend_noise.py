@@ -28,6 +28,7 @@ import tempfile
 DEGREES = {1: 1, 5: 3, 20: 10}
 SECONDS = 300  # of a mending, at most
 TIPPED = 45  # degrees
+IN_THE_AIR = 100  # metres, from one to the next
 MEDIAN_LENGTH = 1.54  # of a shift whose three parts are normal with a deviation of 1
 IN_HEAPS = ["apple", "banana", "cup", "egg", "egg_cup", "glass", "jug", "loaf", "saucer", "spoon", "toast"]
 
@@ -80,11 +81,23 @@ def make_heap(program, size, folder):
 
 
 def perturb(agent, free, noise, generator):
+    # Moves take loads along. So all go into the air first, where none lies on another, and come back one by one:
+    # each is moved by its own noise alone.
+    for name in free:
+        agent.call("translate", object=name, by=[0, 0, IN_THE_AIR], free=True, settle_left=False)
+    for k, name in enumerate(free):
+        agent.call("translate", object=name, by=[0, 0, IN_THE_AIR * (k + 1)], free=True, settle_left=False)
+    high = agent.objects()
     for name, one in free.items():
-        agent.call("translate", object=name, by=[generator.gauss(0, noise / 1000) for _ in range(3)], free=True, settle_left=False)
-        axis = [generator.gauss(0, 1) for _ in range(3)]
+        back = [a - b + generator.gauss(0, noise / 1000) for a, b in zip(one["lower"], high[name]["lower"])]
+        agent.call("translate", object=name, by=back, free=True, settle_left=False)
+        axis, middle = [generator.gauss(0, 1) for _ in range(3)], middle_of(high[name])
         agent.call("rotate", object=name, axis=axis, angle_deg=generator.gauss(0, DEGREES.get(noise, noise / 2)),
-                   centre=[(a + b) / 2 for a, b in zip(one["lower"], one["upper"])], free=True, settle_left=False)
+                   centre=[a + b for a, b in zip(middle, back)], free=True, settle_left=False)
+
+
+def middle_of(one):
+    return [(a + b) / 2 for a, b in zip(one["lower"], one["upper"])]
 
 
 def edges(objects):
@@ -100,12 +113,13 @@ def poses_of(program, scene):
 
 
 def with_poses(xml, poses):
-    """The same MJCF with bodies elsewhere."""
+    """The same MJCF with bodies elsewhere, and without the keyframe that says where they were laid out."""
     def moved(match):
         pose = poses.get(match.group(2))
         return match.group(0) if pose is None else '%s" pos="%s" quat="%s">' % (
             match.group(1), " ".join(map(repr, pose[:3])), " ".join(map(repr, pose[3:])))
-    return re.sub(r'(<body name="([^"]*))" pos="[^"]*" quat="[^"]*">', moved, xml)
+    xml = re.sub(r'(<body name="([^"]*))" pos="[^"]*" quat="[^"]*">', moved, xml)
+    return re.sub(r"<keyframe>.*</keyframe>", "", xml, flags=re.DOTALL)
 
 
 def turned(a, b):

@@ -63,6 +63,8 @@ inline bool keeps_whole_at_rest(const SettleOptions& options) {
 }
 
 /// Part of all friction that rest may need.
-double friction_share(const SettleOptions& options);
+inline double friction_share(const SettleOptions& options) {
+  return options.robust ? kRobustFriction : 1;
+}
 
 }  // namespace trivet

@@ -36,11 +36,10 @@ std::optional<InvalidArgument> refuse_material(const DrapeOperation& o) {
   return InvalidArgument{"material", "\"" + o.material + "\"", names_of(is_cable)};
 }
 
-// Else vertices would touch the neighbours of their neighbours.
 std::optional<InvalidArgument> refuse_thickness(const DrapeOperation& o) {
   const flex::Grid grid = grid_of(o);
   const double cell = std::min(grid.length_u / grid.num_u, grid.length_v / grid.num_v);
-  const double least = 2 * flex_material(o).thickness;
+  const double least = least_cell(flex_material(o).thickness);
   if (cell >= least) return std::nullopt;
   return InvalidArgument{"cell", in_english(figure(cell)),
                          say("cells of %1 m or more, twice the thickness", figure(least))};

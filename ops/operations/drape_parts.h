@@ -18,6 +18,9 @@ inline constexpr int kMaxFlexVertices = 40000;
 flex::Grid grid_of(const DrapeOperation& o);
 int num_segments_of(const DrapeOperation& o);
 
+/// Metres: vertices of narrower cells would touch the neighbours of their neighbours.
+inline double least_cell(double thickness) { return 2 * thickness; }
+
 /// The preset with the operation's own numbers.
 flex::FlexMaterial flex_material(const DrapeOperation& o);
 

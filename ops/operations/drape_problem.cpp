@@ -55,19 +55,35 @@ Sentence no_sheet(const Mesh& mesh) {
   return {};
 }
 
+Sentence too_fine(double cell, double thickness) {
+  const double least = least_cell(thickness);
+  if (cell >= least) return {};
+  return say("the cells of its mesh are %1 m wide; accepted: %2 m or more, twice the thickness",
+             figure(cell), figure(least));
+}
+
+// Width of a square of two triangles, in the mean.
+double mean_cell(const flex::Points& x, const std::vector<Index3>& triangles) {
+  double area = 0;
+  for (const Index3& t : triangles) area += (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm() / 2;
+  return std::sqrt(2 * area / static_cast<double>(triangles.size()));
+}
+
 std::optional<Refusal> place_mesh(const Scene& scene, const DrapeOperation& o,
                                   flex::DrapeProblem& out) {
   const auto id = scene.find(*o.of);
   if (!id) return unknown_object(scene, *o.of);
   const Object& object = scene.at(*id);
   const Mesh& mesh = object.shape->mesh;
+  out.start = world_positions(*object.shape, world_from_object(o.start, object.up, object.scale));
   // A sheet is an open surface of one side, with no more vertices than can be draped.
-  if (Sentence why = no_sheet(mesh); !why.empty()) {
+  Sentence why = no_sheet(mesh);
+  if (why.empty()) why = too_fine(mean_cell(out.start, mesh.triangles), out.material.thickness);
+  if (!why.empty()) {
     Refusal refusal{Refusal::Cause::NoSheet, {named(scene, Support(*id))}};
     refusal.detail = std::move(why);
     return refusal;
   }
-  out.start = world_positions(*object.shape, world_from_object(o.start, object.up, object.scale));
   for (const Index3& t : mesh.triangles) out.faces.push_back({t[0], t[1], t[2]});
   return std::nullopt;
 }

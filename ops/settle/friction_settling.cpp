@@ -113,9 +113,23 @@ class FrictionSettling {
     // Contacts a little farther away may hold it, once their gaps are closed; the place is
     // remembered for then.
     const std::vector<FrictionContact> near = m_body.friction_points(kCarryingTolerance);
-    if (are_the_same(near, m_close) || !balances(near) || !none_topples(m_close)) return Hold::No;
+    if (are_the_same(near, m_close) || !balances(near) || topples_on_the_way(near)) return Hold::No;
     if (!m_held_at) m_held_at = {m_body.here(), object().centre};
     return Hold::Nearly;
+  }
+
+  // Until enough gaps are closed, one after the other. So it stays at rest where the scene, and
+  // with it the clearance, grows: what is close then is one of these sets.
+  bool topples_on_the_way(std::vector<FrictionContact> near) {
+    std::stable_sort(near.begin(), near.end(),
+                     [](const auto& a, const auto& b) { return a.gap < b.gap; });
+    std::vector<FrictionContact> closed = m_close;
+    while (!balances(closed)) {
+      if (!none_topples(closed)) return true;
+      const size_t more = std::min(closed.size() + 1, near.size());
+      closed.assign(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(more));
+    }
+    return false;
   }
 
   // An object that merely hovers is held by nothing, however near that is.

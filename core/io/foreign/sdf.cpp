@@ -2,14 +2,10 @@
 
 #include <filesystem>
 #include <map>
-#include <numbers>
 
 #include "core/base/bad_input.h"
-#include "core/io/foreign/mass_sum.h"
-#include "core/io/foreign/mjcf/settings.h"
-#include "core/io/foreign/numbers.h"
-#include "core/io/foreign/primitives.h"
 #include "core/io/foreign/sdf_joints.h"
+#include "core/io/foreign/sdf_links.h"
 #include "core/io/foreign/sdf_text.h"
 #include "core/io/foreign/uri.h"
 
@@ -19,7 +15,6 @@ namespace {
 constexpr int kMostNestedModels = 64;
 constexpr size_t kMostSdfFiles = 2000, kMostFrames = 20'000'000, kMostLinks = 5000;
 constexpr int kMostFramesInARow = 1000;
-constexpr std::uint32_t kAllBits = 0xffff;
 
 /// Names that poses may be relative to, inside a model or a world.
 struct Frame {
@@ -33,7 +28,7 @@ struct Frame {
 class SdfReader {
  public:
   SdfReader(const std::string& path, const ForeignOptions& options, const MeshSource& meshes)
-      : m_options(options), m_meshes(meshes), m_allowed(path, options.roots) {
+      : m_options(options), m_allowed(path, options.roots), m_meshes{meshes, m_allowed} {
     m_scene.format = "SDF";
     m_scene.friction_rule = FrictionRule::Smaller;
     m_roots.push_back(
@@ -67,32 +62,7 @@ class SdfReader {
 
   XmlPlace place(const XmlNode& node) const { return {m_scene.files, node}; }
 
-  double number(const XmlNode& node, const char* child, double otherwise) const {
-    return sdf_number(m_scene.files, node, child, otherwise);
-  }
-  Vec3 vec3(const XmlNode& node, const char* child, const Vec3& otherwise) const {
-    return sdf_vec3(m_scene.files, node, child, otherwise);
-  }
-
-  std::vector<double> pose_numbers(const XmlNode& node, size_t count) const {
-    return numbers_in(node.text, node.tag, place(node), count, count);
-  }
-
-  Pose own_pose(const XmlNode& node) const {
-    const XmlNode* const pose = node.child("pose");
-    if (!pose || trimmed_text(*pose).empty()) return {};
-    const std::string* const format = pose->find("rotation_format");
-    const std::string* const in_degrees = pose->find("degrees");
-    const bool quaternion = format && *format == "quat_xyzw";
-    const std::vector<double> n = quaternion ? pose_numbers(*pose, 7) : pose_numbers(*pose, 6);
-    const Vec3 at(n[0], n[1], n[2]);
-    if (quaternion) return {Rotation{n[6], n[3], n[4], n[5]}.normalized(), at};
-    const double unit = in_degrees && is_true(*in_degrees) ? 1 : 180 / std::numbers::pi;
-    const Rotation r = turn_about(Vec3::UnitZ(), n[5] * unit) *
-                       turn_about(Vec3::UnitY(), n[4] * unit) *
-                       turn_about(Vec3::UnitX(), n[3] * unit);
-    return {r.normalized(), at};
-  }
+  Pose own_pose(const XmlNode& node) const { return sdf_pose(m_scene.files, node); }
 
   std::string relative_to(const XmlNode& node) const {
     const XmlNode* const pose = node.child("pose");
@@ -165,7 +135,7 @@ class SdfReader {
   void read_world(const XmlNode& world) {
     Scope scope = scope_of(world, "world");
     if (const XmlNode* const gravity = world.child("gravity")) {
-      const Vec3 g = vec3(world, "gravity", Vec3::Zero());
+      const Vec3 g = sdf_vec3(m_scene.files, world, "gravity", Vec3::Zero());
       if (g[0] != 0 || g[1] != 0 || !(g[2] < 0))
         note_once(m_scene.unread,
                   say("gravity is \"%1\"; judged as if it acted along -z", trimmed_text(*gravity)));
@@ -307,98 +277,9 @@ class SdfReader {
       if (node.tag != "collision") continue;
       const std::string base = relative_to(node);
       const Pose from = base.empty() ? in_body : resolve(node, base, scope);
-      add_collision(node, composed(from, own_pose(node)), body);
+      add_sdf_collision(node, composed(from, own_pose(node)), m_meshes, m_scene, body);
     }
-    if (!body.fixed || body.is_link) add_mass(link, in_body, body);
-  }
-
-  void add_mass(const XmlNode& link, const Pose& in_body, ForeignBody& body) {
-    const XmlNode* const inertial = link.child("inertial");
-    const double kg = inertial ? number(*inertial, "mass", 1) : 1;
-    if (!(kg > 0)) return;
-    Mat3 m = Mat3::Identity();
-    if (const XmlNode* const inertia = inertial ? inertial->child("inertia") : nullptr) {
-      const auto at = [&](const char* key, double otherwise) {
-        return number(*inertia, key, otherwise);
-      };
-      m = inertia_of(
-          {at("ixx", 1), at("iyy", 1), at("izz", 1), at("ixy", 0), at("ixz", 0), at("iyz", 0)});
-    }
-    SolidMoments moments;
-    moments.spread = (0.5 * m.trace() * Mat3::Identity() - m) / kg;
-    MassSum sum;
-    if (body.mass) sum.add(body.mass->kilograms, moments_of(*body.mass), Pose{});
-    sum.add(kg, moments, inertial ? composed(in_body, own_pose(*inertial)) : in_body);
-    body.mass = sum.total();
-  }
-
-  void add_collision(const XmlNode& node, const Pose& pose, ForeignBody& body) {
-    const XmlNode* const geometry = node.child("geometry");
-    if (!geometry || geometry->children.empty()) return;
-    const XmlNode& shape = geometry->children.front();
-    ForeignCollider collider;
-    collider.name = sdf_name(node);
-    collider.pose = pose;
-    collider.bits = bits_of(node);
-    if (shape.tag == "plane") {
-      const Vec3 normal = vec3(shape, "normal", Vec3::UnitZ());
-      if (!(normal.norm() > 1e-14)) place(shape).refuse("normal", "", "a direction");
-      collider.pose.rotation = collider.pose.rotation * mjcf::z_to(normal);
-      if (body.fixed) return body.colliders.push_back(std::move(collider));
-    }
-    try {
-      Mesh mesh = mesh_of(shape);
-      if (mesh.triangles.empty()) return skip(shape, Sentence("is not read"));
-      collider.mesh = std::make_shared<const Mesh>(std::move(mesh));
-      count_faces(*collider.mesh, m_scene);
-      body.colliders.push_back(std::move(collider));
-    } catch (const Error& error) {
-      skip(shape, error.sentence());
-    }
-  }
-
-  void skip(const XmlNode& shape, const Sentence& why) {
-    note_once(m_scene.unread, say("%1: %2", place(shape).text(), why));
-  }
-
-  ContactBits bits_of(const XmlNode& collision) const {
-    ContactBits bits;
-    bits.type = bits.affinity = kAllBits;
-    const XmlNode* const surface = collision.child("surface");
-    if (!surface) return bits;
-    const XmlNode* const friction = surface->child("friction");
-    if (const XmlNode* const ode = friction ? friction->child("ode") : nullptr)
-      bits.friction = number(*ode, "mu", 1);
-    if (const XmlNode* const contact = surface->child("contact"))
-      bits.type = bits.affinity = bitmask(*contact);
-    return bits;
-  }
-
-  std::uint32_t bitmask(const XmlNode& contact) const {
-    const double mask = number(contact, "collide_bitmask", kAllBits);
-    if (!(mask >= 0 && mask <= 4294967295.0))
-      place(contact).refuse("collide_bitmask", child_text(contact, "collide_bitmask", ""),
-                            "0 to 4294967295");
-    return static_cast<std::uint32_t>(mask);
-  }
-
-  Mesh mesh_of(const XmlNode& shape) const {
-    if (shape.tag == "box") return box_mesh(0.5 * vec3(shape, "size", Vec3::Ones()));
-    const double radius = number(shape, "radius", 1), half = number(shape, "length", 1) / 2;
-    if (shape.tag == "sphere") return ellipsoid_mesh(Vec3::Constant(radius));
-    if (shape.tag == "ellipsoid") return ellipsoid_mesh(vec3(shape, "radii", Vec3::Ones()));
-    if (shape.tag == "cylinder") return cylinder_mesh(radius, half);
-    if (shape.tag == "capsule") return capsule_mesh(radius, half);
-    return shape.tag == "mesh" && !shape.child("submesh") ? file_mesh(shape) : Mesh{};
-  }
-
-  // Gazebo collides the triangles.
-  Mesh file_mesh(const XmlNode& shape) const {
-    const std::string uri = child_text(shape, "uri", "");
-    Mesh mesh =
-        mesh_in_metres(m_meshes(path_of_uri(uri, m_scene.files[shape.file].path, m_allowed)));
-    scale(vec3(shape, "scale", Vec3::Ones()), mesh);
-    return mesh;
+    if (!body.fixed || body.is_link) add_sdf_mass(link, in_body, m_scene.files, body);
   }
 
   // The model of an <include>; null: it cannot be had, which is told.
@@ -419,7 +300,7 @@ class SdfReader {
       if (const XmlNode* const model = m_roots.back()->child("model")) return model;
       bad_file(path, "has no model");
     } catch (const Error& error) {
-      skip(include, error.sentence());
+      skip_sdf(include, error.sentence(), m_scene);
       return nullptr;
     }
   }
@@ -431,8 +312,8 @@ class SdfReader {
   }
 
   ForeignOptions m_options;
-  const MeshSource& m_meshes;
   SceneRoots m_allowed;
+  SdfMeshes m_meshes;
   ForeignScene m_scene;
   std::vector<std::unique_ptr<XmlNode>> m_roots;
   std::map<const XmlNode*, const XmlNode*> m_included;

@@ -21,4 +21,7 @@ double sdf_number(const std::vector<XmlFile>& files, const XmlNode& node, const 
 Vec3 sdf_vec3(const std::vector<XmlFile>& files, const XmlNode& node, const char* child,
               const Vec3& otherwise);
 
+/// Its <pose>, whatever that is relative to. @throws Error (BadInput) naming the place.
+Pose sdf_pose(const std::vector<XmlFile>& files, const XmlNode& node);
+
 }  // namespace trivet

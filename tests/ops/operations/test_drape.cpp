@@ -125,6 +125,10 @@ TEST(Drape, OpenMeshesComeDownAndClosedOnesDoNot) {
   o.object = "other";
   o.of = "block";
   s.refused(o, "closed");
+  // As for sheets, cells have to be twice as wide as the thickness.
+  o.of = "napkin";
+  o.thickness = 0.02;
+  s.refused(o, "0.04");
 }
 
 TEST(Drape, CancelledKeepsTheScene) {

@@ -140,6 +140,50 @@ TEST(IsAtRest, NotOnAnEdgeThatItHoversOver) {
   }
 }
 
+// A heavy cube on spikes between facets: the contacts by which a cactus hung on another object.
+RestCase on_spikes() {
+  struct Spike {
+    Vec3 point, normal;
+    double gap;
+  };
+  const Vec3 above(0.362, 0.245, 0.899), side(0.548, -0.837, 0.007), below(-0.898, 0.350, 0.266);
+  const Spike spikes[] = {
+      {{0.41520, 0.76902, 1.17084}, above, 15.26e-6}, {{0.41157, 0.76274, 1.17402}, above, 18.4e-6},
+      {{0.49602, 0.67768, 1.16316}, above, 18.4e-6},  {{0.50541, 0.67757, 1.15944}, above, 41.1e-6},
+      {{0.49738, 0.66753, 1.16483}, side, 18.0e-6},   {{0.50566, 0.66900, 1.16075}, below, 7.0e-6}};
+  const double length = 1e-3;
+  std::vector<Triangle> object = test::box_triangles(Vec3(0.02, 0.02, 0.02));
+  for (Triangle& t : object)
+    for (Vec3& p : t) p += Vec3(0.48652, 0.74324, 1.21310);
+  RestCase out;
+  for (const Spike& c : spikes) {
+    const Vec3 n = c.normal.normalized(), u = n.unitOrthogonal(), v = n.cross(u);
+    const Vec3 base = c.point + length * n, foot = c.point - c.gap * n;
+    const auto around = [&](const Vec3& at, int k) -> Vec3 {
+      const double angle = 2 * M_PI * k / 3;
+      return at + length * (std::cos(angle) * u + std::sin(angle) * v);
+    };
+    for (int k = 0; k < 3; ++k) object.push_back({c.point, around(base, k + 1), around(base, k)});
+    object.push_back({around(base, 0), around(base, 1), around(base, 2)});
+    out.add({.shape = test::shape_of({{around(foot, 0), around(foot, 1), around(foot, 2)}}),
+             .pose = {}});
+  }
+  out.shape = test::shape_of(object);
+  out.options = test::objects_alone();
+  return out;
+}
+
+// The clearance grows with the scene. What would topple then, as it is farther from its contacts
+// than from the line through the close ones, is not at rest now.
+TEST(IsAtRest, ByNearContactsInLargerScenesToo) {
+  RestCase rest = on_spikes();
+  for (const double clearance : {6.935e-6, 7.695e-6}) {
+    rest.clearance = clearance;
+    const Neighbourhood others = rest.others();
+    EXPECT_FALSE(is_at_rest(rest.problem(others))) << clearance;
+  }
+}
+
 // --- which are left out ------------------------------------------------------------------------
 
 TEST(HoldsWithoutSome, AgreesWithAllSubsets) {
