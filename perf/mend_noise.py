@@ -7,7 +7,7 @@
 A demo with a number behind @ is the arrangement by that seed. A heap has so many things of a breakfast in any orientation.
 
 Every free object of a demo is moved by a normal deviate on each axis (mm) and turned about a random axis (1, 3 and 10 degrees at 1, 5
-and 20 mm). Then the scene is mended, judged, and its supports are compared with those that it had. The scenes are driven by
+and 20 mm), by itself: not with what carries it. Then the scene is mended, judged, and its supports are compared with those that it had. The scenes are driven by
 `trivet mcp`. With --node, a folder with node_modules/@mujoco/mujoco and a copy of rest.mjs, MuJoCo moves the same bad states for 2 s;
 there a support counts as kept if the two touch or are in each other at the end. "Near" is the share of objects that are moved by
 no more than twice the median length of the noise. --lost names the supports that got lost."""
@@ -79,12 +79,49 @@ def make_heap(program, size, folder):
     return name
 
 
-def perturb(agent, free, noise, generator):
+def quaternion_times(a, b):
+    w, x, y, z = a
+    v = [w * b[1] + x * b[0] + y * b[3] - z * b[2], w * b[2] - x * b[3] + y * b[0] + z * b[1], w * b[3] + x * b[2] - y * b[1] + z * b[0]]
+    return [w * b[0] - x * b[1] - y * b[2] - z * b[3], *v]
+
+
+def turned_by(quaternion, vector):
+    w, x, y, z = quaternion
+    return quaternion_times(quaternion_times(quaternion, [0, *vector]), [w, -x, -y, -z])[1:]
+
+
+def perturb(true, bad, free, noise, generator):
+    """The scene of a file with each free object moved by itself, as another file; an operation would carry loads along."""
+    data = true.read_bytes()
+    end = 20 + int.from_bytes(data[12:16], "little")
+    gltf = json.loads(data[20:end])
+    nodes = {node["name"]: node for node in gltf["nodes"] if "trivet" in node.get("extras", {})}
+    objects = {one["name"]: one for one in gltf["scenes"][0]["extras"]["trivet"]["objects"]}
     for name, one in free.items():
-        agent.call("translate", object=name, by=[generator.gauss(0, noise / 1000) for _ in range(3)], free=True, settle_left=False)
-        axis = [generator.gauss(0, 1) for _ in range(3)]
-        agent.call("rotate", object=name, axis=axis, angle_deg=generator.gauss(0, DEGREES.get(noise, noise / 2)),
-                   centre=[(a + b) / 2 for a, b in zip(one["lower"], one["upper"])], free=True, settle_left=False)
+        shift, axis = ([generator.gauss(0, scale) for _ in range(3)] for scale in (noise / 1000, 1))
+        half = math.radians(generator.gauss(0, DEGREES.get(noise, noise / 2))) / 2
+        turn = [math.cos(half), *(math.sin(half) * a / math.hypot(*axis) for a in axis)]
+        middle = [(a + b) / 2 for a, b in zip(one["lower"], one["upper"])]
+
+        def moved(point):
+            return [a + b + c for a, b, c in zip(middle, turned_by(turn, [p - m for p, m in zip(point, middle)]), shift)]
+
+        objects[name]["position"] = moved(objects[name]["position"])
+        objects[name]["rotation"] = quaternion_times(turn, objects[name]["rotation"])
+        # The node has the same pose: columns of a matrix with y up.
+        one, matrix = objects[name], nodes[name]["matrix"]
+        length = math.hypot(*one["rotation"])
+        rotation = [part / length for part in one["rotation"]]
+        up = [0, 0, 1] if one["up"] == "y" else [0, 1, 0]
+        axes = [[1, 0, 0], up, [0, -1, 0] if one["up"] == "y" else [0, 0, 1]]
+        columns = [[one["scale"] * part for part in turned_by(rotation, axis)] for axis in axes] + [one["position"]]
+        for k, (x, y, z) in enumerate(columns):
+            matrix[4 * k:4 * k + 3] = x, z, -y
+    text = json.dumps(gltf, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    rest = data[end:]
+    sizes = (20 + len(text) + len(rest)).to_bytes(4, "little") + len(text).to_bytes(4, "little")
+    bad.write_bytes(data[:8] + sizes + b"JSON" + text + rest)
 
 
 def edges(objects):
@@ -137,9 +174,9 @@ def run(arguments, folder, demo, noise, seed):
     agent.call("open", file=demo + ".glb")
     before = agent.objects()
     free = {name: one for name, one in before.items() if one["state"] not in ("fixed", "unplaced")}
-    perturb(agent, free, noise, random.Random(seed))
     bad = pathlib.Path(folder) / ("bad %s %d %d.glb" % (demo, noise, seed))
-    agent.call("save", file=bad.name)
+    perturb(pathlib.Path(folder) / (demo + ".glb"), bad, free, noise, random.Random(seed))
+    agent.call("open", file=bad.name)
     begin = agent.processor_seconds()
     mended = agent.call("mend", seconds=SECONDS)
     seconds = agent.processor_seconds() - begin
