@@ -7,7 +7,7 @@
 A demo with a number behind @ is the arrangement by that seed. A heap has so many things of a breakfast in any orientation.
 
 Every free object of a demo is moved by a normal deviate on each axis (mm) and turned about a random axis (1, 3 and 10 degrees at 1, 5
-and 20 mm). Then the scene is mended, judged, and its supports are compared with those that it had. The scenes are driven by
+and 20 mm), by itself: not with what carries it. Then the scene is mended, judged, and its supports are compared with those that it had. The scenes are driven by
 `trivet mcp`. With --node, a folder with node_modules/@mujoco/mujoco and a copy of rest.mjs, MuJoCo moves the same bad states for 2 s;
 there a support counts as kept if the two touch or are in each other at the end. "Near" is the share of objects that are moved by
 no more than twice the median length of the noise. --lost names the supports that got lost."""

@@ -1,198 +1,209 @@
 #include "ops/mend/close_gaps.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "core/base/tunables.h"
+#include "core/contact/contact_points.h"
 #include "core/scene/transaction.h"
-#include "ops/mend/part_together.h"
+#include "ops/mend/choose_contacts.h"
+#include "ops/mend/part_by_turns.h"
+#include "ops/placement/contacts.h"
 #include "ops/stability/contact_forces.h"
-#include "ops/stability/free_bodies.h"
 
 namespace trivet {
 namespace {
 
-constexpr int kStepsOfClosing = 12;
-constexpr double kFirstReach = 7, kWiderReach = 2.5;  // clearances; from one reach to the next
-constexpr double kPriceOfReach = 0.1;       // of a push as heavy as what a body carries, across it
-constexpr double kMissingWeight = 1e-4;     // of what a body weighs: more than rounding
-constexpr double kForceThatMatters = 1e-3;  // of a body's weight
-constexpr double kGapClosed = 1.9, kGapLeft = 1.3;  // clearances: enough; aimed at
-constexpr std::ptrdiff_t kNearestOfPair = 24;
-constexpr double kSoftness = 1e-6;  // bounds multipliers of contacts that contradict each other
-constexpr int kSweepsOfClosing = 3000;
-
-/// A body's shift, and its turn by the metres that a point at half its size moves.
-using SmallMotion = Eigen::Matrix<double, 6, 1>;
-
-/// A contact as a condition on the small motions of its two bodies.
-struct GapRow {
-  Index on = 0, from = BodyContact::kGround;
-  SmallMotion of_on = SmallMotion::Zero(), of_from = SmallMotion::Zero();
-  double least = 0;       // metres that they are to come apart at least; negative: may approach
-  bool is_equal = false;  // just as far
-  double push = 0;        // multiplier
-  double inverse = 0;
-};
+constexpr int kStepsOfClosing = 14, kStepsNearGiven = 5, kCutsOfStep = 3;
+constexpr int kMostHarder = 3;         // times that steps which do not pay pull harder
+constexpr double kHarder = 2.5;        // times the pull before
+constexpr double kStepPays = 0.97;     // of the cost before
+constexpr double kReachOfMotion = 4;   // times the farthest motion of the step before
+constexpr double kLeastReach = 12;     // clearances
+constexpr double kGapClosed = 1.9;     // clearances: enough
+constexpr double kGapOpen = 100;       // clearances: coming to rest closes less
+constexpr double kLeftByMotions = 10;  // clearances: what motions leave is stuck
+constexpr double kStillStep = 0.03;    // clearances
+constexpr double kPointsApart = 5e-4;  // metres between contact points of a pair
+constexpr size_t kNearestOfPair = 24;
+constexpr double kShareOfFriction = 0.95;  // that contacts may use, so that others hold, too
 
 class GapCloser {
  public:
-  GapCloser(Scene& scene, const std::vector<ObjectId>& ids, const GapsToClose& gaps)
-      : m_scene(scene), m_ids(ids), m_clearance(gaps.clearance), m_farthest(gaps.reach) {}
+  GapCloser(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps)
+      : m_scene(scene), m_given(given), m_gaps(gaps), m_pull(gaps.reach) {
+    for (const Placement& p : given) m_ids.push_back(p.id);
+  }
 
   std::vector<ObjectId> run() {
-    find_forces();
-    for (int step = 0; step < kStepsOfClosing && widest_needed() > kGapClosed * m_clearance;
-         ++step) {
-      go(least_motions());
-      find_forces();
+    double reach = m_gaps.reach;
+    for (int step = 0;; ++step) {
+      // Later steps end nearest to where they begin: linear motions converge sooner so.
+      m_near_given = step < kStepsNearGiven;
+      choose(reach, step == 0);
+      const bool done = widest_needed() <= kGapClosed * m_gaps.clearance;
+      if (done || step == kStepsOfClosing || !pull_harder_if_stuck()) return not_held();
+      const double gone = go(reach);
+      reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
     }
-    std::vector<ObjectId> out;
-    for (size_t i = 0; i < m_ids.size(); ++i)
-      if (is_missing(i)) out.push_back(m_ids[i]);
-    return out;
   }
 
  private:
-  // By contacts as near as possible.
-  void find_forces() {
-    const auto is_ground = [&](ObjectId id, const Object&) {
-      return std::find(m_ids.begin(), m_ids.end(), id) == m_ids.end();
-    };
-    for (double reach = kFirstReach * m_clearance;;
-         reach = std::min(kWiderReach * reach, m_farthest)) {
-      m_part = near_bodies(m_scene, m_ids, m_clearance, is_ground, {}, reach / m_clearance);
-      keep_nearest_of_pairs();
-      m_forces = contact_forces(m_part, m_clearance, 1, kPriceOfReach / m_farthest);
-      if (reach >= m_farthest || none_missing()) return;
+  // By near contacts, or by all where these do not do.
+  void choose(double& reach, bool is_first) {
+    while (true) {
+      find_contacts(reach);
+      m_choice = choose_contacts(
+          m_part, aims(), {m_gaps.clearance, m_gaps.reach, m_pull, is_first, m_kept, m_stuck});
+      if (m_choice.num_missing == 0 || reach >= m_gaps.reach) break;
+      reach = m_gaps.reach;
+    }
+    m_kept.clear();
+    for (size_t k = 0; k < m_part.touches.size(); ++k)
+      if (m_choice.needed[k]) m_kept.push_back(m_part.touches[k]);
+  }
+
+  void find_contacts(double reach) {
+    m_part = linked_bodies(m_scene, m_ids, {});
+    m_part.touches.clear();
+    for (size_t i = 0; i < m_ids.size(); ++i) {
+      // Earlier bodies have seen their contacts with this one already.
+      const Neighbourhood later(m_scene, std::span(m_ids).first(i + 1));
+      for (const ContactsWith& c : contacts_with(body_of(m_scene.at(m_ids[i])), later, reach,
+                                                 kFootSlack * m_gaps.clearance))
+        add(static_cast<Index>(i), c, reach);
     }
   }
 
-  // Wide gaps have thousands of contacts; those that span a pair, and its nearest ones, tell
-  // enough.
-  void keep_nearest_of_pairs() {
-    std::vector<BodyContact> kept;
-    auto& all = m_part.more;
-    for (auto first = all.begin(), end = first; first != all.end(); first = end) {
-      end = std::find_if(first, all.end(), [&](const BodyContact& t) {
-        return t.on != first->on || t.partner != first->partner;
-      });
-      std::stable_sort(first, end, [](const BodyContact& a, const BodyContact& b) {
-        return a.contact.gap < b.contact.gap;
-      });
-      kept.insert(kept.end(), first, first + std::min(end - first, kNearestOfPair));
-    }
-    all = std::move(kept);
+  void add(Index on, const ContactsWith& c, double reach) {
+    std::vector<ContactPoint> points = merged(c.points, std::min(reach, kPointsApart));
+    std::stable_sort(points.begin(), points.end(),
+                     [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
+    points.resize(std::min(points.size(), kNearestOfPair));
+    const double friction = ContactFriction{{}, kShareOfFriction}.of(m_scene, m_ids[on], c.with);
+    for (const ContactPoint& p : points)
+      m_part.touches.push_back({on, index_of(c.with), c.with, friction, p});
   }
 
-  bool is_missing(size_t body) const {
-    return !m_forces.solved || m_forces.missing[body] > kMissingWeight;
-  }
-  bool none_missing() const {
-    for (size_t i = 0; i < m_ids.size(); ++i)
-      if (is_missing(i)) return false;
-    return true;
+  Index index_of(const Support& with) const {
+    if (with.is_floor()) return BodyContact::kGround;
+    const auto at = std::find(m_ids.begin(), m_ids.end(), with.object());
+    return at == m_ids.end() ? BodyContact::kGround : static_cast<Index>(at - m_ids.begin());
   }
 
-  // A contact that carries a force is to close.
-  bool is_needed(size_t touch) const {
-    const double weight = m_part.bodies[m_part.touches[touch].on].weight;
-    return m_forces.solved && m_forces.forces[touch].norm() > kForceThatMatters * weight;
+  std::vector<SmallMotion> aims() const {
+    std::vector<SmallMotion> out(m_ids.size(), SmallMotion::Zero());
+    for (size_t i = 0; m_near_given && i < m_ids.size(); ++i)
+      out[i] = motion_to(m_part.bodies[i], m_scene.at(m_ids[i]).pose, m_given[i].pose);
+    return out;
   }
 
   double widest_needed() const {
     double out = 0;
     for (size_t k = 0; k < m_part.touches.size(); ++k)
-      if (is_needed(k)) out = std::max(out, m_part.touches[k].contact.gap);
+      if (m_choice.needed[k]) out = std::max(out, m_part.touches[k].contact.gap);
     return out;
   }
 
-  // Turns count by the way of a point at half the body's size.
-  SmallMotion motion_along(Index body, const Vec3& point, const Vec3& way) const {
-    const FreeBody& b = m_part.bodies[body];
-    SmallMotion out;
-    out << way, (point - b.centre).cross(way) / (0.5 * b.size);
-    return out;
+  double left_open(size_t k) const {
+    return m_choice.rows[k].of(m_choice.motions) - m_choice.rows[k].least;
   }
 
-  GapRow row_of(const BodyContact& t, bool is_equal) const {
-    GapRow out{t.on, t.from};
-    out.of_on = motion_along(t.on, t.contact.point, t.contact.normal);
-    if (t.from != BodyContact::kGround)
-      out.of_from = motion_along(t.from, t.contact.point, -t.contact.normal);
-    out.inverse = 1 / (out.of_on.squaredNorm() + out.of_from.squaredNorm() + kSoftness);
-    out.least = kGapLeft * m_clearance - t.contact.gap;
-    out.is_equal = is_equal;
-    return out;
-  }
-
-  // The motions with the least sum of squares.
-  std::vector<SmallMotion> least_motions() const {
-    std::vector<GapRow> rows;
-    for (size_t k = 0; k < m_part.touches.size(); ++k)
-      rows.push_back(row_of(m_part.touches[k], is_needed(k)));
-    for (const BodyContact& t : m_part.more) rows.push_back(row_of(t, false));
-    std::vector<SmallMotion> motions(m_ids.size(), SmallMotion::Zero());
-    for (int sweep = 0; sweep < kSweepsOfClosing; ++sweep) {
-      double most = 0;
-      for (GapRow& row : rows) most = std::max(most, meet(row, motions));
-      if (most < 1e-3 * m_clearance) break;
+  // @return false: nothing helped.
+  bool pull_harder_if_stuck() {
+    const double cost = m_choice.cost + static_cast<double>(m_choice.num_missing);
+    if (cost < kStepPays * m_least_cost) {
+      m_least_cost = cost;
+      return true;
     }
-    return motions;
+    if (++m_num_harder > kMostHarder) return false;
+    m_least_cost = kInfinity;
+    const double most = kLeftByMotions * m_gaps.clearance;
+    if (m_choice.widest <= most) return true;
+    m_pull *= kHarder;
+    // No pull closes contacts that block each other, so others are looked for.
+    for (size_t k = 0; k < m_part.touches.size(); ++k)
+      if (m_choice.needed[k] && left_open(k) > most) m_stuck.push_back(m_part.touches[k]);
+    return true;
   }
 
-  // @return change of the multiplier.
-  static double meet(GapRow& row, std::vector<SmallMotion>& motions) {
-    const bool has_two = row.from != BodyContact::kGround;
-    double now = row.of_on.dot(motions[row.on]);
-    if (has_two) now += row.of_from.dot(motions[row.from]);
-    double push = row.push + (row.least - now - kSoftness * row.push) * row.inverse;
-    if (!row.is_equal) push = std::max(0.0, push);
-    const double change = push - row.push;
-    row.push = push;
-    motions[row.on] += change * row.of_on;
-    if (has_two) motions[row.from] += change * row.of_from;
-    return std::abs(change);
-  }
-
-  // No farther than the reach; what is then in each other parts.
-  void go(const std::vector<SmallMotion>& motions) {
-    double farthest = 0;
-    for (const SmallMotion& m : motions)
-      farthest = std::max(farthest, m.head<3>().norm() + m.tail<3>().norm());
-    const double share = farthest > m_farthest ? m_farthest / farthest : 1;
-    std::vector<Placement> moved;
-    for (size_t i = 0; i < motions.size(); ++i)
-      moved.push_back({m_ids[i], moved_by(m_part.bodies[i], share * motions[i])});
+  // No farther than contacts are known. @return metres, the farthest.
+  double go(double reach) {
+    const double air = kGapLeft * m_gaps.clearance;
+    const std::vector<SmallMotion> to = aims();
+    std::vector<SmallMotion> motions = m_choice.motions;
     for (const ObjectId id : m_ids) edit_object(m_scene, id, [](Object& o) { o.placed = false; });
-    for (const Placement& p : part_together(m_scene, std::move(moved), kGapLeft * m_clearance))
+    std::vector<Placement> there;
+    double farthest = 0;
+    bool free = false;
+    for (int cut = 0; cut < kCutsOfStep && !free; ++cut) {
+      if (cut > 0) motions = nearest_motions(m_choice.rows, to, kStillStep * m_gaps.clearance);
+      farthest = shorten(motions, reach);
+      there = moved(motions);
+      const std::vector<MemberCrossing> found = crossings_of(m_scene, there);
+      free = found.empty();
+      // Each crossing that is left there is another condition.
+      for (const MemberCrossing& x : found)
+        m_choice.rows.push_back(row_out_of(x, m_part.bodies, motions, air));
+    }
+    if (!free) there = part_together(m_scene, std::move(there), air);
+    for (const Placement& p : there)
       edit_object(m_scene, p.id, [&](Object& o) {
         o.pose = p.pose;
         o.placed = true;
       });
+    return farthest;
   }
 
-  Pose moved_by(const FreeBody& body, const SmallMotion& motion) const {
-    const Pose& pose = m_scene.at(body.id).pose;
-    const Vec3 half_turn = motion.tail<3>() / body.size;
-    const Rotation turn = Rotation{1, half_turn.x(), half_turn.y(), half_turn.z()}.normalized();
-    return {(turn * pose.rotation).normalized(),
-            body.centre + motion.head<3>() + turn.matrix() * (pose.translation - body.centre)};
+  static double shorten(std::vector<SmallMotion>& motions, double most) {
+    double farthest = 0;
+    for (const SmallMotion& m : motions)
+      farthest = std::max(farthest, m.head<3>().norm() + m.tail<3>().norm());
+    if (farthest <= most) return farthest;
+    for (SmallMotion& m : motions) m *= most / farthest;
+    return most;
+  }
+
+  std::vector<Placement> moved(const std::vector<SmallMotion>& motions) const {
+    std::vector<Placement> out;
+    for (size_t i = 0; i < m_ids.size(); ++i)
+      out.push_back({m_ids[i], moved_by(m_part.bodies[i], m_scene.at(m_ids[i]).pose, motions[i])});
+    return out;
+  }
+
+  // Across a gap that stays open the one that carries less is not held.
+  std::vector<ObjectId> not_held() const {
+    std::vector<char> missing = m_choice.missing;
+    const std::vector<double> carried = carried_weights(m_part);
+    for (size_t k = 0; k < m_part.touches.size(); ++k) {
+      const BodyContact& t = m_part.touches[k];
+      if (!m_choice.needed[k] || t.contact.gap <= kGapOpen * m_gaps.clearance) continue;
+      const bool is_from = t.from != BodyContact::kGround && carried[t.from] < carried[t.on];
+      missing[is_from ? t.from : t.on] = 1;
+    }
+    std::vector<ObjectId> out;
+    for (size_t i = 0; i < m_ids.size(); ++i)
+      if (missing[i]) out.push_back(m_ids[i]);
+    return out;
   }
 
   Scene& m_scene;
-  const std::vector<ObjectId>& m_ids;
-  const double m_clearance, m_farthest;
-  FreeBodies m_part;
-  PartForces m_forces;
+  const std::vector<Placement>& m_given;
+  const GapsToClose& m_gaps;
+  std::vector<ObjectId> m_ids;
+  double m_pull, m_least_cost = kInfinity;
+  int m_num_harder = 0;
+  bool m_near_given = true;
+  FreeBodies m_part;  // all contacts within reach are touches
+  ChosenContacts m_choice;
+  std::vector<BodyContact> m_kept, m_stuck;  // needed in the step before; that do not close
 };
 
 }  // namespace
 
-std::vector<ObjectId> close_gaps(Scene& scene, const std::vector<ObjectId>& ids,
+std::vector<ObjectId> close_gaps(Scene& scene, const std::vector<Placement>& given,
                                  const GapsToClose& gaps) {
-  return GapCloser(scene, ids, gaps).run();
+  return GapCloser(scene, given, gaps).run();
 }
 
 }  // namespace trivet

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "ops/placement/neighbourhood.h"
 
 namespace trivet {
 
@@ -12,17 +12,17 @@ struct GapsToClose {
   double reach = 0;      // metres: wider gaps stay
 };
 
-/// Moves these objects, placed and free of each other, so that contacts can hold them all where
-/// they are, as they lie: a pile whose members hold each other up.
+/// Moves these objects, placed and free of each other, so that contacts can hold them all, as they
+/// lie: a pile whose members hold each other up. The result is nearly the nearest such one.
 ///
-///   forces   a linear program balances all bodies by the contacts within a reach, which grows
-///            until it does; a force costs the gap that it acts across
-///   gaps     those that carry a force are to close, and no other contact is to be passed through:
-///            the least motion of all bodies that does so, by relaxation [Hildreth 1957]
-///   again    as features change on the way, until gaps are contacts
+///   contacts  all within the reach, and which are to carry (choose_contacts.h)
+///   motions   to the poses nearest to the given ones at which these are closed and no other one is
+///             passed through; what would meet elsewhere is another condition
+///   again     as features change on the way, until gaps are contacts
 ///
-/// @return those that nothing within reach balances.
-std::vector<ObjectId> close_gaps(Scene& scene, const std::vector<ObjectId>& ids,
+/// @param given  the objects, and the poses that they are to stay near.
+/// @return those that nothing within reach holds, or that a gap which stays open would hold.
+std::vector<ObjectId> close_gaps(Scene& scene, const std::vector<Placement>& given,
                                  const GapsToClose& gaps);
 
 }  // namespace trivet

@@ -9,7 +9,7 @@
 #include "ops/check/check.h"
 #include "ops/mend/attitudes.h"
 #include "ops/mend/close_gaps.h"
-#include "ops/mend/part_together.h"
+#include "ops/mend/part_by_turns.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
 #include "ops/operations/perform.h"
@@ -21,9 +21,9 @@ namespace {
 
 constexpr double kAirOfParted = 2e-5;  // metres between an object and what it is parted from
 constexpr int kRoundsOfParting = 8;
-constexpr int kRoundsOfClosing = 6;
-constexpr double kWiderRound = 2;    // of the reach, where the first one is not enough
-constexpr double kMostReach = 0.02;  // metres: what is farther falls
+constexpr int kRoundsOfClosing = 4;
+constexpr double kReachOfClosing = 2;  // tolerances
+constexpr double kMostReach = 0.04;    // metres: what is farther falls
 // Tolerances within which an object has to come to rest, round by round.
 constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
@@ -76,11 +76,12 @@ class HeapInPlace {
   // and they try again.
   void close_all() {
     const double clearance = clearance_of(m_scene, m_out.options().settle);
-    const double reach = std::min(tolerance(), kMostReach);
+    const double reach = std::min(kReachOfClosing * tolerance(), kMostReach);
+    std::vector<Placement> given;
+    for (const ObjectId id : m_order) given.push_back({id, m_out.given(id)});
     for (int round = 0; round < kRoundsOfClosing && !m_out.is_out_of_time(); ++round) {
       for (const ObjectId id : m_order) release(id);
-      const double wider = round == 0 ? 1 : kWiderRound;
-      const auto missing = close_gaps(m_scene, m_order, {clearance, wider * reach});
+      const auto missing = close_gaps(m_scene, given, {clearance, reach});
       if (missing.empty()) return;
       if (round == 0) continue;
       for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
@@ -112,8 +113,7 @@ class HeapInPlace {
   void hold_parted() {
     std::vector<Placement> all;
     for (const ObjectId id : m_order) all.push_back({id, m_out.given(id)});
-    for (const Placement& p : part_together(m_scene, std::move(all), kAirOfParted))
-      hold(p.id, p.pose);
+    for (const Placement& p : part_by_turns(m_scene, all, kAirOfParted)) hold(p.id, p.pose);
   }
 
   void hold(ObjectId id, const Pose& pose) {

@@ -35,32 +35,14 @@ class HeapParting {
  private:
   // @return false: all are free.
   bool find_partings() {
-    bool any = false;
-    for (size_t i = 0; i < m_worlds.size(); ++i) {
-      for (size_t j = i + 1; j < m_worlds.size(); ++j) any |= part(i, j);
-      any |= leave_what_stays(i);
-    }
-    return any;
-  }
-
-  bool part(size_t i, size_t j) {
-    const ObjectInWorld &a = m_worlds[i], &b = m_worlds[j];
-    if (!overlaps(a.box, b.box) || verify_pair(a, b, false, 1).clear()) return false;
-    add(i, j, j, depth_of(a, b));
-    return true;
-  }
-
-  bool leave_what_stays(size_t i) {
-    const Placement here{m_given[i].id, pose_of(i)};
-    const auto found = interpenetrations(m_scene, {&here, 1}, false, 8);
-    for (const Interpenetration& x : found) {
-      if (x.with.is_floor()) {
-        add(i, std::nullopt, kFloorKey, depth_below_floor(m_worlds[i]));
-        continue;
-      }
-      const Object& other = m_scene.at(x.with.object());
-      add(i, std::nullopt, m_given.size() + x.with.object().index,
-          depth_of(m_worlds[i], in_world(other, other.pose, m_origin)));
+    std::vector<Placement> here = m_given;
+    for (size_t i = 0; i < here.size(); ++i) here[i].pose = pose_of(i);
+    const std::vector<MemberCrossing> found = crossings_of(m_scene, here, m_worlds, m_origin);
+    for (const MemberCrossing& x : found) {
+      const size_t key = x.b                 ? *x.b
+                         : x.with.is_floor() ? kFloorKey
+                                             : m_given.size() + x.with.object().index;
+      add(x.a, x.b, key, x.depth);
     }
     return !found.empty();
   }
@@ -104,6 +86,36 @@ class HeapParting {
 };
 
 }  // namespace
+
+std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
+                                         const std::vector<ObjectInWorld>& worlds,
+                                         const Vec3& origin) {
+  std::vector<MemberCrossing> out;
+  for (size_t i = 0; i < worlds.size(); ++i) {
+    for (size_t j = i + 1; j < worlds.size(); ++j) {
+      const ObjectInWorld &a = worlds[i], &b = worlds[j];
+      if (overlaps(a.box, b.box) && !verify_pair(a, b, false, 1).clear())
+        out.push_back({i, j, Support(members[j].id), depth_of(a, b)});
+    }
+    for (const Interpenetration& x : interpenetrations(scene, members.subspan(i, 1), false, 8)) {
+      const auto depth = [&] {
+        if (x.with.is_floor()) return depth_below_floor(worlds[i]);
+        const Object& other = scene.at(x.with.object());
+        return depth_of(worlds[i], in_world(other, other.pose, origin));
+      };
+      out.push_back({i, std::nullopt, x.with, depth()});
+    }
+  }
+  return out;
+}
+
+std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members) {
+  const Vec3 origin = origin_with(scene, members);
+  std::vector<ObjectInWorld> worlds;
+  worlds.reserve(members.size());
+  for (const Placement& p : members) worlds.push_back(in_world(scene.at(p.id), p.pose, origin));
+  return crossings_of(scene, members, worlds, origin);
+}
 
 std::vector<Placement> part_together(const Scene& scene, std::vector<Placement> members,
                                      double air) {

@@ -1,8 +1,10 @@
 // Objects in each other parted where they are, all at once. Private.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "ops/placement/depth.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet {
@@ -13,5 +15,19 @@ namespace trivet {
 /// @param members  none of them in the scene. @param air  metres between what is parted.
 std::vector<Placement> part_together(const Scene& scene, std::vector<Placement> members,
                                      double air);
+
+/// A member in another one, or in what stays.
+struct MemberCrossing {
+  size_t a = 0;
+  std::optional<size_t> b;  // nothing: what stays
+  Support with;             // what `a` is in
+  Depth depth;              // of `a`
+};
+
+/// All of them, by members. @param worlds  of the members, about `origin`.
+std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
+                                         const std::vector<ObjectInWorld>& worlds,
+                                         const Vec3& origin);
+std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members);
 
 }  // namespace trivet

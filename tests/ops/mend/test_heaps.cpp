@@ -1,6 +1,8 @@
 // Heaps whose members hold each other up: parted together, brought into contact together.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <optional>
 #include <random>
 
 #include "core/motion/compose.h"
@@ -8,7 +10,7 @@
 #include "ops/mend/boxes.h"
 #include "ops/mend/close_gaps.h"
 #include "ops/mend/mend.h"
-#include "ops/mend/part_together.h"
+#include "ops/mend/part_by_turns.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 #include "ops/stability/stability.h"
@@ -20,13 +22,15 @@ using namespace trivet::test;
 
 const Vec3 kBoard(0.01, 0.1, 0.15), kSmallBox(0.05, 0.05, 0.05);
 
-std::vector<Placement> taken_out(Boxes& s) {
+std::vector<Placement> placements_of(const Boxes& s) {
   std::vector<Placement> out;
-  for (const ObjectId id : s.ids) {
-    out.push_back({id, s.scene.at(id).pose});
-    edit_object(s.scene, id, [](Object& o) { o.placed = false; });
-  }
+  for (const ObjectId id : s.ids) out.push_back({id, s.scene.at(id).pose});
   return out;
+}
+
+std::vector<Placement> taken_out(Boxes& s) {
+  for (const ObjectId id : s.ids) edit_object(s.scene, id, [](Object& o) { o.placed = false; });
+  return placements_of(s);
 }
 
 TEST(PartTogether, TwoGiveWayByHalf) {
@@ -58,6 +62,107 @@ TEST(PartTogether, WhatIsFreeStaysToTheBit) {
   const std::vector<Placement> out = part_together(s.scene, given, 1e-5);
   for (size_t i = 0; i < given.size(); ++i)
     EXPECT_EQ(out[i].pose.translation, given[i].pose.translation);
+}
+
+TEST(PartByTurns, ABoardThatIsTurnedIntoABoxTurnsBack) {
+  const double degrees = 2;
+  Boxes s;
+  s.add("board", {0.15, 0.1, 0.01}, {0, 0, 0.2}, false, turn_about(Vec3::UnitY(), degrees));
+  s.add("box", {0.02, 0.05, 0.02}, {0.12, 0, 0.2 - 0.03 - 0.0005}, true);
+  std::vector<Placement> given = placements_of(s);
+  given.pop_back();
+  edit_object(s.scene, s.ids[0], [](Object& o) { o.placed = false; });
+  const std::vector<Placement> turned = part_by_turns(s.scene, given, 1e-5);
+  const std::vector<Placement> shifted = part_together(s.scene, given, 1e-5);
+  EXPECT_TRUE(crossings_of(s.scene, turned).empty());
+  EXPECT_TRUE(crossings_of(s.scene, shifted).empty());
+  const auto way = [&](const std::vector<Placement>& to) {
+    return (to[0].pose.translation - given[0].pose.translation).norm();
+  };
+  EXPECT_LT(way(turned), 0.75 * way(shifted));
+  EXPECT_LT(turn_between_deg(turned[0].pose.rotation, {}), degrees);
+  EXPECT_EQ(turn_between_deg(shifted[0].pose.rotation, given[0].pose.rotation), 0);
+}
+
+/// Two bodies and the floor, coming apart in random ways; of some rows just as far.
+std::vector<MotionRow> random_rows(const std::vector<FreeBody>& bodies, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const auto triple = [&] {
+    const double x = normal(random), y = normal(random);
+    return Vec3(x, y, normal(random));
+  };
+  std::vector<MotionRow> out;
+  for (int k = 0; k < 5; ++k) {
+    const Index from = k < 3 ? 1 : BodyContact::kGround;
+    const Vec3 point = 0.1 * triple();
+    out.push_back(MotionRow::apart(bodies, 0, from, point, triple().normalized()));
+    out.back().least = 1e-3 * normal(random);
+    if (k % 2 == 0) out.back().least_push = -kInfinity;
+  }
+  return out;
+}
+
+// The rows of a subset are met just so: by normal equations.
+std::optional<std::vector<SmallMotion>> met_by(const std::vector<MotionRow>& rows, int subset) {
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(5, 12);
+  Eigen::VectorXd least = Eigen::VectorXd::Zero(5);
+  for (int k = 0; k < 5; ++k) {
+    if (!(subset >> k & 1)) continue;
+    a.row(k).head(6) = rows[k].of_on;
+    if (rows[k].from != BodyContact::kGround) a.row(k).tail(6) = rows[k].of_from;
+    least[k] = rows[k].least;
+  }
+  const Eigen::VectorXd m = a.completeOrthogonalDecomposition().solve(least);
+  std::vector<SmallMotion> out{m.head(6), m.tail(6)};
+  for (int k = 0; k < 5; ++k) {
+    const double beyond = rows[k].of(out) - rows[k].least;
+    if (beyond < -1e-9 || (rows[k].least_push < 0 && beyond > 1e-9)) return std::nullopt;
+  }
+  return out;
+}
+
+double squared(const std::vector<SmallMotion>& motions) {
+  return motions[0].squaredNorm() + motions[1].squaredNorm();
+}
+
+TEST(NearestMotions, AreTheBestOfAllSubsetsOfRows) {
+  std::mt19937_64 random(1);
+  const std::vector<FreeBody> bodies{{ObjectId{}, Vec3(0, 0, 0.1), 1, 0.2},
+                                     {ObjectId{}, Vec3(0.1, 0, 0), 1, 0.3}};
+  int num_short = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<MotionRow> rows = random_rows(bodies, random);
+    double best = kInfinity;
+    for (int subset = 0; subset < 32; ++subset)
+      if (const auto m = met_by(rows, subset)) best = std::min(best, squared(*m));
+    if (best == kInfinity || best > 1e-4) continue;  // ill posed
+    ++num_short;
+    const std::vector<SmallMotion> found =
+        nearest_motions(rows, {SmallMotion::Zero(), SmallMotion::Zero()}, 1e-10);
+    EXPECT_NEAR(std::sqrt(squared(found)), std::sqrt(best), 1e-5) << trial;
+  }
+  EXPECT_GT(num_short, 150);
+}
+
+TEST(NearestMotions, PullNoHarderThanTheyMay) {
+  const std::vector<FreeBody> bodies{{ObjectId{}, Vec3::Zero(), 1, 0.2}};
+  std::vector<MotionRow> rows{
+      MotionRow::apart(bodies, 0, BodyContact::kGround, Vec3::Zero(), Vec3::UnitZ())};
+  rows[0].least = -0.003;
+  for (const double pull : {0.0, 0.001, 0.01}) {
+    rows[0].least_push = -pull, rows[0].push = 0;
+    const double z = nearest_motions(rows, {SmallMotion::Zero()}, 1e-10)[0].z();
+    EXPECT_NEAR(z, -std::min(pull, 0.003), 1e-7);
+  }
+}
+
+TEST(SmallMotions, LeadToThePose) {
+  const FreeBody body{ObjectId{}, Vec3(0.1, 0.2, 0.3), 1, 0.2};
+  const Pose here{turn_about(Vec3(1, 2, 3).normalized(), 50), {0.15, 0.2, 0.25}};
+  const Pose there{turn_about(Vec3(1, 2, 2).normalized(), 53), {0.16, 0.19, 0.25}};
+  const Pose moved = moved_by(body, here, motion_to(body, here, there));
+  EXPECT_NEAR((moved.translation - there.translation).norm(), 0, 1e-12);
+  EXPECT_LT(turn_between_deg(moved.rotation, there.rotation), 1e-6);
 }
 
 /// Two boards that lean on each other.
@@ -104,7 +209,7 @@ TEST(CloseGaps, BoardsThatMissEachOtherComeToLean) {
   edit_object(s.scene, s.ids[1], [](Object& o) { o.pose.translation += Vec3(0.001, 0, 2e-4); });
   EXPECT_FALSE(stands(s.scene));
   const GapsToClose gaps{default_clearance(s.scene), 0.005};
-  EXPECT_TRUE(close_gaps(s.scene, s.ids, gaps).empty());
+  EXPECT_TRUE(close_gaps(s.scene, placements_of(s), gaps).empty());
   EXPECT_TRUE(stands(s.scene));
   for (const ObjectId id : s.ids)
     EXPECT_LT((s.at(id) - leaning.at(id).pose.translation).norm(), 0.0025) << id.index;
@@ -115,8 +220,36 @@ TEST(CloseGaps, WhatNothingWithinReachHoldsIsNamedAndStays) {
   mended(s.scene, 0.005);
   const ObjectId floating = s.add("floating", kSmallBox, {0.5, 0, 0.1});
   const GapsToClose gaps{default_clearance(s.scene), 0.005};
-  EXPECT_EQ(close_gaps(s.scene, s.ids, gaps), std::vector{floating});
+  EXPECT_EQ(close_gaps(s.scene, placements_of(s), gaps), std::vector{floating});
   EXPECT_EQ(s.at(floating), Vec3(0.5, 0, 0.1));
+}
+
+TEST(CloseGaps, EndsNearestToTheGivenPoses) {
+  Boxes s;
+  const ObjectId id = s.add("box", kSmallBox, {0, 0, 0.0502});
+  const std::vector<Placement> given = placements_of(s);
+  edit_object(s.scene, id, [](Object& o) { o.pose.translation += Vec3(0.002, 0.001, 1e-4); });
+  const GapsToClose gaps{default_clearance(s.scene), 0.005};
+  EXPECT_TRUE(close_gaps(s.scene, given, gaps).empty());
+  EXPECT_NEAR((s.at(id) - Vec3(0, 0, 0.05)).norm(), 0, 1e-5);
+}
+
+TEST(CloseGaps, OfManyCarriersThoseCarryThatTakeTheLeastMotion) {
+  const std::vector<std::pair<double, double>> posts{
+      {-0.2, 0.001}, {-0.1, 0.004}, {0, 0.002}, {0.1, 0.003}, {0.2, 0.001}};  // place, gap
+  Boxes s;
+  const ObjectId plank = s.add("plank", {0.25, 0.05, 0.01}, {0, 0, 0.21});
+  const std::vector<Placement> given = placements_of(s);
+  for (const auto& [x, gap] : posts) {
+    const double half = 0.5 * (0.2 - gap);
+    s.add("post " + std::to_string(x), {0.01, 0.02, half}, {x, 0, half}, true);
+  }
+  const GapsToClose gaps{default_clearance(s.scene), 0.005};
+  EXPECT_TRUE(close_gaps(s.scene, given, gaps).empty());
+  // All others would take more, or stand in the way.
+  EXPECT_NEAR((s.at(plank) - Vec3(0, 0, 0.209)).norm(), 0, 1e-5);
+  EXPECT_LT(turn_between_deg(s.scene.at(plank).pose.rotation, {}), 0.01);
+  EXPECT_TRUE(stands(s.scene));
 }
 
 void perturb(Boxes& s, double metres, double degrees, std::mt19937_64& random) {
