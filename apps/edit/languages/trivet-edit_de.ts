@@ -3547,6 +3547,10 @@
         <translation>sein Netz hat Dreiecke ohne Fläche</translation>
     </message>
     <message>
+        <source>the cells of its mesh are %1 m wide; accepted: %2 m or more, twice the thickness</source>
+        <translation>die Maschen seines Netzes sind %1 m weit; zulässig: ab %2 m, der doppelten Dicke</translation>
+    </message>
+    <message>
         <source>its mesh is closed; accepted: open ones</source>
         <translation>sein Netz ist geschlossen; zulässig: offene</translation>
     </message>

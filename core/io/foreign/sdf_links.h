@@ -1,4 +1,4 @@
-// What a link of SDF collides with and weighs. Private to its reader.
+// Colliders and masses of links of SDF. Private to their reader.
 #pragma once
 
 #include "core/io/foreign/scene.h"
