@@ -3548,7 +3548,7 @@
     </message>
     <message>
         <source>the cells of its mesh are %1 m wide; accepted: %2 m or more, twice the thickness</source>
-        <translation>die Maschen seines Netzes sind %1 m weit; zulässig: ab %2 m, der doppelten Dicke</translation>
+        <translation>die Zellen seines Netzes sind %1 m breit; zulässig: ab %2 m, der doppelten Dicke</translation>
     </message>
     <message>
         <source>its mesh is closed; accepted: open ones</source>
