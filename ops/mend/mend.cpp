@@ -242,9 +242,10 @@ class Mender {
   // Level, in contact with its supports, and along with its main one.
   Pose pose_meant(const Rearrangement& scene, const ObjectIntent& meant) const {
     const Pose pose = at_gap(scene, meant);
-    const Body body = body_of(m_scene.at(meant.id), pose);
+    // The object itself counts: with all taken out nothing else gives a clearance.
+    const PlacedBox here{meant.id, body_of(m_scene.at(meant.id), pose).world_box};
     return in_contact(m_scene, meant, pose, m_meant.tolerance,
-                      clearance_near(m_scene, m_options.settle, body.world_box));
+                      clearance_near(m_scene, m_options.settle, here.box, {&here, 1}));
   }
 
   Pose at_gap(const Rearrangement& scene, const ObjectIntent& meant) const {

@@ -10,7 +10,7 @@ import unittest
 from program import Case, box_obj, main, put
 
 REFEREE = os.environ.get("TRIVET_REFEREE", "")
-SCENES = int(os.environ.get("TRIVET_MENDED", 8))
+SCENES = int(os.environ.get("TRIVET_MENDED", 9))
 NOISES = ((1, 1), (5, 3), (20, 10))  # millimetres and degrees of normal deviates
 BOOK, SHELF = (0.015, 0.07, 0.1), {"name": "shelf", "model": "slab.obj", "fixed": True, "position": [0, 0, 0.5]}
 

@@ -7,6 +7,7 @@
 #include "ops/mend/boxes.h"
 #include "ops/mend/in_place.h"
 #include "ops/mend/starts.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {
@@ -67,6 +68,22 @@ TEST(InContact, WhatIsNotPlacedDoesNotCount) {
             pose.translation);
   EXPECT_NEAR(in_contact(s.scene, meant_on(box, {tray, table}), pose, 0.02, 2e-6).translation.z(),
               0.770002, 1e-7);
+}
+
+// All are taken out before the first comes back: the clearance is then that of the object itself.
+TEST(Mend, StandsClearOfTheFloorWhereNothingElseIs) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  for (int run = 0; run < 20; ++run) {
+    Boxes s;
+    for (int i = 0; i < 3; ++i)
+      s.add("box " + std::to_string(i), {0.04, 0.03, 0.02 + 0.01 * i},
+            {0.2 * i, 0, 0.02 + 0.01 * i + 0.002 * normal(random)}, false,
+            turn_about(Vec3(normal(random), normal(random), 1).normalized(), normal(random)));
+    EXPECT_TRUE(mend_scene(s.scene, {}).unable.empty()) << run;
+    for (const ObjectId id : s.ids)
+      EXPECT_GT(s.scene.world_box(id).lower.z(), 0.1 * clearance_of(s.scene, {})) << run;
+  }
 }
 
 // Let go a hair above its place, a thin book tips onto its neighbour, and takes the room of others.
