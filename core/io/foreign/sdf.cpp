@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/base/bad_input.h"
+#include "core/io/foreign/numbers.h"
 #include "core/io/foreign/sdf_joints.h"
 #include "core/io/foreign/sdf_links.h"
 #include "core/io/foreign/sdf_text.h"

@@ -6,6 +6,7 @@
 
 #include "core/base/types.h"
 #include "core/io/foreign/xml_text.h"
+#include "core/motion/pose.h"
 
 namespace trivet {
 
