@@ -166,6 +166,7 @@ class GapCloser {
 
   std::vector<Placement> moved(const std::vector<SmallMotion>& motions) const {
     std::vector<Placement> out;
+    out.reserve(m_ids.size());
     for (size_t i = 0; i < m_ids.size(); ++i)
       out.push_back({m_ids[i], moved_by(m_part.bodies[i], m_scene.at(m_ids[i]).pose, motions[i])});
     return out;

@@ -78,6 +78,7 @@ class HeapInPlace {
     const double clearance = clearance_of(m_scene, m_out.options().settle);
     const double reach = std::min(kReachOfClosing * tolerance(), kMostReach);
     std::vector<Placement> given;
+    given.reserve(m_order.size());
     for (const ObjectId id : m_order) given.push_back({id, m_out.given(id)});
     for (int round = 0; round < kRoundsOfClosing && !m_out.is_out_of_time(); ++round) {
       for (const ObjectId id : m_order) release(id);
@@ -112,6 +113,7 @@ class HeapInPlace {
   // All stand still where they are parted: what is let go finds the others there.
   void hold_parted() {
     std::vector<Placement> all;
+    all.reserve(m_order.size());
     for (const ObjectId id : m_order) all.push_back({id, m_out.given(id)});
     for (const Placement& p : part_by_turns(m_scene, all, kAirOfParted)) hold(p.id, p.pose);
   }

@@ -20,6 +20,7 @@ MotionRow row_out_of(const MemberCrossing& crossing, const std::vector<FreeBody>
 std::vector<Placement> part_by_turns(const Scene& scene, const std::vector<Placement>& given,
                                      double air) {
   std::vector<ObjectId> ids;
+  ids.reserve(given.size());
   for (const Placement& p : given) ids.push_back(p.id);
   const std::vector<FreeBody> bodies = linked_bodies(scene, ids, {}).bodies;
   std::vector<MotionRow> rows;

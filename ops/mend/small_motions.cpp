@@ -66,6 +66,7 @@ double MotionRow::of(const std::vector<SmallMotion>& motions) const {
 std::vector<SmallMotion> nearest_motions(std::vector<MotionRow>& rows,
                                          std::vector<SmallMotion> aims, double still) {
   std::vector<double> squared_norms;
+  squared_norms.reserve(rows.size());
   for (MotionRow& row : rows) {
     row.push = std::max(row.least_push, row.push);
     squared_norms.push_back(row.squared_norm());

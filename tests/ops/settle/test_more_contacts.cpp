@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include "core/base/tunables.h"
 #include "ops/settle/equilibrium.h"
@@ -192,6 +193,7 @@ TEST(HoldsWithoutSome, AgreesWithAllSubsets) {
   for (int i = 0; i < 500; ++i) {
     const int n = random.integer(0, 6);
     std::vector<Index> bodies;
+    bodies.reserve(static_cast<size_t>(n));
     for (int k = 0; k < n; ++k) bodies.push_back(2 * k - 1);
     // Some sets hold; those without all of `needed` never do.
     const auto mask_of = [&](const std::vector<Index>& left_out) {
@@ -217,8 +219,8 @@ TEST(HoldsWithoutSome, AgreesWithAllSubsets) {
 }
 
 TEST(HoldsWithoutSome, LeavesOutOneAtATimeFirstAndEnds) {
-  std::vector<Index> bodies;
-  for (Index k = 0; k < 50; ++k) bodies.push_back(k);
+  std::vector<Index> bodies(50);
+  std::iota(bodies.begin(), bodies.end(), 0);
   int num = 0;
   const auto never_found = [&](const std::vector<Index>& left_out) {
     EXPECT_EQ(left_out.size(), ++num <= 50 ? 1u : 2u);
