@@ -55,7 +55,7 @@ class ContactChoice {
       if (pull == m_options.pull) {
         if (!m_now.is_better_than(best)) return best;
         best = m_now;
-        const bool closed = best.widest < closed_by_motions(m_options.clearance);
+        const bool closed = best.widest < kClosedByMotions * m_options.clearance;
         if (closed || ++rounds == kRoundsAtFullPull) return best;
       }
       // Contacts that are closed by now cost nothing.
@@ -126,8 +126,6 @@ bool ChosenContacts::is_better_than(const ChosenContacts& other) const {
              ? num_missing < other.num_missing
              : cost < kClearlyBetter * other.cost;
 }
-
-double closed_by_motions(double clearance) { return kClosedByMotions * clearance; }
 
 ChosenContacts choose_contacts(const FreeBodies& part, const std::vector<SmallMotion>& aims,
                                const ChoiceOfContacts& options) {

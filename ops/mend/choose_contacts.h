@@ -44,9 +44,6 @@ struct ChosenContacts {
 ChosenContacts choose_contacts(const FreeBodies& part, const std::vector<SmallMotion>& aims,
                                const ChoiceOfContacts& options);
 
-/// Metres: closer to zero, a gap that is left by motions counts as closed.
-double closed_by_motions(double clearance);
-
 /// Gaps aimed at, in clearances.
 inline constexpr double kGapLeft = 1.3;
 

@@ -23,7 +23,7 @@ constexpr int kMostThatLeave = 1;  // tries that end out of the container, befor
 /// From other starts the whole has to stand at once. A fifth of them do, which costs a fifth of
 /// what moving others does to place as many.
 constexpr Budget kBudgetToStand{40, 0};
-/// Where all were refused others may move, at the starts at which the fewest would.
+/// Others may move in the end, from the starts at which the fewest would.
 constexpr size_t kSecondLooks = 2;
 constexpr Budget kBudgetOfSecondLook{600};
 
