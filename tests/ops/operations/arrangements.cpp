@@ -179,13 +179,22 @@ void expect_consistent(const ObjectContact& entry, double clearance) {
   }
 }
 
+bool ends_where_its_steps_do(const Object& object, const OperationResult& result) {
+  return !result.steps.empty() && result.steps.back().pose_after == object.pose;
+}
+
 void expect_consistent(const Scene& scene, ObjectId id, double clearance,
                        const OperationResult& result) {
   const Object& object = scene.at(id);
   EXPECT_TRUE(object.placed);
   EXPECT_EQ(object.state, ObjectState::Stable);
   EXPECT_FALSE(object.contacts.empty());
-  EXPECT_EQ(result.num_motions, static_cast<int>(result.steps.size()));
+  // Its own steps are all motions there were, unless the whole gave way after it had settled.
+  const int num_steps = static_cast<int>(result.steps.size());
+  if (ends_where_its_steps_do(object, result) && result.gave_way.empty())
+    EXPECT_EQ(result.num_motions, num_steps);
+  else
+    EXPECT_GT(result.num_motions, num_steps);
   EXPECT_GE(result.num_queries, result.num_motions);
   for (const ObjectContact& entry : object.contacts) expect_consistent(entry, clearance);
   EXPECT_TRUE(std::any_of(
