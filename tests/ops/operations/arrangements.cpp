@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/tunables.h"
+#include "core/motion/compose.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
@@ -180,7 +181,7 @@ void expect_consistent(const ObjectContact& entry, double clearance) {
 }
 
 bool ends_where_its_steps_do(const Object& object, const OperationResult& result) {
-  return !result.steps.empty() && result.steps.back().pose_after == object.pose;
+  return !result.steps.empty() && is_same_pose(result.steps.back().pose_after, object.pose);
 }
 
 void expect_consistent(const Scene& scene, ObjectId id, double clearance,
