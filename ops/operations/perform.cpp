@@ -1,5 +1,7 @@
 #include "ops/operations/perform.h"
 
+#include <utility>
+
 #include "core/contact/contact_memory.h"
 #include "ops/free_places/place_region.h"
 #include "ops/operations/carried_drapes.h"
@@ -75,14 +77,16 @@ OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOper
   };
   TryCommit try_commit_there;
   if (is_judged || keeps_whole_at_rest(run.options)) try_commit_there = refuse_place;
-  const auto put_from = [&](Transaction& inner, const PutOperation& move, Budget budget) {
-    return commit_at_rest(inner, plan_put(inner.scene(), id, move, run, try_commit_there), run,
-                          name, budget);
-  };
+  const PutSteps put{[&](const Scene& scene, const PutOperation& move) {
+                       return plan_put(scene, id, move, run, try_commit_there);
+                     },
+                     [&](Transaction& inner, MovePlan plan, Budget budget) {
+                       return commit_at_rest(inner, std::move(plan), run, name, budget);
+                     }};
   // A start that was asked for exactly, or a place that is searched for, has no other tries.
   const bool is_exact = o.tries == 1 || o.place || run.options.literal_paper_rules;
-  if (is_exact) return put_from(transaction, o, kBudgetOfPut);
-  OperationResult result = put_by_tries(transaction, id, o, put_from, kBudgetOfFirstStart);
+  if (is_exact) return put.commit(transaction, put.plan(transaction.scene(), o), kBudgetOfPut);
+  OperationResult result = put_by_tries(transaction, id, o, put, kBudgetOfFirstStart);
   // A refusal is that of the first start, but its time is that of all.
   result.milliseconds = run.stopwatch.milliseconds();
   return result;

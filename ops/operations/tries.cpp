@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -66,10 +67,23 @@ Rest rest_from(const Scene& scene, ObjectId id, const Pose& start) {
   return is_carried_across_gap(object) ? Rest::AcrossGap : Rest::Touching;
 }
 
+/// Where the object settles from a start, which no budget changes: it is found once.
+struct Settled {
+  StartTried start;
+  MovePlan plan;
+};
+
+Settled settle_from(const Scene& scene, const PutOperation& o, const PutSteps& put,
+                    const StartTried& start) {
+  PutOperation from = o;
+  from.start = start.start;
+  return {start, put.plan(scene, from)};
+}
+
 /// The starts after the first.
 class Tries {
  public:
-  Tries(Transaction& transaction, ObjectId id, const PutOperation& o, const PutFrom& put)
+  Tries(Transaction& transaction, ObjectId id, const PutOperation& o, const PutSteps& put)
       : m_transaction(transaction),
         m_id(id),
         m_operation(o),
@@ -78,10 +92,12 @@ class Tries {
                     size_of(object())) {}
 
   /// @param first  refused, or taken back: at rest across a gap or beside its container.
-  OperationResult go_on(OperationResult first, Rest rest, Budget budget) {
+  OperationResult go_on(Settled settled, OperationResult first, Rest rest, Budget budget) {
     // Such a rest is kept in hand while other starts are tried for a better one.
-    if (first.ok()) keep({1, 0, 0, m_operation.start}, rest, budget);
-    note_movers({1, 0, 0, m_operation.start}, first);
+    if (first.ok())
+      keep(std::move(settled), rest, budget);
+    else
+      note_movers(std::move(settled), first);
     int num_tries = 1, num_left = 0;
     // A second round costs less than to move others from starts of the first one.
     for (int n = 2; n <= kStartsOfTry * m_operation.tries; ++n) {
@@ -95,7 +111,7 @@ class Tries {
       ++num_tries;
     }
     // No try was better than the rest in hand.
-    if (m_in_hand) return take(*m_in_hand);
+    if (m_in_hand) return take_what_is_in_hand();
     if (auto result = look_again()) return *result;
     if (num_tries > 1) {
       first.refusal->numbers.push_back({"tries", static_cast<double>(num_tries)});
@@ -111,9 +127,9 @@ class Tries {
            (m_in_hand->rest == Rest::AcrossGap && m_in_hand->tries_left-- <= 0);
   }
 
-  void note_movers(const StartTried& start, const OperationResult& result) {
+  void note_movers(Settled settled, const OperationResult& result) {
     if (may_do_better_nearby(result))
-      m_would_move.push_back({result.refusal->objects.size(), start});
+      m_would_move.push_back({result.refusal->objects.size(), std::move(settled)});
   }
 
   // From where the fewest would move, now that others may.
@@ -121,11 +137,11 @@ class Tries {
     std::stable_sort(m_would_move.begin(), m_would_move.end(),
                      [](const auto& a, const auto& b) { return a.num < b.num; });
     // Looks note their starts again, so that the list is taken first.
-    const std::vector<WouldMove> fewest = std::exchange(m_would_move, {});
+    std::vector<WouldMove> fewest = std::exchange(m_would_move, {});
     for (size_t k = 0; k < std::min(kSecondLooks, fewest.size()); ++k) {
-      OperationResult result = try_from(fewest[k].start, kBudgetOfSecondLook);
+      OperationResult result = commit(std::move(fewest[k].settled), kBudgetOfSecondLook);
       if (result.ok() || result.status != OperationResult::Status::Refused) return result;
-      if (m_in_hand) return take(*m_in_hand);
+      if (m_in_hand) return take_what_is_in_hand();
     }
     return std::nullopt;
   }
@@ -136,25 +152,26 @@ class Tries {
   /// A start from which it topples with others.
   struct WouldMove {
     size_t num;
-    StartTried start;
+    Settled settled;
   };
 
   /// A start from which it rests, but less well than it may from another one.
   struct InHand {
-    StartTried start;
+    Settled settled;
     Rest rest;
     Budget budget;
     int tries_left = kTriesToTouch;
   };
 
   // A rest across a gap in the container is better than one beside it.
-  void keep(const StartTried& start, Rest rest, Budget budget) {
-    if (!m_in_hand || rest < m_in_hand->rest) m_in_hand = InHand{start, rest, budget};
+  void keep(Settled settled, Rest rest, Budget budget) {
+    if (!m_in_hand || rest < m_in_hand->rest)
+      m_in_hand = std::make_unique<InHand>(InHand{std::move(settled), rest, budget});
   }
 
-  OperationResult take(const InHand& in_hand) {
+  OperationResult take_what_is_in_hand() {
     m_accepts_gap = true;
-    return try_from(in_hand.start, in_hand.budget);
+    return commit(std::move(m_in_hand->settled), m_in_hand->budget);
   }
 
   // As far from the first start as it is free and in the container. @return nothing: nowhere.
@@ -163,30 +180,32 @@ class Tries {
     for (const double part : kPartsOfShift) {
       const StartTried start = start_to_try(object(), m_operation, number, part);
       if (!m_container.holds(centre(start.start))) continue;
-      OperationResult result = try_from(start, kBudgetToStand);
+      OperationResult result =
+          commit(settle_from(m_transaction.scene(), m_operation, m_put, start), kBudgetToStand);
       if (!starts_blocked(result)) return result;
     }
     return std::nullopt;
   }
 
-  OperationResult try_from(const StartTried& start, Budget budget) {
-    PutOperation put = m_operation;
-    put.start = start.start;
+  OperationResult commit(Settled settled, Budget budget) {
+    const int number = settled.start.number;
     // Each try has a transaction of its own, and leaves no trace unless it is taken.
     Transaction inner(m_transaction);
-    OperationResult result = m_put(inner, put, budget);
+    OperationResult result = m_put.commit(inner, settled.plan, budget);
     if (!result.ok()) {
-      note_movers(start, result);
+      note_movers(std::move(settled), result);
       return result;
     }
     // The object may roll out of its container: then the try fails.
-    if (start.number > 1 && !m_container.holds(inner.scene().at(m_id).centre_of_mass()))
-      return refused({Refusal::Cause::LeavesRegion, {named(inner.scene(), Support(m_id))}});
-    if (!m_accepts_gap && is_carried_across_gap(inner.scene().at(m_id))) {
-      keep(start, Rest::AcrossGap, budget);
-      return refused({Refusal::Cause::Topples, {named(inner.scene(), Support(m_id))}});
+    const Object& object = inner.scene().at(m_id);
+    const Named name = named(inner.scene(), Support(m_id));
+    if (number > 1 && !m_container.holds(object.centre_of_mass()))
+      return refused({Refusal::Cause::LeavesRegion, {name}});
+    if (!m_accepts_gap && is_carried_across_gap(object)) {
+      keep(std::move(settled), Rest::AcrossGap, budget);
+      return refused({Refusal::Cause::Topples, {name}});
     }
-    if (start.number > 1) result.tried = start;
+    if (number > 1) result.tried = settled.start;
     inner.commit();
     return result;
   }
@@ -194,10 +213,10 @@ class Tries {
   Transaction& m_transaction;
   const ObjectId m_id;
   const PutOperation& m_operation;
-  const PutFrom& m_put;
+  const PutSteps& m_put;
   const Container m_container;
   std::vector<WouldMove> m_would_move;
-  std::optional<InHand> m_in_hand;
+  std::unique_ptr<InHand> m_in_hand;
   bool m_accepts_gap = false;
 };
 
@@ -221,12 +240,13 @@ StartTried start_to_try(const Object& object, const PutOperation& o, int number,
 }
 
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
-                             const PutFrom& put, Budget budget) {
+                             const PutSteps& put, Budget budget) {
+  Settled settled = settle_from(transaction.scene(), o, put, {1, 0, 0, o.start});
   OperationResult first;
   Rest rest = Rest::Touching;
   {
     Transaction inner(transaction);
-    first = put(inner, o, budget);
+    first = put.commit(inner, settled.plan, budget);
     if (!first.ok() && !may_do_better_nearby(first)) return first;
     if (first.ok()) rest = rest_from(inner.scene(), id, o.start);
     if (first.ok() && rest == Rest::Touching) {
@@ -234,7 +254,7 @@ OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOpe
       return first;
     }
   }
-  return Tries(transaction, id, o, put).go_on(std::move(first), rest, budget);
+  return Tries(transaction, id, o, put).go_on(std::move(settled), std::move(first), rest, budget);
 }
 
 }  // namespace trivet

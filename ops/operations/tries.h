@@ -19,6 +19,7 @@
 #include <functional>
 
 #include "core/scene/transaction.h"
+#include "ops/operations/move_plan.h"
 #include "ops/operations/put.h"
 #include "ops/operations/whole.h"
 
@@ -28,13 +29,16 @@ namespace trivet {
 /// @param part  of its shift.
 StartTried start_to_try(const Object& object, const PutOperation& o, int number, double part = 1);
 
-/// A PUT of which each start is an operation of its own.
-using PutFrom = std::function<OperationResult(Transaction&, const PutOperation&, Budget)>;
+/// A PUT in two steps, of which the second may be tried again by a larger budget.
+struct PutSteps {
+  std::function<MovePlan(const Scene&, const PutOperation&)> plan;
+  std::function<OperationResult(Transaction&, MovePlan, Budget)> commit;
+};
 
 /// The first start from which `put` is done. Otherwise the refusal of the one that was asked for,
 /// with the number of tries. @param o  without a place, with more than one try.
 /// @param budget  of the first start.
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
-                             const PutFrom& put, Budget budget);
+                             const PutSteps& put, Budget budget);
 
 }  // namespace trivet

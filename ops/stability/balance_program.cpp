@@ -8,7 +8,7 @@
 namespace trivet {
 namespace {
 
-constexpr double kMayBeMissing = 1e-6;         // of a body's weight, as in contact_forces.cpp
+constexpr double kPartForFree = 0.9;           // of what may be missing, so that are_proof() agrees
 constexpr double kPyramidInCone = 0.92387953;  // cos(22.5 degrees): edges add up to so much more
 // A start within a few times of the optimum: factors of ten cost one step or two.
 constexpr double kFirstEdge = 0.1, kFirstPushes = 3;      // in parts of what a body carries
@@ -27,9 +27,10 @@ BalanceProgram::BalanceProgram(const FreeBodies& part, double clearance, double 
   m_b.assign(num_bodies(), BodyRows::Zero());
   for (size_t i = 0; i < num_bodies(); ++i) {
     // Contacts have to balance the weight and what other bodies press with; what is missing beyond
-    // the tolerance costs one a weight.
+    // the tolerance costs one a weight, but for what may be.
     const FreeBody& body = part.bodies[i];
     m_costs[local(i) + kBeyond] = 1 / own(i);
+    m_b[i][kMissingRow] = kPartForFree * kMayBeMissing * own(i);
     m_b[i].segment<3>(kForceRow) = (Vec3(0, 0, body.weight) - body.load) / m_carried[i];
     m_b[i].segment<3>(kTorqueRow) = -body.load_torque / (m_carried[i] * body.size);
   }
@@ -163,9 +164,10 @@ BlockFactor::Block BalanceProgram::local_matrix(size_t body, const Vector& all) 
   return out;
 }
 
-bool BalanceProgram::are_proof(const Vector& x) const {
+BalanceProgram::Sums BalanceProgram::sums(const Vector& x) const {
   std::vector<BodyRows> left = m_b;
-  std::vector<double> across(num_bodies(), 0.0), pushed(num_bodies(), 0.0);
+  Sums out{std::vector<double>(num_bodies(), 0.0), std::vector<double>(num_bodies(), 0.0),
+           std::vector<double>(num_bodies(), 0.0)};
   const std::vector<Vec3> all = forces(x);
   for (size_t k = 0; k < m_contacts.size(); ++k) {
     const Contact& c = m_contacts[k];
@@ -175,17 +177,24 @@ bool BalanceProgram::are_proof(const Vector& x) const {
     for (const Index body : {c.on, c.from}) {
       if (body == BodyContact::kGround) continue;
       left[body] -= (body == c.on ? c.of_on : c.of_from) * part;
-      across[body] += friction / m_carried[body];
-      pushed[body] += push / m_carried[body];
+      out.across[body] += friction / m_carried[body];
+      out.pushed[body] += push / m_carried[body];
     }
   }
   for (size_t i = 0; i < num_bodies(); ++i) {
     const double missing = left[i].segment<6>(kForceRow).cwiseAbs().sum();
-    if (missing > m_tolerance[i] * pushed[i] + kMayBeMissing * own(i) || pushed[i] > kPushLimit ||
-        across[i] > kFrictionLimit)
-      return false;
+    out.missing[i] = std::max(0.0, missing - m_tolerance[i] * out.pushed[i]) / own(i);
   }
-  return true;
+  return out;
+}
+
+bool BalanceProgram::are_proof(const Vector& x) const {
+  const Sums of_forces = sums(x);
+  const auto all_within = [](const std::vector<double>& values, double limit) {
+    return std::all_of(values.begin(), values.end(), [&](double v) { return v <= limit; });
+  };
+  return all_within(of_forces.missing, kMayBeMissing) && all_within(of_forces.pushed, kPushLimit) &&
+         all_within(of_forces.across, kFrictionLimit);
 }
 
 std::vector<Vec3> BalanceProgram::forces(const Vector& x) const {
@@ -197,10 +206,6 @@ std::vector<Vec3> BalanceProgram::forces(const Vector& x) const {
   return out;
 }
 
-std::vector<double> BalanceProgram::missing(const Vector& x) const {
-  std::vector<double> out(num_bodies());
-  for (size_t i = 0; i < out.size(); ++i) out[i] = x[local(i) + kBeyond] / own(i);
-  return out;
-}
+std::vector<double> BalanceProgram::missing(const Vector& x) const { return sums(x).missing; }
 
 }  // namespace trivet

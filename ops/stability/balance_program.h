@@ -72,6 +72,12 @@ class BalanceProgram {
   static Eigen::Index edges_of(size_t contact) {
     return static_cast<Eigen::Index>(kEdges * contact);
   }
+  /// Of each body, by the forces alone; missing as missing() has it, the others in parts of what it
+  /// carries.
+  struct Sums {
+    std::vector<double> missing, pushed, across;
+  };
+  Sums sums(const Vector& x) const;
   double own(size_t body) const { return m_part.bodies[body].weight / m_carried[body]; }
   void add(const BodyContact& t, double factor);
   BlockFactor::Block rows_of(Index body, const Vec3& point, const Contact& c, double sign) const;

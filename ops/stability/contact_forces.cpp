@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kJoinGain = 1e-6;        // of a force that joins; CLP knows 1e-7
 constexpr int kJoinAtOnce = 4;            // touches of a pair
-constexpr double kMissing = 1e-6;         // of a body's weight: rounding below this
 constexpr double kRoomOfBalance = 100;    // of a limit of the objective: for rounding and scaling
 constexpr double kNearlyWorst = 1e-4;     // of a margin: other orders of pivots differ by less
 constexpr double kClearlyMissing = 1e-2;  // weights: more than CLP's rounding
@@ -50,7 +49,7 @@ bool join_best(FreeBodies& part, const Gain& gain) {
 }  // namespace
 
 bool PartForces::balanced() const {
-  return std::all_of(missing.begin(), missing.end(), [](double m) { return m <= kMissing; });
+  return std::all_of(missing.begin(), missing.end(), [](double m) { return m <= kMayBeMissing; });
 }
 
 std::vector<double> carried_weights(const FreeBodies& part) {
@@ -97,7 +96,7 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor, dou
 std::vector<Vec3> forces_of_carriers(const FreeBodies& part, double clearance,
                                      std::span<const MayCarry> may) {
   ForceProgram program(part, clearance, 1, may);
-  program.add_missing(0, kMissing);
+  program.add_missing(0, kMayBeMissing);
   const LinearProgram::Solution solution = program.solve();
   return solution.optimal ? program.forces_of(solution).forces : std::vector<Vec3>{};
 }
@@ -107,7 +106,7 @@ bool quickly_balanced(const FreeBodies& part, double clearance, double factor) {
   program.add_missing(1, kInfinity);
   // The dual simplex usually answers at once; contacts that were left out do not join here.
   // Its objective only grows: beyond what may be missing no balance is to be found.
-  const double most = kRoomOfBalance * kMissing * static_cast<double>(part.bodies.size());
+  const double most = kRoomOfBalance * kMayBeMissing * static_cast<double>(part.bodies.size());
   const LinearProgram::Solution solution = program.solve_by_dual(most);
   return solution.optimal && program.forces_of(solution).balanced();
 }
@@ -129,7 +128,7 @@ double shift_margin(const FreeBodies& part, double clearance) {
   double largest = 0, margin = kInfinity;
   for (const FreeBody& body : part.bodies) largest = std::max(largest, body.size);
   ForceProgram program(part, clearance);
-  program.add_missing(0, kMissing);
+  program.add_missing(0, kMayBeMissing);
   // Eight ways, seen from above, to shift all centres of mass: the margin is the least shift that
   // no forces balance.
   std::vector<LinearProgram::Column> shifts;

@@ -39,6 +39,9 @@ PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1,
 /// of friction and pushes are in parts of it.
 std::vector<double> carried_weights(const FreeBodies& part);
 
+/// Part of a body's weight that may be missing: rounding below this.
+inline constexpr double kMayBeMissing = 1e-6;
+
 /// Most friction at a body, and most pushes, the parts along the normals, in weights that it
 /// carries.
 inline constexpr double kFrictionLimit = 10, kPushLimit = 20;

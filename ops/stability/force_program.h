@@ -86,9 +86,10 @@ class ForceProgram {
     return best;
   }
 
-  // The least that is missing if prices of force and torque are these motions turned round, by weak
-  // duality. As far as a force of a touch gains then, pushes have their price, too.
-  double least_missing(const std::vector<VirtualMotion>& motions) const {
+  // The least that is missing, besides this part of each body's weight, if prices of force and
+  // torque are these motions turned round, by weak duality. As far as a force of a touch gains
+  // then, pushes have their price, too.
+  double least_missing(const std::vector<VirtualMotion>& motions, double besides = 0) const {
     const LinearProgram::Solution solution = priced_by(motions);
     const std::vector<double>& prices = solution.prices;
     double sum = 0;
@@ -96,6 +97,7 @@ class ForceProgram {
       const auto [force, torque] = balance_of(i);
       for (int k = 0; k < 3; ++k)
         sum += prices[row_of(i) + k] * force[k] + prices[row_of(i) + 3 + k] * torque[k];
+      sum += prices[row_of(i) + kMissingRow] * besides * m_part.bodies[i].weight / m_carried[i];
     }
     std::vector<double> of_push(m_part.bodies.size(), 0.0);
     for (const auto* touches : {&m_part.touches, &m_part.more})

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "ops/stability/balance_program.h"
@@ -14,7 +15,7 @@ constexpr int kMostSteps = 100;
 constexpr double kPartOfWay = 0.995;  // to the nearest bound
 constexpr double kLeastGap = 1e-9;    // between both objectives, weights
 constexpr double kPriceRounding = 1e-9;
-constexpr double kClearlyMoves = 1e-5;  // weights that are missing, of each body: more than may be
+constexpr double kClearlyMissing = 1.1 * kMayBeMissing;  // of each body
 
 double largest_of(const std::vector<BalanceProgram::BodyRows>& rows) {
   double out = 0;
@@ -179,22 +180,20 @@ PartForces balanced_forces(const BalanceProgram& program, const InteriorPoint& p
 PartForces forces_by_interior_point(const FreeBodies& part, double clearance, double factor) {
   const BalanceProgram program(part, clearance, factor);
   InteriorPoint point(program);
-  const double clearly = kClearlyMoves * static_cast<double>(part.bodies.size());
   for (int n = 0; n < kMostSteps; ++n) {
     point.step();
     if (program.are_proof(point.x())) return balanced_forces(program, point);
-    const double proven = point.proven();
-    if (!point.is_feasible() || proven < clearly || point.missing() - proven > kLeastGap) continue;
+    if (!point.is_feasible() || point.missing() - point.proven() > kLeastGap) continue;
     // The optimum's motion is the proof; it is asked again, as other programs' motions are.
     const ForceProgram asked(part, clearance, factor);
     const LinearProgram::Solution prices = as_prices(point.y());
     PartForces out;
     out.motions = asked.motions_of(prices);
-    if (asked.least_missing(out.motions) < clearly) return {};
+    if (asked.least_missing(out.motions, kClearlyMissing) <= kLeastGap) return {};
     out.solved = true;
     out.moves = asked.moves_of(prices);
     out.missing = program.missing(point.x());
-    out.residual = point.missing();
+    out.residual = std::accumulate(out.missing.begin(), out.missing.end(), 0.0);
     out.forces = program.forces(point.x());
     return out;
   }

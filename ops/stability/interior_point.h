@@ -11,7 +11,7 @@ namespace trivet {
 /// takes a 25th to an 80th of the time of CLP's simplex method. Either answer is proved:
 ///   balanced: the limits are asked, and what is missing is summed up anew, of these very forces;
 ///   not balanced: the motions prove it by weak duality, see ForceProgram::least_missing().
-/// @return `solved` is false where neither was found, as where only parts of kMissing are missing;
+/// @return `solved` is false where neither was found, as where hardly more than kMayBeMissing is;
 /// `forces` are of each touch, and then of each one of `more`.
 PartForces forces_by_interior_point(const FreeBodies& part, double clearance, double factor = 1);
 

@@ -190,6 +190,13 @@ TEST(Tries, DoNotEndBesideTheBin) {
   EXPECT_GT(num_called_back, 0);
 }
 
+// A plan that ends where it starts.
+MovePlan plan_at_start(const Scene&, const PutOperation& put) {
+  MovePlan plan;
+  plan.result.steps = {{SettleStep::Kind::Fall, put.start, 0}};
+  return plan;
+}
+
 /// Counts tries, and answers them as it is told to.
 struct Answers {
   Scene scene;
@@ -203,15 +210,16 @@ struct Answers {
     PutOperation o{{"o"}, {{}, Vec3(0, 0, 1)}};
     o.tries = tries;
     Transaction transaction(scene);
-    const PutFrom from = [&](Transaction& inner, const PutOperation& put, Budget budget) {
-      starts.push_back(put.start);
+    const auto commit = [&](Transaction& inner, const MovePlan& plan, Budget budget) {
+      const Pose start = plan.result.steps.back().pose_after;
+      starts.push_back(start);
       budgets.push_back(budget.first_contacts);
       inner.edit(id, [&](Object& object) {
-        object.pose = {put.start.rotation, put.start.translation + Vec3(aside, 0, 0)};
+        object.pose = {start.rotation, start.translation + Vec3(aside, 0, 0)};
       });
       return answer(static_cast<int>(starts.size()));
     };
-    return put_by_tries(transaction, id, o, from, Budget{120});
+    return put_by_tries(transaction, id, o, {plan_at_start, commit}, Budget{120});
   }
 };
 
@@ -301,15 +309,17 @@ TEST(Tries, PreferContactsThatTouch) {
     Scene scene;
     const ObjectId id = scene.add(object_of("object", box_triangles({0.1, 0.1, 0.1})));
     int number = 0;
-    const auto from = [&](Transaction& inner, const PutOperation& put, Budget) {
-      inner.edit(id, [&](Object& object) { object.pose = put.start, object.placed = true; });
+    const auto commit = [&](Transaction& inner, const MovePlan& plan, Budget) {
+      const Pose start = plan.result.steps.back().pose_after;
+      inner.edit(id, [&](Object& object) { object.pose = start, object.placed = true; });
       inner.set_contacts(id, {{Support::floor(), {}, ++number < touching, true}});
       return OperationResult();
     };
     PutOperation put;
     put.start.translation = Vec3(0, 0, 1);
     Transaction transaction(scene);
-    const OperationResult result = put_by_tries(transaction, id, put, from, Budget{120});
+    const OperationResult result =
+        put_by_tries(transaction, id, put, {plan_at_start, commit}, Budget{120});
     EXPECT_TRUE(result.ok());
     EXPECT_EQ(number, touching == 9 ? 5 : touching);
     EXPECT_EQ(result.tried.has_value(), touching == 2);

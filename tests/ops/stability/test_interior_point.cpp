@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ops/settle/equilibrium.h"
 #include "ops/stability/block_factor.h"
 #include "ops/stability/fewest_movers.h"
 #include "ops/stability/interior_point.h"
@@ -145,7 +146,7 @@ Outcome expect_as_simplex(const FreeBodies& pile, double factor = 1) {
   EXPECT_TRUE(simplex.solved);
   if (!found.solved) {
     // Only what is on the verge is left open.
-    EXPECT_LT(simplex.residual, 1e-4 * static_cast<double>(pile.bodies.size()));
+    EXPECT_LT(simplex.residual, 2 * kMayBeMissing * static_cast<double>(pile.bodies.size()));
     return Outcome::Open;
   }
   EXPECT_EQ(found.balanced(), simplex.balanced());
@@ -153,7 +154,9 @@ Outcome expect_as_simplex(const FreeBodies& pile, double factor = 1) {
     expect_balance(pile, found);
     return Outcome::Stands;
   }
-  EXPECT_NEAR(found.residual, simplex.residual, 1e-5 * (1 + simplex.residual));
+  // What may be missing of each body costs nothing here.
+  const double free = kMayBeMissing * static_cast<double>(pile.bodies.size());
+  EXPECT_NEAR(found.residual, simplex.residual, free + 1e-5 * simplex.residual);
   EXPECT_TRUE(std::find(found.moves.begin(), found.moves.end(), true) != found.moves.end());
   return Outcome::Topples;
 }
@@ -220,6 +223,17 @@ TEST(InteriorPoint, FindsWhatSimplexFindsInTowersAndArches) {
   EXPECT_GE(counts[0], 8);
   EXPECT_GE(counts[1], 4);
   EXPECT_EQ(counts[2], 0);
+}
+
+// Little more is missing than may be: one of thirty smooth boxes is pushed sideways.
+TEST(InteriorPoint, DecidesWhereHardlyAnythingIsMissing) {
+  const double tolerated = residual_tolerance(std::sqrt(3.0), kClearance);
+  for (const double beyond : {-1e-6, 5e-7, 3e-6, 1e-5, 5e-5, 1e-4}) {
+    SCOPED_TRACE(beyond);
+    FreeBodies pile = towers_of_boxes(1, 30, 0, 0);
+    pile.bodies.back().load = Vec3(tolerated + beyond, 0, 0);
+    EXPECT_EQ(expect_as_simplex(pile), beyond < kMayBeMissing ? Outcome::Stands : Outcome::Topples);
+  }
 }
 
 // Much weight on a feather: rows are in parts of what each body carries.
