@@ -55,8 +55,8 @@ struct OperationResult {
   };
   Status status = Status::Ok;
   std::optional<Refusal> refusal;  // set unless Ok
-  int num_motions = 0;  // its steps, and those of all that gave way, itself too
-  double milliseconds = 0;                           // wall clock
+  int num_motions = 0;             // its steps, and those of all that gave way, itself too
+  double milliseconds = 0;         // wall clock
   std::int64_t num_queries = 0, num_face_pairs = 0;  // first-contact queries, exact pairs
   std::vector<SettleStep> steps;
 
