@@ -21,6 +21,11 @@ constexpr int kTriesToTouch = 3;   // more of them, where it came to rest across
 constexpr double kLeastWay = 0.1;  // that leads over a wall, in parts of the object's size
 constexpr int kStartsOfTry = 2;    // looked at for each try: some interpenetrate, most topple
 constexpr int kMostThatLeave = 1;  // tries that end out of the container, before a second round
+/// Work by which starts are tried: the same on every machine and for every backend. It stops few
+/// PUTs, as of fine meshes in full boxes, that would go on for seconds.
+constexpr double kWorkOfTry = 100;    // for each that was asked for, in first contacts
+constexpr double kFacesOfOne = 8192;  // of an object whose first contact is one unit of work
+constexpr int kLeastStarts = 4;       // whatever they cost
 /// From other starts the whole has to stand at once. A fifth of them do, which costs a fifth of
 /// what moving others does to place as many.
 constexpr Budget kBudgetToStand{40, 0};
@@ -103,6 +108,7 @@ class Tries {
     for (int n = 2; n <= kStartsOfTry * m_operation.tries; ++n) {
       if (m_in_hand && gives_up(num_tries)) break;
       if (n > m_operation.tries && num_left > kMostThatLeave) break;
+      if (num_tries >= kLeastStarts && m_work > kWorkOfTry * m_operation.tries) break;
       const auto result = try_number(n);
       if (!result) continue;
       const bool is_over = result->ok() || result->status != OperationResult::Status::Refused;
@@ -125,6 +131,12 @@ class Tries {
   bool gives_up(int num_tries) {
     return num_tries >= m_operation.tries ||
            (m_in_hand->rest == Rest::AcrossGap && m_in_hand->tries_left-- <= 0);
+  }
+
+  // First contacts of large meshes take longer.
+  void note_work(const OperationResult& result) {
+    const double num_faces = static_cast<double>(object().shape->mesh.triangles.size());
+    m_work += static_cast<double>(result.num_queries) * std::sqrt(num_faces / kFacesOfOne);
   }
 
   void note_movers(Settled settled, const OperationResult& result) {
@@ -192,6 +204,7 @@ class Tries {
     // Each try has a transaction of its own, and leaves no trace unless it is taken.
     Transaction inner(m_transaction);
     OperationResult result = m_put.commit(inner, settled.plan, budget);
+    note_work(result);
     if (!result.ok()) {
       note_movers(std::move(settled), result);
       return result;
@@ -218,6 +231,7 @@ class Tries {
   std::vector<WouldMove> m_would_move;
   std::unique_ptr<InHand> m_in_hand;
   bool m_accepts_gap = false;
+  double m_work = 0;  // of the starts after the first
 };
 
 }  // namespace

@@ -14,6 +14,9 @@
 //   all were refused         as many starts more, the farthest, in other directions, unless several
 //                            left the container; then the two starts at which the fewest would
 //                            move, where others may move now
+//   first contacts of fine meshes
+//                            count more, by the root of the number of faces: where they add up to
+//                            seconds, no further start is tried
 #pragma once
 
 #include <functional>

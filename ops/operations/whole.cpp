@@ -86,8 +86,10 @@ class Whole {
   PartVerdict judge() {
     // Only parts connected with what changed can have lost their balance.
     const std::vector<ObjectId> changed = touched();
+    // Where none may move, it does not matter who would.
     PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
-                                      m_clearance, kMaxProgramObjects, friction());
+                                      m_clearance, kMaxProgramObjects, friction(),
+                                      m_most_movers == 0 ? Toppling::SomeWillDo : Toppling::All);
     if (!verdict.stands || m_is_trial) return verdict;
     judge_each();
     // Names are sorted, so that the order in which they were found does not matter.

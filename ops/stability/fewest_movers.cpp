@@ -1,5 +1,6 @@
 #include "ops/stability/fewest_movers.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ops/stability/interior_point.h"
@@ -9,6 +10,8 @@ namespace {
 
 /// Part of the fastest one's speed, from which a body is among the few.
 constexpr double kShareOfFastest[] = {0.3, 0.03, 3e-3};
+
+constexpr size_t kFew = 8;  // bodies that are asked first
 
 double fastest_point(const VirtualMotion& motion, const FreeBody& body) {
   return motion.velocity.norm() + motion.spin.norm() * body.size / 2;
@@ -37,6 +40,24 @@ FreeBodies among_ground(const FreeBodies& part, const std::vector<Index>& chosen
   return out;
 }
 
+std::vector<Index> nearest_to(std::span<const ObjectId> changed, const FreeBodies& part) {
+  std::vector<std::vector<Index>> next(part.bodies.size());
+  for (const BodyContact& t : part.touches)
+    if (t.from != BodyContact::kGround) next[t.on].push_back(t.from), next[t.from].push_back(t.on);
+  std::vector<char> seen(part.bodies.size(), 0);
+  std::vector<Index> out;
+  const auto add = [&](Index i) {
+    if (out.size() < kFew && !std::exchange(seen[i], 1)) out.push_back(i);
+  };
+  for (size_t i = 0; i < part.bodies.size(); ++i)
+    if (std::find(changed.begin(), changed.end(), part.bodies[i].id) != changed.end())
+      add(static_cast<Index>(i));
+  for (size_t k = 0; k < out.size(); ++k)
+    for (const Index i : next[out[k]]) add(i);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 }  // namespace
 
 std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
@@ -60,6 +81,27 @@ std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
     return out;
   }
   return all;
+}
+
+PartForces disproof_by_few(const FreeBodies& part, std::span<const ObjectId> changed,
+                           double clearance) {
+  const std::vector<Index> few = nearest_to(changed, part);
+  FreeBodies alone = among_ground(part, few);
+  const PartForces found = contact_forces(alone, clearance);
+  if (!found.solved || found.balanced()) return {};
+  PartForces out;
+  out.missing.assign(part.bodies.size(), 0.0);
+  out.moves.assign(part.bodies.size(), false);
+  out.motions.assign(part.bodies.size(), {});
+  for (size_t k = 0; k < few.size(); ++k) {
+    out.missing[few[k]] = found.missing[k];
+    out.moves[few[k]] = found.moves[k];
+    out.motions[few[k]] = found.motions[k];
+  }
+  out.residual = found.residual;
+  // Among ground limits of pushes are those of less weight: the whole part is asked.
+  out.solved = proves_lack_of_balance(out.motions, part, clearance);
+  return out;
 }
 
 }  // namespace trivet

@@ -165,6 +165,10 @@ LinearProgram::Solution as_prices(const InteriorPoint::Prices& y) {
   return out;
 }
 
+bool is_clearly_missing(const ForceProgram& program, const std::vector<VirtualMotion>& motions) {
+  return program.least_missing(motions, kClearlyMissing) > kLeastGap;
+}
+
 PartForces balanced_forces(const BalanceProgram& program, const InteriorPoint& point) {
   PartForces out;
   out.solved = true;
@@ -176,6 +180,11 @@ PartForces balanced_forces(const BalanceProgram& program, const InteriorPoint& p
 }
 
 }  // namespace
+
+bool proves_lack_of_balance(const std::vector<VirtualMotion>& motions, const FreeBodies& part,
+                            double clearance, double factor) {
+  return is_clearly_missing(ForceProgram(part, clearance, factor), motions);
+}
 
 PartForces forces_by_interior_point(const FreeBodies& part, double clearance, double factor) {
   const BalanceProgram program(part, clearance, factor);
@@ -189,7 +198,7 @@ PartForces forces_by_interior_point(const FreeBodies& part, double clearance, do
     const LinearProgram::Solution prices = as_prices(point.y());
     PartForces out;
     out.motions = asked.motions_of(prices);
-    if (asked.least_missing(out.motions, kClearlyMissing) <= kLeastGap) return {};
+    if (!is_clearly_missing(asked, out.motions)) return {};
     out.solved = true;
     out.moves = asked.moves_of(prices);
     out.missing = program.missing(point.x());

@@ -15,6 +15,11 @@ namespace trivet {
 /// `forces` are of each touch, and then of each one of `more`.
 PartForces forces_by_interior_point(const FreeBodies& part, double clearance, double factor = 1);
 
+/// True if this motion of all bodies proves by weak duality that more is missing than may be: no
+/// forces of touches balance the part.
+bool proves_lack_of_balance(const std::vector<VirtualMotion>& motions, const FreeBodies& part,
+                            double clearance, double factor = 1);
+
 /// More than so many bodies, for which it takes a fifth of the time of the simplex method or less.
 inline constexpr size_t kManyBodies = 24;
 

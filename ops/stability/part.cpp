@@ -36,13 +36,15 @@ bool may_all_be_held_up(const FreeBodies& part) {
 class Judgement {
  public:
   Judgement(const Scene& scene, std::span<const ObjectId> ids, std::span<const ObjectId> changed,
-            double clearance, int max_program_objects, const ContactFriction& friction)
+            double clearance, int max_program_objects, const ContactFriction& friction,
+            Toppling toppling)
       : m_scene(scene),
         m_ids(ids),
         m_changed(changed),
         m_clearance(clearance),
         m_limit(static_cast<size_t>(max_program_objects)),
         m_friction(friction),
+        m_toppling(toppling),
         m_all(linked_bodies(scene, ids, friction)),
         m_certificate(vertical_certificate(m_all)) {}
 
@@ -93,11 +95,19 @@ class Judgement {
   }
 
   void judge_together(const Members& part, FreeBodies whole, bool may_stand_alone) {
-    const PartForces forces = quickest_forces(whole, m_clearance);
+    const PartForces forces = forces_of(whole);
     if (forces.solved && forces.balanced()) return;
     const Larger larger{whole, forces};
     if (may_stand_alone && stands_alone(part, larger)) return;
     note(whole, forces);
+  }
+
+  PartForces forces_of(FreeBodies& whole) const {
+    if (m_toppling == Toppling::SomeWillDo && whole.bodies.size() > kManyBodies) {
+      PartForces disproof = disproof_by_few(whole, m_changed, m_clearance);
+      if (disproof.solved) return disproof;
+    }
+    return quickest_forces(whole, m_clearance);
   }
 
   /// A part with others, which does not stand.
@@ -176,6 +186,7 @@ class Judgement {
   const double m_clearance;
   const size_t m_limit;
   const ContactFriction m_friction;
+  const Toppling m_toppling;
   const FreeBodies m_all;
   const Certificate m_certificate;
   PartVerdict m_out;
@@ -223,8 +234,9 @@ FreeBodies near_part(const Scene& scene, std::vector<ObjectId> ids, double clear
 
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects, const ContactFriction& friction) {
-  return Judgement(scene, ids, changed, clearance, max_program_objects, friction).run();
+                        int max_program_objects, const ContactFriction& friction,
+                        Toppling toppling) {
+  return Judgement(scene, ids, changed, clearance, max_program_objects, friction, toppling).run();
 }
 
 }  // namespace trivet

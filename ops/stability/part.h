@@ -26,6 +26,10 @@ struct PartVerdict {
   std::vector<ObjectId> topples;  // sorted by name
 };
 
+/// Names of what topples: all; or, where a few bodies near the change prove that a part of many
+/// does not stand, those of them that do, which is known soon.
+enum class Toppling { All, SomeWillDo };
+
 /// Verdict whether connected parts stand: by the vertical certificate; then by contact forces of
 /// what it leaves open, loaded by the rest as certified; then of the whole part. Of a part with
 /// more than `max_program_objects` open bodies those nearest to what has changed are judged, and
@@ -33,6 +37,7 @@ struct PartVerdict {
 /// @param ids  as connected_with() returns them. @param changed  any of them.
 PartVerdict judge_parts(const Scene& scene, std::span<const ObjectId> ids,
                         std::span<const ObjectId> changed, double clearance,
-                        int max_program_objects, const ContactFriction& friction = {});
+                        int max_program_objects, const ContactFriction& friction = {},
+                        Toppling toppling = Toppling::All);
 
 }  // namespace trivet

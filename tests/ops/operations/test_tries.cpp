@@ -244,6 +244,20 @@ TEST(Tries, SayHowManyWereMade) {
       << result.reason();
 }
 
+// Four starts at least, whatever they cost; then those from which the fewest would move.
+TEST(Tries, EndWhereTheyCostTooMuch) {
+  for (const std::int64_t cost : {1000, 200000}) {
+    Answers answers;
+    const OperationResult result = answers.run(12, [&](int) {
+      OperationResult out = topples();
+      out.num_queries = cost;  // of twelve faces
+      return out;
+    });
+    EXPECT_EQ(result.refusal->number("tries"), cost > 1000 ? 4 : 24);
+    EXPECT_EQ(answers.starts.size(), cost > 1000 ? 6u : 26u);
+  }
+}
+
 TEST(Tries, SkipStartsThatInterpenetrate) {
   Answers answers;
   const auto answer = [](int k) { return k == 1 || k == 5 ? topples() : blocked(); };

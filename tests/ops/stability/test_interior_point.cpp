@@ -293,6 +293,64 @@ TEST(FewestMovers, MoveInTheProofToo) {
   EXPECT_GT(num_fewer, 0);
 }
 
+std::vector<ObjectId> numbered(FreeBodies& pile) {
+  std::vector<ObjectId> out;
+  for (FreeBody& body : pile.bodies) {
+    body.id.index = static_cast<std::uint32_t>(out.size());
+    out.push_back(body.id);
+  }
+  return out;
+}
+
+TEST(DisproofByFew, IsFoundOnlyWhereNoForcesBalance) {
+  Random random(17);
+  int num_disproved = 0, num_standing = 0;
+  const int num = std::max(40, with_effort(200));
+  for (int k = 0; k < num; ++k) {
+    SCOPED_TRACE(k);
+    FreeBodies pile =
+        pile_of_balls({random.uniform(0, 0.4), random.integer(0, 1) > 0, 0.95, 3}, random);
+    const std::vector<ObjectId> ids = numbered(pile);
+    const ObjectId changed = ids[random.integer(0, static_cast<int>(ids.size()) - 1)];
+    const PartForces found = disproof_by_few(pile, {&changed, 1}, kClearance);
+    const bool stands = quickest_forces(pile, kClearance).balanced();
+    num_standing += stands;
+    if (!found.solved) continue;
+    ++num_disproved;
+    EXPECT_FALSE(stands);
+    EXPECT_FALSE(found.balanced());
+    EXPECT_LE(std::count(found.moves.begin(), found.moves.end(), true), 8);
+  }
+  std::printf("%d disproved, %d stand, of %d\n", num_disproved, num_standing, num);
+  EXPECT_GE(num_disproved, num / 10);
+  EXPECT_GE(num_standing, num / 10);
+}
+
+// A box falls off the top of a tower; the lowest ones, which carry it, do not know.
+TEST(DisproofByFew, IsFoundNearTheChange) {
+  FreeBodies pile = towers_of_boxes(1, 26, 0, 0.5);
+  const Index top = 26;
+  pile.bodies.push_back({{}, Vec3(0.6, 0, 26.5), 1, std::sqrt(3.0)});
+  for (const double x : {0.1, 0.5})
+    for (const double y : {-0.5, 0.5})
+      touch(pile, top, top - 1, Vec3(x, y, 26), Vec3::UnitZ(), 0.5);
+  const std::vector<ObjectId> ids = numbered(pile);
+  EXPECT_FALSE(disproof_by_few(pile, {&ids[0], 1}, kClearance).solved);
+  const PartForces found = disproof_by_few(pile, {&ids[top], 1}, kClearance);
+  ASSERT_TRUE(found.solved);
+  EXPECT_TRUE(found.moves[top]);
+  EXPECT_EQ(std::count(found.moves.begin(), found.moves.end(), true), 1);
+}
+
+// Among ground a feather may be pushed by 20 times its own weight only; it carries a tower.
+TEST(DisproofByFew, LetsFeathersCarryTowers) {
+  FreeBodies pile = towers_of_boxes(1, 30, 0, 0.5);
+  for (Index i = 0; i < 8; ++i) pile.bodies[i].weight = 1e-3;
+  const std::vector<ObjectId> ids = numbered(pile);
+  EXPECT_FALSE(disproof_by_few(pile, {&ids[0], 1}, kClearance).solved);
+  EXPECT_TRUE(quickest_forces(pile, kClearance).balanced());
+}
+
 TEST(BlockFactor, SolvesAsTheWholeMatrix) {
   Random random(5);
   constexpr int kRows8 = BlockFactor::kRows;
