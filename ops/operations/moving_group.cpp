@@ -10,6 +10,7 @@
 #include "core/scene/joint.h"
 #include "ops/settle/separation.h"
 #include "ops/stability/carried.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 namespace {

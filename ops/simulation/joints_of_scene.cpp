@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/scene/joint_load.h"
 #include "ops/operations/moving_group.h"
-#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {

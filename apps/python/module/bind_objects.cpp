@@ -8,7 +8,7 @@
 #include "ops/files/report/flexible_json.h"
 #include "ops/files/report/queries.h"
 #include "ops/operations/moving_group.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 
 namespace trivet::python {
 namespace {

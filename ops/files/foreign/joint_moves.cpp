@@ -8,7 +8,7 @@
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/operations/moving_group.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 namespace {
