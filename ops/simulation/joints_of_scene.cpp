@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/scene/joint_load.h"
-#include "ops/operations/moving_group.h"
+#include "ops/operations/carried_with.h"
 
 namespace trivet {
 namespace {
