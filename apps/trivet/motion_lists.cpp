@@ -5,7 +5,8 @@
 #include "core/base/error.h"
 #include "ops/base/refusal.h"
 #include "ops/files/json/text.h"
-#include "ops/operations/moving_group.h"
+#include "ops/operations/carried_with.h"
+#include "ops/placement/neighbourhood.h"
 
 namespace trivet::apps {
 namespace {

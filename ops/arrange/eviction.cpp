@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "ops/arrange/solver.h"
-#include "ops/operations/moving_group.h"
+#include "ops/operations/carried_with.h"
 
 namespace trivet {
 namespace {

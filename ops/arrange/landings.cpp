@@ -3,7 +3,7 @@
 
 #include "core/base/quoted.h"
 #include "ops/arrange/world.h"
-#include "ops/operations/moving_group.h"
+#include "ops/operations/carried_with.h"
 
 namespace trivet {
 namespace {

@@ -7,7 +7,6 @@
 #include "ops/arrange/place_order.h"
 #include "ops/arrange/zones.h"
 #include "ops/detect/detector.h"
-#include "ops/operations/moving_group.h"
 
 namespace trivet {
 namespace {

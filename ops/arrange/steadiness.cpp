@@ -5,7 +5,7 @@
 #include "core/base/quoted.h"
 #include "ops/placement/clearance.h"
 #include "ops/settle/rest.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/base/quoted.h"
 #include "ops/arrange/stable_poses.h"
 #include "ops/arrange/zones.h"
-#include "ops/operations/moving_group.h"
+#include "ops/operations/carried_with.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 

@@ -21,7 +21,6 @@ constexpr double kLeastShare = 0.12;   // of a support
 constexpr double kUnsureScore = 0.25;  // of who lies above: below it is a guess
 // Tolerances: an object that hangs so far above all that it meets may be sunk into something.
 constexpr double kHangs = 9, kDeeper = 3;
-constexpr double kInsideShare = 0.45;  // of columns within the container
 
 double at_share(std::vector<double> values, double share) {
   if (values.empty()) return 0;
@@ -100,7 +99,7 @@ class IntentFinder {
       m_index[l.intent.id.index] = i;
     }
     // Containers tell what may carry what, and order tells who lies on whom.
-    for (Looked& l : m_looked) find_container(l);
+    for (Looked& l : m_looked) l.intent.inside = container_of(m_scene, l);
     for (Looked& l : m_looked) find_below(l);
     for (Looked& l : m_looked) find_supports(l);
   }
@@ -110,7 +109,6 @@ class IntentFinder {
                                  [&](const Placement& p) { return p.id == l.intent.id; });
     l.columns = columns_of(m_scene, m_all, static_cast<size_t>(at - m_all.begin()), num, tolerance);
     l.above.clear(), l.unsure.clear();
-    l.intent.inside.reset();
   }
 
   // The tolerance is of the scene; single objects are off by more than it.
@@ -119,7 +117,7 @@ class IntentFinder {
       if (!l.intent.on.empty() && l.intent.gap <= kHangs * m_tolerance) continue;
       Looked deeper = l;
       read_columns(deeper, kColumns, kDeeper * m_tolerance);
-      find_container(deeper);
+      deeper.intent.inside = container_of(m_scene, deeper);
       find_below(deeper);
       find_supports(deeper);
       const bool is_nearer =
@@ -131,47 +129,6 @@ class IntentFinder {
   const Looked* looked(ObjectId id) const {
     const auto it = m_index.find(id.index);
     return it == m_index.end() ? nullptr : &m_looked[it->second];
-  }
-
-  // A larger object around its lower part, whose rim is above its underside.
-  void find_container(Looked& l) {
-    const double low = lowest(l);
-    double high = kNoHeight;
-    for (const Column& c : l.columns.columns) high = std::max(high, c.high);
-    // The rim has to be above the object's underside by a part of its height.
-    const double rim = std::max(0.004, 0.15 * std::min(0.1, high - low));
-    double best = kInfinity;
-    for (size_t k = 0; k < l.columns.others.size(); ++k) {
-      const Object& other = m_scene.at(l.columns.others[k]);
-      const Aabb box = m_scene.world_box(l.columns.others[k]);
-      if (box.upper.z() < low + rim || size_of(other) < size_of(m_scene.at(l.intent.id))) continue;
-      // The foot is the lowest quarter of the object; most of it has to be within the other's box,
-      // over its faces.
-      size_t foot = 0, within = 0;
-      for (const Column& c : l.columns.columns) {
-        if (c.low > low + 0.25 * (high - low)) continue;
-        ++foot;
-        const bool around = (c.at.array() > box.lower.head<2>().array()).all() &&
-                            (c.at.array() < box.upper.head<2>().array()).all();
-        within += around && c.others[k].highest_under > kNoHeight;
-      }
-      if (static_cast<double>(within) <
-          kInsideShare * static_cast<double>(std::max<size_t>(foot, 3)))
-        continue;
-      // The smallest container is the one that is meant.
-      if (!surrounds(l, k, low + rim) || size_of(other) >= best) continue;
-      best = size_of(other);
-      l.intent.inside = l.columns.others[k];
-    }
-  }
-
-  // The other's faces above the rim are not only over the object's own columns' tops: it has walls
-  // within a size of the object. Its box tells for lack of anything better.
-  bool surrounds(const Looked& l, size_t k, double rim) const {
-    const Aabb mine = m_scene.world_box(l.intent.id), box = m_scene.world_box(l.columns.others[k]);
-    return box.upper.z() > rim && box.lower.x() < mine.centre().x() &&
-           box.upper.x() > mine.centre().x() && box.lower.y() < mine.centre().y() &&
-           box.upper.y() > mine.centre().y();
   }
 
   static double area(const Looked& l) {

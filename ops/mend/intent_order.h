@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct Looked {
 
 /// The lowest z of its columns, metres.
 double lowest(const Looked& l);
+
+/// The smallest larger object that it stands in; none: its foot is in no such object's box, or that
+/// does not reach above its underside.
+std::optional<ObjectId> container_of(const Scene& scene, const Looked& l);
 
 /// The lower ones first; a circle loses its weakest support.
 std::vector<ObjectIntent> in_order(std::vector<Looked>& looked);

@@ -9,7 +9,7 @@
 #include "ops/operations/joint_hold.h"
 #include "ops/operations/link_move.h"
 #include "ops/operations/table.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 namespace {

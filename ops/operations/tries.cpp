@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/motion/motion.h"
+#include "ops/operations/carried_with.h"
 #include "ops/operations/container.h"
-#include "ops/operations/moving_group.h"
 #include "ops/stability/carried.h"
 
 namespace trivet {

@@ -13,6 +13,7 @@
 #include "ops/placement/slot_order.h"
 #include "ops/settle/program_memory.h"
 #include "ops/stability/part.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "ops/operations/moving_group.h"
-#include "ops/stability/stability.h"
+#include "core/scene/joint_load.h"
+#include "ops/operations/carried_with.h"
 
 namespace trivet {
 namespace {

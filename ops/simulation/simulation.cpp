@@ -22,7 +22,7 @@
 #include "ops/simulation/overlaps.h"
 #include "ops/simulation/part_cache.h"
 #include "ops/simulation/shells.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 namespace {

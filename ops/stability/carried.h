@@ -1,6 +1,7 @@
 // Whom the whole has an object carry, where no contact from below shows it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "ops/stability/stability.h"
@@ -8,7 +9,10 @@
 namespace trivet {
 
 /// True if its links say that what is more than the tolerance of contacts away carries it.
-bool is_carried_across_gap(const Object& object);
+inline bool is_carried_across_gap(const Object& object) {
+  return std::any_of(object.contacts.begin(), object.contacts.end(),
+                     [](const ObjectContact& entry) { return entry.across_gap && entry.carries; });
+}
 
 /// Carried by the forces that balance an object's part of the scene; see stability_of_part(). None
 /// where the scene's links alone prove that the part stands, as they name all carriers then; where

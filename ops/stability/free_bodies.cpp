@@ -12,6 +12,7 @@
 #include "ops/placement/slot_order.h"
 #include "ops/settle/equilibrium.h"
 #include "ops/settle/rest.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 

@@ -11,7 +11,7 @@
 #include "apps/edit/window/outliner.h"
 #include "apps/edit/window/units.h"
 #include "core/base/limits.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 
 namespace trivet::edit {
 namespace {

@@ -12,6 +12,7 @@
 #include "ops/files/layout/named_objects.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 
 namespace trivet::farm {
 namespace {

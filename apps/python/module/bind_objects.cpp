@@ -7,8 +7,8 @@
 #include "apps/python/module/python_shape.h"
 #include "ops/files/report/flexible_json.h"
 #include "ops/files/report/queries.h"
-#include "ops/operations/moving_group.h"
-#include "ops/stability/stability.h"
+#include "ops/operations/carried_with.h"
+#include "ops/stability/weight.h"
 
 namespace trivet::python {
 namespace {

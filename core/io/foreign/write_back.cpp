@@ -1,90 +1,15 @@
 #include "core/io/foreign/write_back.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "core/base/bad_input.h"
-#include "core/io/text/words.h"
+#include "core/io/foreign/tag_text.h"
 #include "core/motion/motion.h"
 
 namespace trivet {
 namespace {
-
-bool is_space(char c) { return is_blank(c) || is_line_end(c); }
-
-// The shortest decimal that gives the double back.
-std::string shortest(double value) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value == 0 ? 0.0 : value).ptr;
-  return std::string(text, end);
-}
-
-/// Words of a text and where they stand.
-struct Word {
-  size_t begin, end;
-};
-std::vector<Word> words_of(const std::string& text) {
-  std::vector<Word> out;
-  for (size_t i = 0; i < text.size();) {
-    if (is_space(text[i])) {
-      ++i;
-      continue;
-    }
-    const size_t begin = i;
-    while (i < text.size() && !is_space(text[i])) ++i;
-    out.push_back({begin, i});
-  }
-  return out;
-}
-
-/// One past the '>' of the tag that begins there; quotes may hold others.
-size_t end_of_tag(const std::string& bytes, size_t begin) {
-  char quote = 0;
-  for (size_t i = begin; i < bytes.size(); ++i) {
-    const char c = bytes[i];
-    if (quote) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '>') {
-      return i + 1;
-    }
-  }
-  return bytes.size();
-}
-
-/// Where an attribute stands in a tag: from the blank before it to behind its closing quote.
-struct AttributePlace {
-  size_t begin, value, value_end, end;
-};
-
-// Scans names and quoted values, so that no text inside a value is taken for an attribute.
-std::optional<AttributePlace> find_attribute(const std::string& tag, const std::string& name) {
-  size_t i = 1;
-  while (i < tag.size() && !is_space(tag[i]) && tag[i] != '>' && tag[i] != '/') ++i;
-  while (i < tag.size()) {
-    const size_t begin = i;
-    while (i < tag.size() && is_space(tag[i])) ++i;
-    const size_t key = i;
-    while (i < tag.size() && !is_space(tag[i]) && tag[i] != '=' && tag[i] != '>' && tag[i] != '/')
-      ++i;
-    const std::string found = tag.substr(key, i - key);
-    while (i < tag.size() && (is_space(tag[i]) || tag[i] == '=')) ++i;
-    if (i >= tag.size() || (tag[i] != '"' && tag[i] != '\'')) return std::nullopt;
-    const size_t close = tag.find(tag[i], i + 1);
-    if (close == tag.npos) return std::nullopt;
-    if (found == name) return AttributePlace{begin, i + 1, close, close + 1};
-    i = close + 1;
-  }
-  return std::nullopt;
-}
-
-std::string value_of(const std::string& tag, const std::string& name) {
-  const auto at = find_attribute(tag, name);
-  return at ? tag.substr(at->value, at->value_end - at->value) : "";
-}
 
 bool same_turn(const Rotation& a, const Rotation& b) {
   // Quaternions of both signs are one turn.
@@ -102,12 +27,11 @@ Vec3 moved_position(const std::string& old, const ForeignBody& body, const Pose&
   const Vec3 way = pose.translation - body.pose.translation;
   const Vec3 shift = body.place.world_from_place.rotation.matrix().transpose() * way;
   Vec3 out = Vec3::Zero();
-  const std::vector<Word> words = words_of(old);
+  const std::vector<TextWord> words = text_words(old);
   for (size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<Index>(i);
     // Numbers that the file lacks begin at zero.
-    if (words.size() >= 3)
-      out[k] = number_from(old.substr(words[i].begin, words[i].end - words[i].begin)).value_or(0);
+    if (words.size() >= 3) out[k] = number_at(old, words[i]);
     if (std::abs(shift[k]) > 1e-15 * way.norm()) out[k] += shift[k];
   }
   return out;
@@ -223,12 +147,12 @@ class Editor {
   void add_keys() {
     for (const auto& [place, changes] : m_keys) {
       const std::string tag = tag_at(place.first, place.second);
-      const std::string old = value_of(tag, "qpos");
+      const std::string old = attribute_of(tag, "qpos");
       std::string value = old;
-      const std::vector<Word> words = words_of(old);
+      const std::vector<TextWord> words = text_words(old);
       // Words are replaced from the last to the first.
       for (auto it = changes.rbegin(); it != changes.rend(); ++it) {
-        const Word& w = words.at(it->first);
+        const TextWord& w = words.at(it->first);
         value.replace(w.begin, w.end - w.begin,
                       with_numbers(old.substr(w.begin, w.end - w.begin), {it->second}));
       }
@@ -243,7 +167,7 @@ class Editor {
     const std::string tag = tag_at(place.file, place.begin);
     const bool urdf = m_scene.format == "URDF";
     std::vector<std::pair<std::string, std::string>> changes;
-    const std::string key = urdf ? "xyz" : "pos", old = value_of(tag, key);
+    const std::string key = urdf ? "xyz" : "pos", old = attribute_of(tag, key);
     const Vec3 position = moved_position(old, body, pose);
     const std::string text = with_numbers(old, numbers_of(position));
     // A tag without a position gets one only if it moved.
@@ -251,9 +175,9 @@ class Editor {
     if (!same_turn(pose.rotation, body.pose.rotation)) {
       const Rotation turn = local.rotation.normalized();
       if (urdf) {
-        changes.emplace_back("rpy", with_numbers(value_of(tag, "rpy"), roll_pitch_yaw(turn)));
+        changes.emplace_back("rpy", with_numbers(attribute_of(tag, "rpy"), roll_pitch_yaw(turn)));
       } else {
-        changes.emplace_back("quat", with_numbers(value_of(tag, "quat"), numbers_of(turn)));
+        changes.emplace_back("quat", with_numbers(attribute_of(tag, "quat"), numbers_of(turn)));
         // One way to tell the turn is left: the others would contradict it.
         for (const char* other : {"euler", "axisangle", "xyaxes", "zaxis"})
           changes.emplace_back(other, "");
@@ -292,10 +216,8 @@ class Editor {
   // Numbers behind the position, as they are.
   static std::vector<double> angles_that_stand(const std::string& text) {
     std::vector<double> out;
-    const std::vector<Word> words = words_of(text);
-    for (size_t i = 3; i < words.size(); ++i)
-      out.push_back(
-          number_from(text.substr(words[i].begin, words[i].end - words[i].begin)).value_or(0));
+    const std::vector<TextWord> words = text_words(text);
+    for (size_t i = 3; i < words.size(); ++i) out.push_back(number_at(text, words[i]));
     return out;
   }
 
@@ -325,43 +247,6 @@ class Editor {
 };
 
 }  // namespace
-
-std::string with_numbers(const std::string& old, const std::vector<double>& numbers) {
-  const std::vector<Word> words = words_of(old);
-  std::string out = old;
-  // Another count of numbers is written anew, else only those words that changed.
-  if (words.size() != numbers.size()) {
-    out.clear();
-    for (size_t i = 0; i < numbers.size(); ++i) out += (i ? " " : "") + shortest(numbers[i]);
-    return out;
-  }
-  for (size_t i = words.size(); i-- > 0;) {
-    const std::string word = old.substr(words[i].begin, words[i].end - words[i].begin);
-    if (number_from(word) != numbers[i])
-      out.replace(words[i].begin, word.size(), shortest(numbers[i]));
-  }
-  return out;
-}
-
-std::string with_attributes(std::string tag,
-                            const std::vector<std::pair<std::string, std::string>>& changes) {
-  for (const auto& [name, value] : changes) {
-    const auto at = find_attribute(tag, name);
-    // An empty value takes the attribute away.
-    if (at && value.empty()) {
-      tag.erase(at->begin, at->end - at->begin);
-    } else if (at) {
-      tag.replace(at->value, at->value_end - at->value, value);
-    } else if (!value.empty()) {
-      size_t end = tag.size() - (tag.ends_with("/>") ? 2 : 1);
-      while (end > 0 && is_space(tag[end - 1])) --end;
-      std::string attribute = " ";
-      attribute.append(name).append("=\"").append(value).append("\"");
-      tag.insert(end, attribute);
-    }
-  }
-  return tag;
-}
 
 std::vector<std::string> files_with_poses(const ForeignScene& scene,
                                           const std::map<size_t, Pose>& poses,

@@ -9,14 +9,6 @@
 
 namespace trivet {
 
-/// Text of numbers in place of others: those that are equal keep their text, and so does the white
-/// space. @param old  empty, or with another count: all numbers, a blank between.
-std::string with_numbers(const std::string& old, const std::vector<double>& numbers);
-
-/// One start tag with changed attributes. An empty value takes the attribute away.
-std::string with_attributes(std::string tag,
-                            const std::vector<std::pair<std::string, std::string>>& changes);
-
 /// Numbers of joints by their place in a keyframe: metres, radians.
 using JointNumbers = std::map<size_t, double>;
 

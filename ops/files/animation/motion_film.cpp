@@ -6,8 +6,8 @@
 #include "core/io/animation.h"
 #include "core/io/mesh_model.h"
 #include "core/motion/pose_interpolation.h"
+#include "core/scene/joint_load.h"
 #include "ops/operations/put_parts.h"
-#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {

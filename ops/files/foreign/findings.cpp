@@ -10,7 +10,7 @@
 #include "ops/files/foreign/joint_moves.h"
 #include "ops/files/report/verdict.h"
 #include "ops/placement/clearance.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 namespace {

@@ -7,8 +7,8 @@
 #include "core/base/quoted.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
-#include "ops/operations/moving_group.h"
-#include "ops/stability/stability.h"
+#include "ops/operations/carried_with.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 namespace {

@@ -5,6 +5,7 @@
 #include "ops/files/report/flexible_json.h"
 #include "ops/files/report/repaired.h"
 #include "ops/files/report/verdict.h"
+#include "ops/stability/weight.h"
 
 namespace trivet {
 

@@ -7,7 +7,7 @@
 #include "core/base/quoted.h"
 #include "ops/files/report/json_parts.h"
 #include "ops/files/report/verdict.h"
-#include "ops/operations/moving_group.h"
+#include "ops/operations/carried_with.h"
 
 namespace trivet {
 namespace {

@@ -9,6 +9,7 @@
 #include "ops/operations/perform.h"
 #include "ops/operations/whole.h"
 #include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 #include "support/same_scene.h"
 
 namespace trivet::test {

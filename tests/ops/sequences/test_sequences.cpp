@@ -19,6 +19,7 @@
 #include "ops/operations/perform.h"
 #include "ops/settle/friction_settling.h"
 #include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 #include "random_sequence.h"
 #include "support/effort.h"
 #include "support/same_scene.h"

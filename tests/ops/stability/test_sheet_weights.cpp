@@ -3,7 +3,7 @@
 
 #include "core/scene/materials.h"
 #include "ops/simulation/simulation.h"
-#include "ops/stability/stability.h"
+#include "ops/stability/weight.h"
 #include "support/solids.h"
 
 namespace trivet::test {

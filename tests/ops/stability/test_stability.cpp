@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/scene/joint_load.h"
 #include "core/scene/transaction.h"
 #include "ops/check/check.h"
 #include "ops/operations/perform.h"

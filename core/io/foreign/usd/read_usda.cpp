@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/base/bad_input.h"
+#include "core/io/foreign/tag_text.h"
 #include "core/io/foreign/usd/usda_bodies.h"
 #include "core/io/foreign/usd/usda_shapes.h"
-#include "core/io/foreign/write_back.h"
 
 namespace trivet {
 namespace {

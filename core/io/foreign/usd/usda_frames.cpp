@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/io/foreign/scene.h"
-#include "core/io/foreign/write_back.h"
+#include "core/io/foreign/tag_text.h"
 
 namespace trivet {
 namespace {

@@ -1,25 +1,19 @@
 #include "core/io/foreign/usd/usda_stage.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "core/base/bad_input.h"
 #include "core/io/foreign/scene.h"
-#include "core/io/foreign/uri.h"
+#include "core/io/foreign/usd/usda_stacks.h"
 
 namespace trivet {
 namespace {
 
-constexpr size_t kMostUsdaElements = 1'000'000;  // prims and properties, of all layers
-constexpr size_t kMostUsdaSites = 500'000;       // places of opinions, of a stage
-constexpr int kMostUsdaArcs = 32;                // references of references
-constexpr int kMostVariantRounds = 8;            // variants in variants
+constexpr size_t kMostUsdaSites = 500'000;  // places of opinions, of a stage
+constexpr int kMostVariantRounds = 8;       // variants in variants
 
 /// By strength, the strongest first.
 enum class Arc { Local, Inherits, Variant, Reference, Payload };
-
-/// A layer with its sublayers, the strongest first.
-using LayerStack = std::vector<const UsdaLayer*>;
 
 /// A prim as one layer has it.
 struct SpecInLayer {
@@ -57,65 +51,19 @@ class UsdaComposer {
  public:
   UsdaComposer(UsdaStage& stage, const std::string& path, const XmlLimits& limits,
                const std::vector<std::string>& roots, std::vector<Sentence>& unread)
-      : m_stage(stage), m_path(path), m_limits(limits), m_roots(path, roots), m_unread(unread) {}
+      : m_stage(stage),
+        m_path(path),
+        m_limits(limits),
+        m_stacks(stage, path, limits, roots, unread),
+        m_unread(unread) {}
 
   void compose() {
-    const UsdaLayer& main = load(m_path);
-    m_by_path[std::filesystem::absolute(m_path).lexically_normal().string()] = &main;
-    const LayerStack& stack = stack_of(main);
-    Site top = root_site(stack);
+    Site top = root_site(m_stacks.main_stack());
     top.mapping = std::make_shared<UsdaMapping>();
     add_children(top, "", false, m_stage.prims, 0);
   }
 
  private:
-  const UsdaLayer& load(const std::string& path) {
-    XmlLimits left = m_limits;
-    left.max_elements = std::min(left.max_elements, kMostUsdaElements);
-    for (const auto& layer : m_stage.layers) {
-      left.max_bytes -= std::min(left.max_bytes, layer->num_bytes);
-      left.max_elements -= std::min(left.max_elements, layer->num_elements);
-    }
-    m_stage.layers.push_back(std::make_unique<UsdaLayer>(read_usda_layer(path, left)));
-    return *m_stage.layers.back();
-  }
-
-  // A layer that another one names; null: it was not read, and the reason is told. Each is tried
-  // once.
-  const UsdaLayer* named(const std::string& asset, const UsdaLayer& by) {
-    try {
-      const std::string path = path_of_uri(asset, by.path, m_roots);
-      const auto [known, is_new] = m_by_path.emplace(path, nullptr);
-      if (is_new) known->second = &load(path);
-      return known->second;
-    } catch (const Error& error) {
-      note_once(m_unread, error.sentence());
-      return nullptr;
-    }
-  }
-
-  const LayerStack& stack_of(const UsdaLayer& layer) {
-    const auto known = m_stacks.find(&layer);
-    if (known != m_stacks.end()) return *known->second;
-    auto stack = std::make_unique<LayerStack>();
-    add_sublayers(layer, *stack);
-    return *(m_stacks[&layer] = std::move(stack));
-  }
-
-  void add_sublayers(const UsdaLayer& layer, LayerStack& out) {
-    // A layer counts once: circles end.
-    if (std::find(out.begin(), out.end(), &layer) != out.end()) return;
-    if (out.size() > kMostUsdaArcs) return note(layer, "has too many layers below it");
-    out.push_back(&layer);
-    if (const UsdaEntry* const sublayers = find_entry(layer.root.metadata, "subLayers"))
-      for (const auto& [kind, asset] : sublayers->value.words)
-        if (const UsdaLayer* const below = named(asset, layer)) add_sublayers(*below, out);
-  }
-
-  void note(const UsdaLayer& layer, const char* why) {
-    note_once(m_unread, say("%1: %2", layer.path, Sentence(why)));
-  }
-
   Site root_site(const LayerStack& stack) const {
     Site out;
     out.stack = &stack;
@@ -186,16 +134,16 @@ class UsdaComposer {
     for (size_t i = 0; i < words.size(); ++i) {
       const bool is_asset = words[i].first == UsdaValue::Kind::Asset;
       const UsdaLayer* target = site.stack->front();
-      if (is_asset && !words[i].second.empty()) target = named(words[i].second, layer);
+      if (is_asset && !words[i].second.empty()) target = m_stacks.named(words[i].second, layer);
       std::string path = is_asset ? "" : words[i].second;
       // A path behind an asset is a prim of that.
       if (is_asset && i + 1 < words.size() && words[i + 1].first == UsdaValue::Kind::Path)
         path = words[++i].second;
       if (!target) continue;
-      if (path.empty()) path = default_prim(*target);
-      const LayerStack& stack = stack_of(*target);
+      if (path.empty()) path = m_stacks.default_prim(*target);
+      const LayerStack& stack = m_stacks.stack_of(*target);
       if (depth >= kMostUsdaArcs || is_circle(site, stack, path)) {
-        note(layer, "refers to itself, or too deep");
+        m_stacks.note(layer, "refers to itself, or too deep");
         continue;
       }
       m_on_the_way.emplace_back(&stack, path);
@@ -216,13 +164,6 @@ class UsdaComposer {
     return holds(site.stack, site.path) ||
            std::any_of(m_on_the_way.begin(), m_on_the_way.end(),
                        [&](const auto& at) { return holds(at.first, at.second); });
-  }
-
-  std::string default_prim(const UsdaLayer& layer) {
-    const UsdaEntry* const entry = find_entry(layer.root.metadata, "defaultPrim");
-    if (entry && !entry->value.words.empty()) return "/" + entry->value.words[0].second;
-    note(layer, "is referred to and has no defaultPrim");
-    return "";
   }
 
   std::optional<Site> site_at(const LayerStack& stack, const std::string& path, int depth) {
@@ -353,10 +294,8 @@ class UsdaComposer {
   UsdaStage& m_stage;
   const std::string& m_path;
   XmlLimits m_limits;
-  SceneRoots m_roots;
+  UsdaStacks m_stacks;
   std::vector<Sentence>& m_unread;
-  std::map<std::string, const UsdaLayer*> m_by_path;
-  std::map<const UsdaLayer*, std::unique_ptr<LayerStack>> m_stacks;
   std::vector<std::pair<const LayerStack*, std::string>> m_on_the_way;  // what is referred to
   size_t m_num_sites = 0;
 };

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/io/foreign/foreign_testing.h"
+#include "core/io/foreign/tag_text.h"
 #include "core/io/foreign/write_back.h"
 #include "core/io/text/file_bytes.h"
 #include "ops/files/foreign/findings.h"
