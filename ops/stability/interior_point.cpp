@@ -15,7 +15,7 @@ constexpr int kMostSteps = 100;
 constexpr double kPartOfWay = 0.995;  // to the nearest bound
 constexpr double kLeastGap = 1e-9;    // between both objectives, weights
 constexpr double kPriceRounding = 1e-9;
-constexpr double kClearlyMissing = 1.1 * kMayBeMissing;  // of each body
+constexpr double kProvablyMissing = 1.1 * kMayBeMissing;  // of each body
 
 double largest_of(const std::vector<BalanceProgram::BodyRows>& rows) {
   double out = 0;
@@ -166,7 +166,7 @@ LinearProgram::Solution as_prices(const InteriorPoint::Prices& y) {
 }
 
 bool is_clearly_missing(const ForceProgram& program, const std::vector<VirtualMotion>& motions) {
-  return program.least_missing(motions, kClearlyMissing) > kLeastGap;
+  return program.least_missing(motions, kProvablyMissing) > kLeastGap;
 }
 
 PartForces balanced_forces(const BalanceProgram& program, const InteriorPoint& point) {
