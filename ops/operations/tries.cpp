@@ -23,7 +23,7 @@ constexpr int kStartsOfTry = 2;    // looked at for each try: some interpenetrat
 constexpr int kMostThatLeave = 1;  // tries that end out of the container, before a second round
 /// Work by which starts are tried: the same on every machine and for every backend. It stops few
 /// PUTs, as of fine meshes in full boxes, that would go on for seconds.
-constexpr double kWorkOfTry = 75;     // for each that was asked for, in first contacts
+constexpr double kWorkOfTry = 100;    // for each that was asked for, in first contacts
 constexpr double kFacesOfOne = 8192;  // of an object whose first contact is one unit of work
 constexpr int kLeastStarts = 3;       // whatever they cost
 /// From other starts the whole has to stand at once. A fifth of them do, which costs a fifth of

@@ -72,7 +72,7 @@ class BalanceProgram {
   static Eigen::Index edges_of(size_t contact) {
     return static_cast<Eigen::Index>(kEdges * contact);
   }
-  /// Of each body, by the forces alone; missing as missing() has it, the others in parts of what it
+  /// Sums of the forces at each body: missing as missing() has it, the others in parts of what it
   /// carries.
   struct Sums {
     std::vector<double> missing, pushed, across;

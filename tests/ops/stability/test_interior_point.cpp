@@ -154,7 +154,7 @@ Outcome expect_as_simplex(const FreeBodies& pile, double factor = 1) {
     expect_balance(pile, found);
     return Outcome::Stands;
   }
-  // What may be missing of each body costs nothing here.
+  // The interior-point method has for free what may be missing of each body.
   const double free = kMayBeMissing * static_cast<double>(pile.bodies.size());
   EXPECT_NEAR(found.residual, simplex.residual, free + 1e-5 * simplex.residual);
   EXPECT_TRUE(std::find(found.moves.begin(), found.moves.end(), true) != found.moves.end());
