@@ -140,7 +140,7 @@ ObstacleContact MovingGroup::first_contact(const Motion& motion) {
   // Each member has its own obstacles: the first of all counts, of equal ones that of the first
   // member.
   for (size_t i = 0; i < m_bodies.size(); ++i) {
-    const ObstacleContact found = first_contact({&m_bodies[i], 1}, m_outside_of[i], motion);
+    ObstacleContact found = first_contact({&m_bodies[i], 1}, m_outside_of[i], motion);
     if (found.status == FirstContact::Status::Crossing) return found;
     if (found.status == FirstContact::Status::Contact && found.time < earliest.time)
       earliest = found;
@@ -152,7 +152,7 @@ ObstacleContact MovingGroup::first_contact(std::span<const Body> bodies,
                                            const Neighbourhood& others, const Motion& motion) {
   Clearance keep;
   keep.distance = m_motion_clearance;
-  const ObstacleContact found = trivet::first_contact(bodies, others, motion, keep, m_detector);
+  ObstacleContact found = trivet::first_contact(bodies, others, motion, keep, m_detector);
   ++m_num_queries;
   m_num_face_pairs += found.work.face_pairs;
   return found;
@@ -190,6 +190,7 @@ bool MovingGroup::separate(const std::vector<GroupContact>& group_contacts) {
   // Usually gaps are wide enough, or can be made so.
   m_motion_clearance = m_clearance;
   std::vector<ContactPoint> points;
+  points.reserve(group_contacts.size());
   for (const GroupContact& t : group_contacts) points.push_back(t.point);
   const auto is_open = [&](double part) {
     return std::all_of(points.begin(), points.end(), [&](const ContactPoint& p) {
