@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kAirOfParted = 2e-5;  // metres between an object and what it is parted from
 constexpr int kRoundsOfParting = 8;
-constexpr int kRoundsOfLettingGo = 3;
 constexpr double kReachOfClosing = 2;            // tolerances
 constexpr double kMostReach = 0.04;              // metres: what is farther falls
 constexpr double kMostSteps[] = {0.006, 0.004};  // metres, of closing: the first does mostly
@@ -98,14 +97,11 @@ class HeapInPlace {
       Attempt other = attempt(kMostSteps[k]);
       if (other.is_better_than(best)) best = std::move(other);
     }
-    m_scene = std::move(best.scene);
-    std::vector<ObjectId> missing = std::move(best.missing);
-    for (int round = 0; round < kRoundsOfLettingGo && !missing.empty() && !m_out.is_out_of_time();
-         ++round) {
-      for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
-      for (const ObjectId id : missing) let_go_alone(id);
-      missing = close(kMostSteps[0]);
-    }
+    m_scene = best.scene;
+    if (best.missing.empty() || m_out.is_out_of_time()) return;
+    for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
+    for (const ObjectId id : best.missing) let_go_alone(id);
+    close(kMostSteps[0]);
   }
 
   // Once more from where the first time ended, if anything is missing.
