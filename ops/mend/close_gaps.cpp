@@ -127,7 +127,7 @@ class GapCloser {
     return true;
   }
 
-  // No farther than contacts are known. @return metres, the farthest.
+  // No farther than contacts are known and linear motions hold. @return metres, the farthest.
   double go(double reach) {
     const double air = kGapLeft * m_gaps.clearance;
     const std::vector<SmallMotion> to = aims();
@@ -138,7 +138,7 @@ class GapCloser {
     bool free = false;
     for (int cut = 0; cut < kCutsOfStep && !free; ++cut) {
       if (cut > 0) motions = nearest_motions(m_choice.rows, to, kStillStep * m_gaps.clearance);
-      farthest = shorten(motions, reach);
+      farthest = shorten(motions, std::min(reach, m_gaps.most_step));
       there = moved(motions);
       const std::vector<MemberCrossing> found = crossings_of(m_scene, there);
       free = found.empty();

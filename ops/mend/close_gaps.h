@@ -8,8 +8,9 @@
 namespace trivet {
 
 struct GapsToClose {
-  double clearance = 0;  // metres
-  double reach = 0;      // metres: wider gaps stay
+  double clearance = 0;          // metres
+  double reach = 0;              // metres: wider gaps stay
+  double most_step = kInfinity;  // metres: turns of longer ones are not linear
 };
 
 /// Moves these objects, placed and free of each other, so that contacts can hold them all, as they

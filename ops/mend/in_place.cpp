@@ -21,13 +21,14 @@ namespace {
 
 constexpr double kAirOfParted = 2e-5;  // metres between an object and what it is parted from
 constexpr int kRoundsOfParting = 8;
-constexpr int kRoundsOfClosing = 4;
-constexpr double kReachOfClosing = 2;  // tolerances
-constexpr double kMostReach = 0.04;    // metres: what is farther falls
+constexpr double kReachOfClosing = 2;            // tolerances
+constexpr double kMostReach = 0.04;              // metres: what is farther falls
+constexpr double kMostSteps[] = {0.006, 0.004};  // metres, of closing: the first does mostly
+constexpr double kFarInHeap = 4;                 // median ways
 // Tolerances within which an object has to come to rest, round by round.
 constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
-constexpr double kTiltedShareOfHeap = 0.25;
+constexpr double kTiltedShareOfHeap = 0.2;
 // Starts around its place: above and beside it, in tolerances, and turned, in degrees.
 constexpr double kLiftsInPlace[] = {0.01, 0.1, 0.3, 1}, kRingsInPlace[] = {0.1, 0.3, 1};
 constexpr double kTurnsInPlace[] = {1, 3};
@@ -72,23 +73,71 @@ class HeapInPlace {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   }
 
+  /// What closing gaps by steps of a length led to.
+  struct Attempt {
+    std::vector<ObjectId> missing;  // that nothing holds
+    double way = kInfinity;         // metres, of all
+    bool any_is_far = true;
+    Scene scene;
+
+    bool is_good() const { return missing.empty() && !any_is_far; }
+    bool is_better_than(const Attempt& other) const {
+      return std::pair(missing.size(), way) < std::pair(other.missing.size(), other.way);
+    }
+  };
+
   // All come into the contacts that hold them. What none within reach would hold is let go alone,
   // and they try again.
   void close_all() {
+    const Scene parted = m_scene;
+    Attempt best = attempt(kMostSteps[0]);
+    for (size_t k = 1; k < std::size(kMostSteps) && !best.is_good() && !m_out.is_out_of_time();
+         ++k) {
+      m_scene = parted;
+      Attempt other = attempt(kMostSteps[k]);
+      if (other.is_better_than(best)) best = std::move(other);
+    }
+    m_scene = best.scene;
+    if (best.missing.empty() || m_out.is_out_of_time()) return;
+    for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
+    for (const ObjectId id : best.missing) let_go_alone(id);
+    close(kMostSteps[0]);
+  }
+
+  // Once more from where the first time ended, if anything is missing.
+  Attempt attempt(double most_step) {
+    std::vector<ObjectId> missing = close(most_step);
+    if (!missing.empty() && !m_out.is_out_of_time()) missing = close(most_step);
+    return {std::move(missing), way_of_all(), any_is_far(), m_scene};
+  }
+
+  // @return those that nothing holds.
+  std::vector<ObjectId> close(double most_step) {
     const double clearance = clearance_of(m_scene, m_out.options().settle);
     const double reach = std::min(kReachOfClosing * tolerance(), kMostReach);
     std::vector<Placement> given;
     given.reserve(m_order.size());
     for (const ObjectId id : m_order) given.push_back({id, m_out.given(id)});
-    for (int round = 0; round < kRoundsOfClosing && !m_out.is_out_of_time(); ++round) {
-      for (const ObjectId id : m_order) release(id);
-      const auto missing = close_gaps(m_scene, given, {clearance, reach});
-      if (missing.empty()) return;
-      if (round == 0) continue;
-      for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
-      for (const ObjectId id : missing) let_go_alone(id);
-    }
     for (const ObjectId id : m_order) release(id);
+    return close_gaps(m_scene, given, {clearance, reach, most_step});
+  }
+
+  std::vector<double> ways() const {
+    std::vector<double> out;
+    out.reserve(m_order.size());
+    for (const ObjectId id : m_order) out.push_back(way_to(id, m_scene.at(id).pose));
+    return out;
+  }
+  double way_of_all() const {
+    double out = 0;
+    for (const double way : ways()) out += way;
+    return out;
+  }
+  // A wrong contact has dragged it along.
+  bool any_is_far() const {
+    std::vector<double> sorted = ways();
+    std::sort(sorted.begin(), sorted.end());
+    return sorted.back() > kFarInHeap * sorted[sorted.size() / 2];
   }
 
   // As a whole, or alone.

@@ -252,6 +252,21 @@ TEST(CloseGaps, OfManyCarriersThoseCarryThatTakeTheLeastMotion) {
   EXPECT_TRUE(stands(s.scene));
 }
 
+// Bottom up, a board of a tent has nothing to lean on.
+TEST(Heaps, AFifthOfTiltedOnesMakesOne) {
+  Boxes s = tent();
+  ASSERT_TRUE(mended(s.scene, 0.005).unable.empty());
+  const Scene leaning = s.scene;
+  edit_object(s.scene, s.ids[0], [](Object& o) { o.pose.translation += Vec3(-0.001, 0, 1e-4); });
+  edit_object(s.scene, s.ids[1], [](Object& o) { o.pose.translation += Vec3(0.001, 0, 2e-4); });
+  for (int i = 0; i < 8; ++i)
+    s.add("level " + std::to_string(i), kSmallBox, {0.5 + 0.2 * i, 0, 0.051});
+  EXPECT_TRUE(mended(s.scene, 0.005).unable.empty());
+  EXPECT_TRUE(stands(s.scene));
+  for (int i = 0; i < 2; ++i)
+    EXPECT_LT((s.at(s.ids[i]) - leaning.at(s.ids[i]).pose.translation).norm(), 0.0025) << i;
+}
+
 void perturb(Boxes& s, double metres, double degrees, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   const auto triple = [&] {
