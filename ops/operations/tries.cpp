@@ -108,7 +108,7 @@ class Tries {
     for (int n = 2; n <= kStartsOfTry * m_operation.tries; ++n) {
       if (m_in_hand && gives_up(num_tries)) break;
       if (n > m_operation.tries && num_left > kMostThatLeave) break;
-      if (num_tries >= kLeastStarts && m_work > kWorkOfTry * m_operation.tries) break;
+      if (num_tries >= kLeastStarts && is_worked_enough()) break;
       const auto result = try_number(n);
       if (!result) continue;
       const bool is_over = result->ok() || result->status != OperationResult::Status::Refused;
@@ -137,6 +137,12 @@ class Tries {
   void note_work(const OperationResult& result) {
     const double num_faces = static_cast<double>(object().shape->mesh.triangles.size());
     m_work += static_cast<double>(result.num_queries) * std::sqrt(num_faces / kFacesOfOne);
+  }
+
+  // What got beside its container may start from everywhere else, whatever that costs.
+  bool is_worked_enough() const {
+    return m_work > kWorkOfTry * m_operation.tries &&
+           !(m_in_hand && m_in_hand->rest == Rest::BesideContainer);
   }
 
   void note_movers(Settled settled, const OperationResult& result) {

@@ -16,7 +16,7 @@
 //                            move, where others may move now
 //   first contacts of fine meshes
 //                            count more, by the root of the number of faces: where they add up to
-//                            seconds, no further start is tried
+//                            seconds, no further start is tried, but for what got over a wall
 #pragma once
 
 #include <functional>
