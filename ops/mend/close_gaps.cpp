@@ -42,7 +42,8 @@ class GapCloser {
       m_near_given = step < kStepsNearGiven;
       choose(reach, step == 0);
       const bool done = widest_needed() <= kGapClosed * m_gaps.clearance;
-      if (done || step == kStepsOfClosing || !pull_harder_if_stuck()) return not_held();
+      const bool is_last = step == kStepsOfClosing || (m_gaps.is_over && m_gaps.is_over());
+      if (done || is_last || !pull_harder_if_stuck()) return not_held();
       const double gone = go(reach);
       reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
     }

@@ -1,6 +1,7 @@
 // Objects that hardly miss each other brought into contact, all at once. Private.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "ops/placement/neighbourhood.h"
@@ -8,9 +9,10 @@
 namespace trivet {
 
 struct GapsToClose {
-  double clearance = 0;          // metres
-  double reach = 0;              // metres: wider gaps stay
-  double most_step = kInfinity;  // metres: turns of longer ones are not linear
+  double clearance = 0;                // metres
+  double reach = 0;                    // metres: wider gaps stay
+  double most_step = kInfinity;        // metres: turns of longer ones are not linear
+  std::function<bool()> is_over = {};  // asked before each step: it ends there
 };
 
 /// Moves these objects, placed and free of each other, so that contacts can hold them all, as they

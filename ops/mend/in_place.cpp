@@ -21,10 +21,11 @@ namespace {
 
 constexpr double kAirOfParted = 2e-5;  // metres between an object and what it is parted from
 constexpr int kRoundsOfParting = 8;
-constexpr double kReachOfClosing = 2;            // tolerances
-constexpr double kMostReach = 0.04;              // metres: what is farther falls
-constexpr double kMostSteps[] = {0.006, 0.004};  // metres, of closing: the first does mostly
-constexpr double kFarInHeap = 4;                 // median ways
+constexpr double kReachOfClosing = 2;  // tolerances
+constexpr double kMostReach = 0.04;    // metres: what is farther falls
+// Metres, of closing gaps: the first ones do mostly.
+constexpr double kMostSteps[] = {0.006, 0.004, kInfinity};
+constexpr double kFarInHeap = 4;  // median ways
 // Tolerances within which an object has to come to rest, round by round.
 constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
@@ -73,7 +74,7 @@ class HeapInPlace {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   }
 
-  /// What closing gaps by steps of a length led to.
+  /// Result of closing gaps by steps of one length.
   struct Attempt {
     std::vector<ObjectId> missing;  // that nothing holds
     double way = kInfinity;         // metres, of all
@@ -98,10 +99,15 @@ class HeapInPlace {
       if (other.is_better_than(best)) best = std::move(other);
     }
     m_scene = best.scene;
-    if (best.missing.empty() || m_out.is_out_of_time()) return;
-    for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
-    for (const ObjectId id : best.missing) let_go_alone(id);
-    close(kMostSteps[0]);
+    // Letting go goes on while fewer are missing each time.
+    std::vector<ObjectId> missing = std::move(best.missing);
+    for (size_t before = missing.size() + 1;
+         !missing.empty() && missing.size() < before && !m_out.is_out_of_time();) {
+      before = missing.size();
+      for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
+      for (const ObjectId id : missing) let_go_alone(id);
+      missing = close(kMostSteps[0]);
+    }
   }
 
   // Once more from where the first time ended, if anything is missing.
@@ -119,7 +125,8 @@ class HeapInPlace {
     given.reserve(m_order.size());
     for (const ObjectId id : m_order) given.push_back({id, m_out.given(id)});
     for (const ObjectId id : m_order) release(id);
-    return close_gaps(m_scene, given, {clearance, reach, most_step});
+    const auto is_over = [this] { return m_out.is_out_of_time(); };
+    return close_gaps(m_scene, given, {clearance, reach, most_step, is_over});
   }
 
   std::vector<double> ways() const {

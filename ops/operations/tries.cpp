@@ -139,7 +139,7 @@ class Tries {
     m_work += static_cast<double>(result.num_queries) * std::sqrt(num_faces / kFacesOfOne);
   }
 
-  // What got beside its container may start from everywhere else, whatever that costs.
+  // An object that got beside its container may start from everywhere else, whatever that costs.
   bool is_worked_enough() const {
     return m_work > kWorkOfTry * m_operation.tries &&
            !(m_in_hand && m_in_hand->rest == Rest::BesideContainer);
