@@ -72,7 +72,7 @@ Rest rest_from(const Scene& scene, ObjectId id, const Pose& start) {
   return is_carried_across_gap(object) ? Rest::AcrossGap : Rest::Touching;
 }
 
-/// Where the object settles from a start, which no budget changes: it is found once.
+/// A start with the place where the object settles from it, which no budget changes.
 struct Settled {
   StartTried start;
   MovePlan plan;

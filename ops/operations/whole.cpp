@@ -87,7 +87,7 @@ class Whole {
   PartVerdict judge() {
     // Only parts connected with what changed can have lost their balance.
     const std::vector<ObjectId> changed = touched();
-    // Where none may move, it does not matter who would.
+    // It does not matter who would move where none may.
     PartVerdict verdict = judge_parts(m_scene, connected_with(m_scene, changed), changed,
                                       m_clearance, kMaxProgramObjects, friction(),
                                       m_most_movers == 0 ? Toppling::SomeWillDo : Toppling::All);

@@ -40,24 +40,6 @@ FreeBodies among_ground(const FreeBodies& part, const std::vector<Index>& chosen
   return out;
 }
 
-std::vector<Index> nearest_to(std::span<const ObjectId> changed, const FreeBodies& part) {
-  std::vector<std::vector<Index>> next(part.bodies.size());
-  for (const BodyContact& t : part.touches)
-    if (t.from != BodyContact::kGround) next[t.on].push_back(t.from), next[t.from].push_back(t.on);
-  std::vector<char> seen(part.bodies.size(), 0);
-  std::vector<Index> out;
-  const auto add = [&](Index i) {
-    if (out.size() < kFew && !std::exchange(seen[i], 1)) out.push_back(i);
-  };
-  for (size_t i = 0; i < part.bodies.size(); ++i)
-    if (std::find(changed.begin(), changed.end(), part.bodies[i].id) != changed.end())
-      add(static_cast<Index>(i));
-  for (size_t k = 0; k < out.size(); ++k)
-    for (const Index i : next[out[k]]) add(i);
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
 }  // namespace
 
 std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
@@ -85,7 +67,12 @@ std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
 
 PartForces disproof_by_few(const FreeBodies& part, std::span<const ObjectId> changed,
                            double clearance) {
-  const std::vector<Index> few = nearest_to(changed, part);
+  std::vector<Index> seeds;
+  for (size_t i = 0; i < part.bodies.size(); ++i)
+    if (std::find(changed.begin(), changed.end(), part.bodies[i].id) != changed.end())
+      seeds.push_back(static_cast<Index>(i));
+  if (seeds.empty()) return {};
+  const std::vector<Index> few = nearest_bodies(part, seeds, kFew);
   FreeBodies alone = among_ground(part, few);
   const PartForces found = contact_forces(alone, clearance);
   if (!found.solved || found.balanced()) return {};

@@ -17,7 +17,7 @@ std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
 
 /// A proof that a part of many bodies does not stand, by the few of them that are the nearest to
 /// what has changed, by steps from contact to contact: they do not even while all others stand
-/// still. It takes a tenth of the time of quickest_forces().
+/// still.
 /// @param changed  any objects, bodies of the part or not.
 /// @return not balanced, without forces; `solved` is false where these few stand so.
 PartForces disproof_by_few(const FreeBodies& part, std::span<const ObjectId> changed,

@@ -209,6 +209,24 @@ FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double
   return out;
 }
 
+std::vector<Index> nearest_bodies(const FreeBodies& all, std::span<const Index> seeds, size_t most,
+                                  std::span<const char> may) {
+  std::vector<std::vector<Index>> next(all.bodies.size());
+  for (const BodyContact& t : all.touches)
+    if (t.from != BodyContact::kGround) next[t.on].push_back(t.from), next[t.from].push_back(t.on);
+  std::vector<char> seen(all.bodies.size(), 0);
+  std::vector<Index> out;
+  const auto add = [&](Index i) {
+    const bool is_chosen = may.empty() || may[static_cast<size_t>(i)];
+    if (is_chosen && out.size() < most && !std::exchange(seen[i], 1)) out.push_back(i);
+  };
+  for (const Index i : seeds) add(i);
+  for (size_t k = 0; k < out.size(); ++k)
+    for (const Index i : next[out[k]]) add(i);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 std::vector<Index> connected_parts(const FreeBodies& all) {
   std::vector<Index> root(all.bodies.size());
   std::iota(root.begin(), root.end(), 0);

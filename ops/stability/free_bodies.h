@@ -68,6 +68,11 @@ FreeBodies near_bodies(const Scene& scene, std::span<const ObjectId> ids, double
                        const IsGround& is_ground, const ContactFriction& friction,
                        double num_clearances = kCarryingTolerance);
 
+/// The first bodies by steps from contact to contact, sorted, themselves among them.
+/// @param seeds  bodies. @param may  for each body, whether it may be chosen; empty: all may.
+std::vector<Index> nearest_bodies(const FreeBodies& all, std::span<const Index> seeds, size_t most,
+                                  std::span<const char> may = {});
+
 /// Connected part of each body, by contacts between bodies; parts are numbered in the order of
 /// their first body.
 std::vector<Index> connected_parts(const FreeBodies& all);

@@ -158,27 +158,18 @@ class Judgement {
     return at != m_ids.end() && *at == id && m_certificate.bodies[at - m_ids.begin()].certified;
   }
 
-  // The first by steps from contact to contact.
+  // Only open bodies can be chosen.
   std::vector<Index> nearest_to_change(const std::vector<Index>& open) const {
-    std::vector<std::vector<Index>> next(m_ids.size());
-    for (const BodyContact& t : m_all.touches)
-      if (t.from != BodyContact::kGround)
-        next[t.on].push_back(t.from), next[t.from].push_back(t.on);
-    std::vector<char> seen(m_ids.size(), 1);
-    // Only open bodies can be chosen; all others count as seen.
-    for (const Index i : open) seen[i] = 0;
-    std::vector<Index> out;
-    const auto add = [&](Index i) {
-      if (out.size() < m_limit && !std::exchange(seen[i], 1)) out.push_back(i);
-    };
-    for (const Index i : open)
-      if (std::find(m_changed.begin(), m_changed.end(), m_ids[i]) != m_changed.end()) add(i);
+    std::vector<char> may(m_ids.size(), 0);
+    std::vector<Index> seeds;
+    for (const Index i : open) {
+      may[i] = 1;
+      if (std::find(m_changed.begin(), m_changed.end(), m_ids[i]) != m_changed.end())
+        seeds.push_back(i);
+    }
     // A change elsewhere reaches this part through bodies that are certified.
-    if (out.empty()) add(open.front());
-    for (size_t k = 0; k < out.size(); ++k)
-      for (const Index i : next[out[k]]) add(i);
-    std::sort(out.begin(), out.end());
-    return out;
+    if (seeds.empty()) seeds.push_back(open.front());
+    return nearest_bodies(m_all, seeds, m_limit, may);
   }
 
   const Scene& m_scene;

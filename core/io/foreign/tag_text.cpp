@@ -17,7 +17,7 @@ std::string shortest(double value) {
   return std::string(text, end);
 }
 
-/// Where an attribute stands in a tag: from the blank before it to behind its closing quote.
+/// Place of an attribute in a tag: from the blank before it to behind its closing quote.
 struct AttributePlace {
   size_t begin, value, value_end, end;
 };
