@@ -136,12 +136,21 @@ class ContactSearch {
     return m_memory.support.nodes.get(m_search, b, m_support_nodes, b);
   }
 
+  // Leaves are met many times; their faces and boxes stay in a small memory of the thread.
+  const BoxedFaces& faces_a(Index a) {
+    return m_memory.object.faces.get(m_search, a, m_object, m_object_nodes.bvh().nodes[a]);
+  }
+  const BoxedFaces& faces_b(Index b) {
+    return m_memory.support.faces.get(m_search, b, m_support, m_support_nodes.bvh().nodes[b]);
+  }
+
   void visit(Index ia, Index ib) {
     const PlacedNode &in_a = node_a(ia), &in_b = node_b(ib);
     if (boxes_apart(in_a, in_b, m_node_reach) || slabs_apart(in_a, in_b, m_node_reach)) return;
     // The descent splits the larger node until both are leaves.
     const BvhNode &a = m_object_nodes.bvh().nodes[ia], &b = m_support_nodes.bvh().nodes[ib];
     if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
+    if (m_plane.is_known() && a.is_leaf() != b.is_leaf() && leaf_is_apart(ia, ib)) return;
     if (!a.is_leaf() && (b.is_leaf() || in_a.radius > in_b.radius)) {
       visit(ia + 1, ib);
       visit(a.second_child, ib);
@@ -152,12 +161,8 @@ class ContactSearch {
   }
 
   void try_leaves(Index ia, Index ib) {
-    // Leaves are met many times; their faces and boxes stay in a small memory of the thread.
-    const BoxedFaces& a =
-        m_memory.object.faces.get(m_search, ia, m_object, m_object_nodes.bvh().nodes[ia]);
-    const BoxedFaces& b =
-        m_memory.support.faces.get(m_search, ib, m_support, m_support_nodes.bvh().nodes[ib]);
-    if (m_plane != Vec3::Zero() && plane_separates(a, b)) return;
+    const BoxedFaces &a = faces_a(ia), &b = faces_b(ib);
+    if (m_plane.is_known() && are_far(along_plane(a), along_plane(b))) return;
     for (size_t i = 0; i < a.num; ++i)
       for (size_t j = 0; j < b.num; ++j) {
         if (!overlaps(a.boxes[i], b.boxes[j], m_reach)) continue;
@@ -166,22 +171,32 @@ class ContactSearch {
         if (is_separated_by(fb, a.corners[i]) || is_separated_by(fa, b.corners[j])) continue;
         m_features.add(ContactFace(fa), a.face[i], ContactFace(fb), b.face[j]);
       }
+    if (m_separating == Vec3::Zero()) return;
+    m_plane = PlaneNormal(m_separating.normalized(), m_frames);
+    m_separating.setZero();
   }
 
   // The plane of a face separates faces beside it, too.
   bool is_separated_by(const PlainFace& face, const Triangle& t) {
     if (!face.clearly_separates(t, m_tolerance)) return false;
-    m_plane = face.area_normal;
+    m_separating = face.area_normal;
     return true;
   }
 
-  // All faces of the leaves are too far from each other along the last plane's normal.
-  bool plane_separates(const LeafFaces& a, const LeafFaces& b) const {
-    const Vec3& origin = b.corners[0][0];
-    const auto [low_a, high_a] = a.along(m_plane, origin);
-    const auto [low_b, high_b] = b.along(m_plane, origin);
-    const double gap = std::max(low_a - high_b, low_b - high_a), far = kFar * m_tolerance;
-    return gap > 0 && gap * gap > far * far * m_plane.squaredNorm();
+  std::pair<double, double> along_plane(const LeafFaces& faces) const {
+    return faces.along(m_plane.world, m_frames.fixed.origin);
+  }
+
+  // All points of both are too far from each other along the last plane's normal.
+  bool are_far(const std::pair<double, double>& a, const std::pair<double, double>& b) const {
+    return std::max(a.first - b.second, b.first - a.second) > kFar * m_node_reach;
+  }
+
+  // Of a leaf the corners count: boxes of long faces that lie askew are far larger than these.
+  bool leaf_is_apart(Index ia, Index ib) {
+    const bool leaf_a = m_object_nodes.bvh().nodes[ia].is_leaf();
+    return are_far(leaf_a ? along_plane(faces_a(ia)) : along(node_a(ia), kMoving, m_plane),
+                   leaf_a ? along(node_b(ib), kFixed, m_plane) : along_plane(faces_b(ib)));
   }
 
   const Body &m_object, &m_support;
@@ -193,7 +208,8 @@ class ContactSearch {
   FeatureContacts m_features;
   SearchMemory& m_memory = memory_of_thread<SearchMemory>();
   const std::uint64_t m_search = new_search();
-  Vec3 m_plane = Vec3::Zero();  // normal of one that separated faces, of any length
+  Vec3 m_separating = Vec3::Zero();  // normal of the last plane between faces, of any length
+  PlaneNormal m_plane;               // of the last one before these leaves
 };
 
 void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index node, double tolerance,

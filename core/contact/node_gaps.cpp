@@ -1,6 +1,24 @@
 #include "core/contact/node_gaps.h"
 
+#include <algorithm>
+
 namespace trivet {
+
+PlaneNormal::PlaneNormal(const Vec3& n, const PairFrames& frames)
+    : world(n),
+      in_fixed(frames.fixed.direction(n)),
+      in_moving(frames.fixed_from_moving.transpose() * in_fixed) {}
+
+std::pair<double, double> along(const PlacedNode& node, int own, const PlaneNormal& n) {
+  const Vec3 &in_own = own == kFixed ? n.in_fixed : n.in_moving, normal = lane(node.normal, own),
+             half = lane(node.half, own);
+  // The part of n along the slab's normal reaches as far as the slab, the rest as far as the box.
+  const double c = in_own.dot(normal), box = in_own.cwiseAbs().dot(half);
+  const double beside = (in_own - c * normal).cwiseAbs().dot(half);
+  const auto [low, high] = std::minmax({c * node.lower, c * node.upper});
+  const double centre = n.in_fixed.dot(node.centre_in(kFixed));
+  return {centre + std::max(low - beside, -box), centre + std::min(high + beside, box)};
+}
 
 // Reach of what moves: along the part of the normal in its own slab's normal that of its slab,
 // along the rest that of its box. Computed in its own frame, which is the other lane.

@@ -1,6 +1,8 @@
 // Gap between two nodes at time 0, by their boxes and slabs. Private.
 #pragma once
 
+#include <utility>
+
 #include "core/contact/placed_node.h"
 
 namespace trivet {
@@ -36,6 +38,19 @@ inline bool boxes_apart(const PlacedNode& moving, const PlacedNode& fixed, doubl
     apart |= abs(moving.centre[k] - fixed.centre[k]) - moving.half[k] - fixed.half[k] > reach;
   return any(apart);
 }
+
+/// Normal of a plane, in the world and in the frames of both bodies of a pair.
+struct PlaneNormal {
+  Vec3 world = Vec3::Zero(), in_fixed = Vec3::Zero(), in_moving = Vec3::Zero();
+
+  PlaneNormal() = default;
+  PlaneNormal(const Vec3& n, const PairFrames& frames);
+  bool is_known() const { return world != Vec3::Zero(); }
+};
+
+/// The least and the largest n . (p - origin) of a node's points p, from its slab or its box; the
+/// origin is that of the fixed body. @param n  not longer than 1. @param own  frame of its body.
+std::pair<double, double> along(const PlacedNode& node, int own, const PlaneNormal& n);
 
 /// Along the normal of the slab of the node that stands still.
 struct SlabGaps {

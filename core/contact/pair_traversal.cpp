@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/contact/approach.h"
+
 namespace trivet {
 namespace {
 
@@ -101,7 +103,33 @@ void PairTraversal::resume(const Waiting& pair) {
 // The bound of a pair of nodes.
 PairTraversal::Next PairTraversal::next(Index a, Index b) {
   ++m_best.work.node_pairs;
-  return {m_nodes.apart_until(node_a(a), node_b(b), horizon()), a, b};
+  const double until = m_nodes.apart_until(node_a(a), node_b(b), horizon());
+  return {hopeless(until) ? until : std::max(until, apart_by_last_plane(a, b)), a, b};
+}
+
+// Boxes of long faces that lie askew are far larger than these. At the plane that separated faces
+// last, the corners of such a leaf are held against the other body's nodes.
+// @return as NodeMotion::apart_until().
+double PairTraversal::apart_by_last_plane(Index ia, Index ib) {
+  const bool leaf_a = m_a.bvh().nodes[ia].is_leaf(), leaf_b = m_b.bvh().nodes[ib].is_leaf();
+  // Faces of two leaves are asked together later.
+  if (!m_plane.is_known() || leaf_a == leaf_b) return 0;
+  const PlacedNode &a = node_a(ia), &b = node_b(ib);
+  const double lowest = (leaf_a ? faces_a(ia).along(m_plane.world, m_frames.fixed.origin)
+                                : along(a, kMoving, m_plane))
+                            .first;
+  const double highest =
+      (leaf_b ? faces_b(ib).along(m_plane.world, m_frames.fixed.origin) : along(b, kFixed, m_plane))
+          .second;
+  const Vec3& n = m_plane.in_fixed;
+  Approach approach{lowest - highest - m_world_margin,
+                    n.dot(a.centre_in(kFixed)) - lowest,
+                    a.radius,
+                    {0, 0, n.dot(m_motions.of_moving.axis)}};
+  if (m_query.motion.kind == Motion::Kind::Rotation)
+    approach.centre = {0, n.dot(a.radial), n.dot(a.tangent)};
+  const double until = box_until(approach, m_query.motion.kind);
+  return hopeless(until) ? until : 0;
 }
 
 // The boxes' spheres are so far apart, at time 0.
@@ -143,13 +171,10 @@ double PairTraversal::faces_apart_until(const Aabb& moving, const Aabb& fixed, d
 }
 
 void PairTraversal::try_leaves(Index ia, Index ib) {
-  const LeafInMotion& a = m_memory.moving.faces.get(m_search, ia, m_query.moving[m_moving],
-                                                    m_a.bvh().nodes[ia], m_query.motion);
-  const LeafInMotion& b = m_memory.fixed.faces.get(m_search, ib, m_query.fixed[m_fixed],
-                                                   m_b.bvh().nodes[ib], m_query.motion);
+  const LeafInMotion &a = faces_a(ia), &b = faces_b(ib);
   // The plane that separated the last faces often separates these leaves as a whole.
-  if (m_plane != Vec3::Zero())
-    if (const double until = apart_by_plane(a.all(), b.all(), m_plane, m_query.motion,
+  if (m_plane.is_known())
+    if (const double until = apart_by_plane(a.all(), b.all(), m_plane.world, m_query.motion,
                                             m_query.clearance.largest_stop(), horizon());
         until > 0)
       return wait({until, ia, ib, true});
@@ -178,7 +203,7 @@ double PairTraversal::decide(const LeafFaces& a, size_t i, const LeafFaces& b, s
                                          a.corners[i], b.corners[j], m_best);
   // The normal is kept for this pair only where its plane proved the faces apart until the horizon.
   if (found.normal == Vec3::Zero()) return found.apart_until;
-  m_plane = found.normal;
+  m_plane = PlaneNormal(found.normal, m_frames);
   if (hopeless(found.apart_until)) m_planes.remember(a.face[i], b.face[j], found.normal);
   return found.apart_until;
 }

@@ -7,6 +7,7 @@
 
 #include "core/contact/decide.h"
 #include "core/contact/leaf_faces.h"
+#include "core/contact/node_gaps.h"
 #include "core/contact/node_motion.h"
 #include "core/contact/recent_nodes.h"
 
@@ -70,7 +71,16 @@ class PairTraversal {
 
   const PlacedNode& node_a(Index a) { return m_memory.moving.nodes.get(m_search, a, m_a, a); }
   const PlacedNode& node_b(Index b) { return m_memory.fixed.nodes.get(m_search, b, m_b, b); }
+  const LeafInMotion& faces_a(Index a) {
+    return m_memory.moving.faces.get(m_search, a, m_query.moving[m_moving], m_a.bvh().nodes[a],
+                                     m_query.motion);
+  }
+  const LeafInMotion& faces_b(Index b) {
+    return m_memory.fixed.faces.get(m_search, b, m_query.fixed[m_fixed], m_b.bvh().nodes[b],
+                                    m_query.motion);
+  }
   Next next(Index a, Index b);
+  double apart_by_last_plane(Index a, Index b);
   double gap(const Next& pair);
   bool goes_first(const Next& x, const Next& y);
   void visit(Index ia, Index ib);
@@ -90,8 +100,8 @@ class PairTraversal {
   double m_margin, m_world_margin;
   NodePlacer m_a, m_b;
   NodeMotion m_nodes;
-  double m_apart_until;         // both bodies
-  Vec3 m_plane = Vec3::Zero();  // normal of one that separated faces: neighbours often, too
+  double m_apart_until;  // both bodies
+  PlaneNormal m_plane;   // of one that separated faces: neighbours often, too
   std::vector<Waiting> m_waiting, m_woken;
 };
 

@@ -156,10 +156,11 @@ class Tries {
                      [](const auto& a, const auto& b) { return a.num < b.num; });
     // Looks note their starts again, so that the list is taken first.
     std::vector<WouldMove> fewest = std::exchange(m_would_move, {});
+    // Nothing better would come after a rest across a gap.
+    m_accepts_gap = true;
     for (size_t k = 0; k < std::min(kSecondLooks, fewest.size()); ++k) {
       OperationResult result = commit(std::move(fewest[k].settled), kBudgetOfSecondLook);
       if (result.ok() || result.status != OperationResult::Status::Refused) return result;
-      if (m_in_hand) return take_what_is_in_hand();
     }
     return std::nullopt;
   }

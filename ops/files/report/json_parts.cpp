@@ -1,5 +1,6 @@
 #include "ops/files/report/json_parts.h"
 
+#include "ops/files/json/joint_json.h"
 #include "ops/files/json/mass_json.h"
 #include "ops/files/json/material_json.h"
 #include "ops/files/report/flexible_json.h"
