@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs clang-tidy on the files that differ from the main branch, on those of the last commit where there is
-# none or nothing differs. A header is checked through the source of its name, else through one that includes it.
+# Compiles sources alone that may miss an include (alone.py). Then runs clang-tidy on the files that differ from the
+# main branch, on those of the last commit where there is none or nothing differs. A header is checked through the
+# source of its name, else through one that includes it.
 #   .ci/tidy.sh [BASE]     the commit to compare with
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -43,6 +44,7 @@ fi
 # Configured, not built, and without gcc's precompiled headers, which clang cannot read.
 cmake --preset dev -B build/tidy -DTRIVET_PRECOMPILE=OFF >/dev/null
 database=build/tidy/compile_commands.json
+.ci/alone.py "$base"
 
 mapfile -t files < <(changed_files "$base" | sources_of)
 echo "clang-tidy: ${#files[@]} sources differ from $(git rev-parse --short "$base")"
