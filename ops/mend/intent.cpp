@@ -15,8 +15,8 @@ namespace {
 constexpr int kColumns = 28, kFewColumns = 14;
 constexpr double kFirstTolerance = 0.02, kLeastTolerance = 0.002, kMostTolerance = 0.06;
 constexpr double kGapsToTolerance = 3.5;  // times the median gap
-constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimit = 5,
-                 kNextTilt = 1.6;
+constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimit = 5;
+constexpr double kNextTilt = 1.6;      // times the tilt before: as near as noise has them
 constexpr double kNearShare = 0.35;    // of the tolerance: what is hardly off
 constexpr double kLeastShare = 0.12;   // of a support
 constexpr double kUnsureScore = 0.25;  // of who lies above: below it is a guess
@@ -36,11 +36,11 @@ double most_tilt_by_noise(std::vector<double> tilts) {
   double most = std::clamp(kTiltsToLimit * at_share(tilts, 0.5), kLeastTilt, kMostTilt);
   // Those that follow each other closely are of one kind, though chance has many small ones.
   std::sort(tilts.begin(), tilts.end());
-  for (size_t k = 1; k < tilts.size(); ++k)
-    if (tilts[k] > most && tilts[k] < kNextTilt * tilts[k - 1])
-      most = tilts[k];
-    else if (tilts[k] > most)
-      break;
+  for (size_t k = 1; k < tilts.size(); ++k) {
+    if (tilts[k] <= most) continue;
+    if (tilts[k] > kNextTilt * tilts[k - 1]) break;
+    most = tilts[k];
+  }
   return most;
 }
 

@@ -31,14 +31,6 @@ constexpr double kAimed = 0.1;     // tolerances: near enough
 constexpr double kMayBeNoise = 2;  // times the tilt that is taken for level
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
-// Pose `then`, carried along by what moves `from` to `to`.
-Pose carried(const Pose& from, const Pose& to, const Pose& then) {
-  // The pose keeps its place relative to the body that is moved.
-  const Rotation turn = (to.rotation * inverse(from).rotation).normalized();
-  return {(turn * then.rotation).normalized(),
-          to.translation + turn.matrix() * (then.translation - from.translation)};
-}
-
 /// A place where it rested, and what that costs.
 struct Landing {
   double cost = kInfinity;
@@ -94,7 +86,8 @@ class Mender {
   void note_whom_they_lean_on() {
     for (const ObjectId id : m_moving)
       if (const ObjectIntent& o = *m_meant.find(id); !o.is_level)
-        m_leans_on[id.index] = intended_neighbours(m_scene, m_meant, o).leans_on;
+        for (const ObjectId on : intended_neighbours(m_scene, m_meant, o).leans_on)
+          m_leaning.insert({id.index, on.index});
   }
 
   // Supports come before what they carry, so that each object sees where its support is now.
@@ -190,7 +183,10 @@ class Mender {
     Sentence why = "no place near is free";
     Landing best;
     int tries = 0;
-    for (const Start& start : starts(scene, nominal, rest)) {
+    std::vector<Start> starts =
+        starts_around(m_scene, *m_object, scene.given(id), nominal, m_meant.tolerance);
+    if (rest) starts.insert(starts.begin(), {0, *rest});
+    for (const Start& start : starts) {
       // A landing as it was meant ends the search, if it is near enough or no cheaper start is
       // left; so do too many tries.
       const bool enough = best.as_meant && (best.cost < kAimed * m_meant.tolerance ||
@@ -232,14 +228,6 @@ class Mender {
     if (!keeps_whole_at_rest(m_options.settle)) return true;
     const std::vector<ObjectStability> all = stability(m_scene).objects;
     return std::none_of(all.begin(), all.end(), [](const auto& o) { return o.topples; });
-  }
-
-  std::vector<Start> starts(const Rearrangement& scene, const Pose& nominal,
-                            const std::optional<Pose>& rest) const {
-    std::vector<Start> out =
-        starts_around(m_scene, *m_object, scene.given(m_object->id), nominal, m_meant.tolerance);
-    if (rest) out.insert(out.begin(), {0, *rest});
-    return out;
   }
 
   // One that seems to lean, and finds no place so, may have been tilted by noise.
@@ -305,7 +293,7 @@ class Mender {
       pose.translation += middle_of(support, now) - middle_of(support, from);
       return pose;
     }
-    return carried(from, now, pose);
+    return carried_along(from, now, pose);
   }
 
   Vec3 middle_of(ObjectId id, const Pose& pose) const {
@@ -342,9 +330,7 @@ class Mender {
   }
 
   bool leans_on(const Support& s) const {
-    const auto at = m_leans_on.find(m_object->id.index);
-    return s.is_object() && at != m_leans_on.end() &&
-           std::find(at->second.begin(), at->second.end(), s.object()) != at->second.end();
+    return s.is_object() && m_leaning.count({m_object->id.index, s.object().index}) > 0;
   }
 
   int extra_supports(const Object& there) const {
@@ -361,7 +347,7 @@ class Mender {
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;  // that is being placed
   std::vector<ObjectId> m_moving;
-  std::map<std::uint32_t, std::vector<ObjectId>> m_leans_on;  // by slot
+  std::set<std::pair<std::uint32_t, std::uint32_t>> m_leaning;  // slots: one on the other
   std::map<std::uint32_t, Pose> m_in_row;   // nominal poses of objects in rows, by slot
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };

@@ -142,6 +142,13 @@ std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids
   return ids;
 }
 
+Pose carried_along(const Pose& from, const Pose& to, const Pose& then) {
+  // The pose keeps its place relative to the body that is moved.
+  const Rotation turn = (to.rotation * inverse(from).rotation).normalized();
+  return {(turn * then.rotation).normalized(),
+          to.translation + turn.matrix() * (then.translation - from.translation)};
+}
+
 std::vector<Support> carriers_of(const Object& object) {
   std::vector<Support> out;
   for (const ObjectContact& c : object.contacts)

@@ -73,6 +73,9 @@ std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& 
 /// The lowest first.
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids);
 
+/// Pose `then`, carried along by what moves `from` to `to`.
+Pose carried_along(const Pose& from, const Pose& to, const Pose& then);
+
 /// Supports that carry an object, by its contacts.
 std::vector<Support> carriers_of(const Object& object);
 
