@@ -58,23 +58,55 @@ TEST(Leaning, ATrueBookStaysToTheBit) {
   EXPECT_TRUE(same_bits(before, s.scene));
 }
 
+void perturb(Scene& scene, const std::vector<ObjectId>& ids, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  for (const ObjectId id : ids)
+    edit_object(scene, id, [&](Object& o) {
+      const Vec3 axis = Vec3(normal(random), normal(random), normal(random)).normalized();
+      o.pose.rotation = (turn_about(axis, normal(random)) * o.pose.rotation).normalized();
+      o.pose.translation += 0.001 * Vec3(normal(random), normal(random), normal(random));
+    });
+  update_contacts(scene);
+}
+
+void expect_mended_near(Scene& scene, int run) {
+  const MendedScene out = mend_scene(scene, {});
+  EXPECT_TRUE(out.unable.empty()) << run;
+  EXPECT_TRUE(is_true(scene)) << run;
+  // Six times the median length of the noise.
+  for (const SettledObject& o : out.moved) EXPECT_LT(o.moved, 0.0092) << run << ": " << o.name;
+}
+
 TEST(Leaning, KeepsLeaningOnTheSameBook) {
   std::mt19937_64 random(5);
-  std::normal_distribution<double> normal;
   for (int run = 0; run < 20; ++run) {
     LeaningBook s;
-    for (const ObjectId id : s.ids)
-      edit_object(s.scene, id, [&](Object& o) {
-        const Vec3 axis = Vec3(normal(random), normal(random), normal(random)).normalized();
-        o.pose.rotation = (turn_about(axis, normal(random)) * o.pose.rotation).normalized();
-        o.pose.translation += 0.001 * Vec3(normal(random), normal(random), normal(random));
-      });
-    update_contacts(s.scene);
-    const MendedScene out = mend_scene(s.scene, {});
-    EXPECT_TRUE(out.unable.empty()) << run;
-    EXPECT_TRUE(is_true(s.scene)) << run;
+    perturb(s.scene, s.ids, random);
+    expect_mended_near(s.scene, run);
     EXPECT_TRUE(is_carried_by(s.scene, s.leaning, s.standing)) << run;
-    for (const SettledObject& o : out.moved) EXPECT_LT(o.moved, 0.0092) << run << ": " << o.name;
+  }
+}
+
+// One end on the floor, and one on the edge of a block: no column tells of both.
+TEST(Leaning, PlankKeepsFloorAndBlock) {
+  std::mt19937_64 random(6);
+  for (int run = 0; run < 20; ++run) {
+    Boxes s;
+    const Vec3 half(0.12, 0.04, 0.008);
+    const Rotation slope = turn_about(Vec3::UnitY(), -15).normalized();
+    // The plank's lower edge is at the origin; its underside meets the block's edge above 0.15.
+    const double edge = 0.15, height = edge * slope.matrix()(2, 0) / slope.matrix()(0, 0);
+    const ObjectId block =
+        s.add("block", {0.03, 0.05, 0.5 * height}, {edge + 0.03, 0, 0.5 * height});
+    const ObjectId plank =
+        s.add("plank", half, slope.matrix() * Vec3(half.x(), 0, half.z()), false, slope);
+    perturb(s.scene, s.ids, random);
+    expect_mended_near(s.scene, run);
+    EXPECT_TRUE(is_carried_by(s.scene, plank, block)) << run;
+    const auto& contacts = s.scene.at(plank).contacts;
+    EXPECT_TRUE(std::any_of(contacts.begin(), contacts.end(), [](const ObjectContact& c) {
+      return c.with.is_floor() && holds_up(c);
+    })) << run;
   }
 }
 
