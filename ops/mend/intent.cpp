@@ -34,7 +34,7 @@ double at_share(std::vector<double> values, double share) {
 double most_tilt_by_noise(std::vector<double> tilts) {
   if (tilts.empty()) return 3;
   double most = std::clamp(kTiltsToLimit * at_share(tilts, 0.5), kLeastTilt, kMostTilt);
-  // Those that follow each other closely are of one kind, though chance has many small ones.
+  // Tilts that follow each other closely are of one kind, though chance has many small ones.
   std::sort(tilts.begin(), tilts.end());
   for (size_t k = 1; k < tilts.size(); ++k) {
     if (tilts[k] <= most) continue;

@@ -223,7 +223,7 @@ class Mender {
                      [&scene] { return scene.is_out_of_time(); });
   }
 
-  // What it leans on may give way to its push.
+  // The object that it leans on may give way to its push.
   bool stands_as_whole() const {
     if (!keeps_whole_at_rest(m_options.settle)) return true;
     const std::vector<ObjectStability> all = stability(m_scene).objects;

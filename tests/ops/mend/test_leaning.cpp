@@ -1,4 +1,4 @@
-// What leans keeps leaning on the same thing, and what noise has tilted is level.
+// A leaning thing keeps leaning on the same one, and noise makes no level thing lean.
 #include <gtest/gtest.h>
 
 #include <algorithm>
