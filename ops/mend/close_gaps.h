@@ -29,7 +29,6 @@ struct ClosedGaps {
 ///   again     as features change on the way, until gaps are contacts
 ///
 /// @param given  the objects, and the poses that they are to stay near.
-ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given,
-                      const GapsToClose& gaps);
+ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps);
 
 }  // namespace trivet

@@ -22,9 +22,12 @@ namespace {
 
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
-constexpr int kAims = 3;           // tries to hit the place, from where it came to rest
-constexpr double kAimed = 0.1;     // tolerances: near enough
-constexpr double kMayBeNoise = 2;  // times the tilt that is taken for level
+constexpr int kAims = 3;                 // tries to hit the place, from where it came to rest
+constexpr double kAimed = 0.1;           // tolerances: near enough
+constexpr double kMayBeNoise = 2;        // times the tilt that is taken for level
+constexpr int kTriesAsMeant = 5;         // that look for a nearer place
+constexpr int kPatience = 24;            // tries without a cheaper place
+constexpr double kClearlyCheaper = 0.9;  // of a cost
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
 // Pose `then`, carried along by what moves `from` to `to`.
@@ -40,6 +43,7 @@ struct Landing {
   double cost = kInfinity;
   Pose start;
   bool as_meant = false;    // supports and attitude
+  int tries = 1;            // of a PUT
   Vec2 off = Vec2::Zero();  // metres from the nominal place
 };
 
@@ -173,30 +177,48 @@ class Mender {
     };
     if (m_object->is_level && scene.stand_still(id, nominal, as_meant)) return;
     Sentence why = "no place near is free";
+    const std::vector<Start> starts =
+        starts_around(m_scene, *m_object, scene.given(id), nominal, m_meant.tolerance);
+    // PUT's own starts are far from each other and turned: they count where all others fail.
+    Landing best = cheapest(scene, id, nominal, starts, 1, why);
+    if (best.cost == kInfinity) best = cheapest(scene, id, nominal, starts, kTriesOfPut, why);
+    if (!best.as_meant && !m_object->is_level && stand_in_row(scene, id)) return;
+    aim_again(scene, id, nominal, best);
+    if (best.cost == kInfinity || !scene.put(id, best.start, best.tries).ok())
+      scene.give_up(id, why);
+  }
+
+  // The place of least cost among those to which it falls from these starts.
+  Landing cheapest(Rearrangement& scene, ObjectId id, const Pose& nominal,
+                   const std::vector<Start>& starts, int tries_of_put, Sentence& why) {
     Landing best;
-    int tries = 0;
-    for (const Start& start :
-         starts_around(m_scene, *m_object, scene.given(id), nominal, m_meant.tolerance)) {
+    std::vector<Pose> tried;
+    int tries = 0, tries_of_best = 0;
+    for (const Start& start : starts) {
       // A landing as it was meant ends the search, if it is near enough or no cheaper start is
       // left; so do too many tries.
       const bool enough = best.as_meant && (best.cost < kAimed * m_meant.tolerance ||
-                                            start.cost > best.cost || tries > 12);
+                                            start.cost > best.cost || tries > kTriesAsMeant);
       if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
       if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
         break;
+      if (best.cost < kInfinity && tries - tries_of_best > kPatience) break;
+      if (falls_as_another(start.pose, tried)) continue;
       // A start that interpenetrates would be refused by PUT, which costs more.
       if (refuse_interpenetration(m_scene, id, start.pose, false)) continue;
       ++tries;
+      tried.push_back(start.pose);
       // Each start is tried in a transaction that is taken back; the best is put at the end.
-      const OperationResult result = scene.try_put(id, start.pose, [&](const Object& there) {
+      const auto judge = [&](const Object& there) {
         const Landing landing = judged(id, there, nominal, start.pose);
+        if (landing.cost < kClearlyCheaper * best.cost) tries_of_best = tries;
         if (landing.cost < best.cost) best = landing;
-      });
+      };
+      const OperationResult result = scene.try_put(id, start.pose, judge, tries_of_put);
       if (result.refusal) why = sentence_of(*result.refusal);
     }
-    if (!best.as_meant && !m_object->is_level && stand_in_row(scene, id)) return;
-    aim_again(scene, id, nominal, best);
-    if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
+    best.tries = tries_of_put;
+    return best;
   }
 
   // One that seems to lean, and finds no place so, may have been tilted by noise.
@@ -209,14 +231,16 @@ class Mender {
 
   // A start from as far on the other side of the nominal place as it came to rest from that.
   void aim_again(Rearrangement& scene, ObjectId id, const Pose& nominal, Landing& best) {
+    const int tries = best.tries;
     for (int k = 0; k < kAims && best.off.norm() > kAimed * m_meant.tolerance; ++k) {
       const Pose start = shifted(best.start, -best.off.x(), -best.off.y(), 0);
       if (scene.is_out_of_time() || refuse_interpenetration(m_scene, id, start, false)) return;
       Landing landing;
-      scene.try_put(id, start,
-                    [&](const Object& there) { landing = judged(id, there, nominal, start); });
+      const auto judge = [&](const Object& there) { landing = judged(id, there, nominal, start); };
+      scene.try_put(id, start, judge, tries);
       if (landing.cost >= best.cost) return;
       best = landing;
+      best.tries = tries;
     }
   }
 
