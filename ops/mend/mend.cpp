@@ -26,7 +26,8 @@ constexpr int kAims = 3;                 // tries to hit the place, from where i
 constexpr double kAimed = 0.1;           // tolerances: near enough
 constexpr double kMayBeNoise = 2;        // times the tilt that is taken for level
 constexpr int kTriesAsMeant = 5;         // that look for a nearer place
-constexpr int kPatience = 24;            // tries without a cheaper place
+constexpr int kPatience = 36;            // tries without a cheaper place
+constexpr int kPatienceIfNearly = 12;    // the same, where only a support is too many
 constexpr double kClearlyCheaper = 0.9;  // of a cost
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
 
@@ -43,6 +44,7 @@ struct Landing {
   double cost = kInfinity;
   Pose start;
   bool as_meant = false;    // supports and attitude
+  bool nearly = false;      // but for supports that are too many
   int tries = 1;            // of a PUT
   Vec2 off = Vec2::Zero();  // metres from the nominal place
 };
@@ -202,7 +204,8 @@ class Mender {
       if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
       if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
         break;
-      if (best.cost < kInfinity && tries - tries_of_best > kPatience) break;
+      const int patience = best.nearly ? kPatienceIfNearly : kPatience;
+      if (best.cost < kInfinity && tries - tries_of_best > patience) break;
       if (falls_as_another(start.pose, tried)) continue;
       // A start that interpenetrates would be refused by PUT, which costs more.
       if (refuse_interpenetration(m_scene, id, start.pose, false)) continue;
@@ -313,6 +316,7 @@ class Mender {
                penalty * std::max(size, 2 * tol);
     out.start = start;
     out.as_meant = penalty == 0;
+    out.nearly = penalty < kLostTier;
     return out;
   }
 
