@@ -27,6 +27,11 @@ constexpr double kStillStep = 0.03;    // clearances
 constexpr double kPointsApart = 5e-4;  // metres between contact points of a pair
 constexpr size_t kNearestOfPair = 24;
 constexpr double kShareOfFriction = 0.95;  // that contacts may use, so that others hold, too
+// One alone, that is near its rest.
+constexpr double kAirOfNearRest = 2e-5;        // metres between it and what it is parted from
+constexpr double kReachOfNearRest = 2;         // tolerances, of gaps that may close
+constexpr double kMostReachOfNearRest = 0.04;  // metres
+constexpr double kMostStepOfNearRest = 0.006;  // metres, of closing them
 
 class GapCloser {
  public:
@@ -208,6 +213,28 @@ class GapCloser {
 
 ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps) {
   return GapCloser(scene, given, gaps).run();
+}
+
+std::optional<Pose> rest_near(Scene& scene, const Placement& given, double tolerance,
+                              double clearance, const std::function<bool()>& is_over) {
+  const std::vector<Placement> members{given};
+  const std::vector<Placement> parted = part_by_turns(scene, members, kAirOfNearRest);
+  // A body that is still in another has no contacts that could close.
+  if (!crossings_of(scene, parted).empty()) return std::nullopt;
+  const Pose was = scene.at(given.id).pose;
+  const auto place = [&](const Pose& pose, bool placed) {
+    edit_object(scene, given.id, [&](Object& o) {
+      o.pose = pose;
+      o.placed = placed;
+    });
+  };
+  place(parted[0].pose, true);
+  const double reach = std::min(kReachOfNearRest * tolerance, kMostReachOfNearRest);
+  const bool is_held =
+      close_gaps(scene, members, {clearance, reach, kMostStepOfNearRest, is_over}).not_held.empty();
+  const Pose rest = scene.at(given.id).pose;
+  place(was, false);
+  return is_held ? std::optional(rest) : std::nullopt;
 }
 
 }  // namespace trivet

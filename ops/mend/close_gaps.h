@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "ops/placement/neighbourhood.h"
@@ -30,5 +31,13 @@ struct ClosedGaps {
 ///
 /// @param given  the objects, and the poses that they are to stay near.
 ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps);
+
+/// The pose near the given one at which contacts can hold the object as it lies, leaning or between
+/// others: parted from what it is in, then moved until these are closed (close_gaps.h). Nothing: no
+/// contacts within two tolerances would hold it.
+/// @param given  not placed; it is not placed afterwards, either. @param tolerance, clearance
+/// metres. @param is_over  see GapsToClose.
+std::optional<Pose> rest_near(Scene& scene, const Placement& given, double tolerance,
+                              double clearance, const std::function<bool()>& is_over);
 
 }  // namespace trivet

@@ -16,6 +16,7 @@ constexpr int kColumns = 28, kFewColumns = 14;
 constexpr double kFirstTolerance = 0.02, kLeastTolerance = 0.002, kMostTolerance = 0.06;
 constexpr double kGapsToTolerance = 3.5;  // times the median gap
 constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimit = 5;
+constexpr double kNextTilt = 1.6;      // times the tilt before: as near as noise has them
 constexpr double kNearShare = 0.35;    // of the tolerance: what is hardly off
 constexpr double kLeastShare = 0.12;   // of a support
 constexpr double kUnsureScore = 0.25;  // of who lies above: below it is a guess
@@ -27,6 +28,20 @@ double at_share(std::vector<double> values, double share) {
   const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + k, values.end());
   return values[static_cast<size_t>(k)];
+}
+
+// Tilts that are much larger than the usual ones are meant.
+double most_tilt_by_noise(std::vector<double> tilts) {
+  if (tilts.empty()) return 3;
+  double most = std::clamp(kTiltsToLimit * at_share(tilts, 0.5), kLeastTilt, kMostTilt);
+  // Tilts that follow each other closely are of one kind, though chance has many small ones.
+  std::sort(tilts.begin(), tilts.end());
+  for (size_t k = 1; k < tilts.size(); ++k) {
+    if (tilts[k] <= most) continue;
+    if (tilts[k] > kNextTilt * tilts[k - 1]) break;
+    most = tilts[k];
+  }
+  return most;
 }
 
 class IntentFinder {
@@ -75,9 +90,7 @@ class IntentFinder {
       if (looked.intent.tilt_deg < kSmallTilt) small.push_back(looked.intent.tilt_deg);
       m_looked.push_back(std::move(looked));
     }
-    // Tilts that are much larger than the usual ones are meant.
-    m_most_tilt =
-        small.empty() ? 3 : std::clamp(kTiltsToLimit * at_share(small, 0.5), kLeastTilt, kMostTilt);
+    m_most_tilt = most_tilt_by_noise(std::move(small));
     for (Looked& l : m_looked) {
       const Object& object = m_scene.at(l.intent.id);
       l.intent.is_level = l.intent.tilt_deg <= m_most_tilt;

@@ -4,50 +4,32 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "core/io/foreign/scene.h"
 #include "core/motion/compose.h"
 #include "ops/mend/attitudes.h"
+#include "ops/mend/close_gaps.h"
 #include "ops/mend/in_place.h"
+#include "ops/mend/landing.h"
+#include "ops/mend/neighbours.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
 #include "ops/mend/starts.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
+#include "ops/stability/stability.h"
 
 namespace trivet {
 namespace {
 
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
-constexpr int kAims = 3;                 // tries to hit the place, from where it came to rest
-constexpr double kAimed = 0.1;           // tolerances: near enough
-constexpr double kMayBeNoise = 2;        // times the tilt that is taken for level
-constexpr int kTriesAsMeant = 5;         // that look for a nearer place
-constexpr int kPatience = 36;            // tries without a cheaper place
-constexpr int kPatienceIfNearly = 12;    // the same, where only a support is too many
-constexpr double kClearlyCheaper = 0.9;  // of a cost
+constexpr int kAims = 3;           // tries to hit the place, from where it came to rest
+constexpr double kMayBeNoise = 2;  // times the tilt that is taken for level
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
-
-// Pose `then`, carried along by what moves `from` to `to`.
-Pose carried(const Pose& from, const Pose& to, const Pose& then) {
-  // The pose keeps its place relative to the body that is moved.
-  const Rotation turn = (to.rotation * inverse(from).rotation).normalized();
-  return {(turn * then.rotation).normalized(),
-          to.translation + turn.matrix() * (then.translation - from.translation)};
-}
-
-/// A place where it rested, and what that costs.
-struct Landing {
-  double cost = kInfinity;
-  Pose start;
-  bool as_meant = false;    // supports and attitude
-  bool nearly = false;      // but for supports that are too many
-  int tries = 1;            // of a PUT
-  Vec2 off = Vec2::Zero();  // metres from the nominal place
-};
 
 class Mender {
  public:
@@ -61,6 +43,7 @@ class Mender {
     // Objects without findings stay; only the others leave the scene, and come back.
     m_moving = unsettled_objects(m_scene, m_options);
     add_loads_meant();
+    note_whom_they_lean_on();
     const std::vector<ObjectId> order = in_order(m_moving);
     std::map<std::uint32_t, Pose> given;
     for (const ObjectId id : m_scene.ids())
@@ -70,7 +53,7 @@ class Mender {
     static_cast<SettledScene&>(out) = std::move(settled);
     out.moved = moved_since(given, m_scene);  // what was moved twice is told once
     out.tolerance = m_meant.tolerance;
-    for (const ObjectId id : m_moving) compare(*m_meant.find(id), out);
+    for (const ObjectId id : m_moving) compare_relations(m_scene, *m_meant.find(id), out);
     return out;
   }
 
@@ -89,6 +72,14 @@ class Mender {
       });
       if (is_load && moving.insert(o.id.index).second) m_moving.push_back(o.id);
     }
+  }
+
+  // They lean on each other as given; that is gone when they are taken out.
+  void note_whom_they_lean_on() {
+    for (const ObjectId id : m_moving)
+      if (const ObjectIntent& o = *m_meant.find(id); !o.is_level)
+        for (const ObjectId on : intended_neighbours(m_scene, m_meant, o).leans_on)
+          m_leaning.insert({id.index, on.index});
   }
 
   // Supports come before what they carry, so that each object sees where its support is now.
@@ -178,9 +169,13 @@ class Mender {
       return judged(id, there, nominal, nominal).as_meant;
     };
     if (m_object->is_level && scene.stand_still(id, nominal, as_meant)) return;
+    const std::optional<Pose> rest = lies_on_several() ? rest_as_given(scene) : std::nullopt;
+    const auto stands = [&](const Object& there) { return as_meant(there) && stands_as_whole(); };
+    if (rest && scene.stand_still(id, *rest, stands)) return;
     Sentence why = "no place near is free";
-    const std::vector<Start> starts =
+    std::vector<Start> starts =
         starts_around(m_scene, *m_object, scene.given(id), nominal, m_meant.tolerance);
+    if (rest) starts.insert(starts.begin(), {0, *rest});
     // PUT's own starts are far from each other and turned: they count where all others fail.
     Landing best = cheapest(scene, id, nominal, starts, 1, why);
     if (best.cost == kInfinity) best = cheapest(scene, id, nominal, starts, kTriesOfPut, why);
@@ -193,35 +188,44 @@ class Mender {
   // The place of least cost among those to which it falls from these starts.
   Landing cheapest(Rearrangement& scene, ObjectId id, const Pose& nominal,
                    const std::vector<Start>& starts, int tries_of_put, Sentence& why) {
-    Landing best;
-    std::vector<Pose> tried;
-    int tries = 0, tries_of_best = 0;
+    LandingSearch search(kAimed * m_meant.tolerance, m_options.most_tries);
     for (const Start& start : starts) {
-      // A landing as it was meant ends the search, if it is near enough or no cheaper start is
-      // left; so do too many tries.
-      const bool enough = best.as_meant && (best.cost < kAimed * m_meant.tolerance ||
-                                            start.cost > best.cost || tries > kTriesAsMeant);
-      if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
-      if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
-        break;
-      const int patience = best.nearly ? kPatienceIfNearly : kPatience;
-      if (best.cost < kInfinity && tries - tries_of_best > patience) break;
-      if (falls_as_another(start.pose, tried)) continue;
+      if (search.ends_before(start) || scene.is_out_of_time()) break;
       // A start that interpenetrates would be refused by PUT, which costs more.
-      if (refuse_interpenetration(m_scene, id, start.pose, false)) continue;
-      ++tries;
-      tried.push_back(start.pose);
+      if (search.is_known(start) || refuse_interpenetration(m_scene, id, start.pose, false))
+        continue;
+      search.note_try(start);
       // Each start is tried in a transaction that is taken back; the best is put at the end.
       const auto judge = [&](const Object& there) {
-        const Landing landing = judged(id, there, nominal, start.pose);
-        if (landing.cost < kClearlyCheaper * best.cost) tries_of_best = tries;
-        if (landing.cost < best.cost) best = landing;
+        search.note(judged(id, there, nominal, start.pose));
       };
       const OperationResult result = scene.try_put(id, start.pose, judge, tries_of_put);
       if (result.refusal) why = sentence_of(*result.refusal);
     }
+    Landing best = search.best();
     best.tries = tries_of_put;
     return best;
+  }
+
+  // It leans, or lies between others: then the given attitude says more than a stable one.
+  bool lies_on_several() const { return !m_object->is_level || m_object->on.size() > 1; }
+
+  // Where contacts hold it as it lies, nearest to where it was given.
+  std::optional<Pose> rest_as_given(const Rearrangement& scene) {
+    ObjectIntent meant = *m_object;
+    meant.level = scene.given(meant.id);
+    const Pose given = at_gap(scene, meant, 0);
+    const PlacedBox here{meant.id, body_of(m_scene.at(meant.id), given).world_box};
+    return rest_near(m_scene, {meant.id, given}, m_meant.tolerance,
+                     clearance_near(m_scene, m_options.settle, here.box, {&here, 1}),
+                     [&scene] { return scene.is_out_of_time(); });
+  }
+
+  // The object that it leans on may give way to its push.
+  bool stands_as_whole() const {
+    if (!keeps_whole_at_rest(m_options.settle)) return true;
+    const std::vector<ObjectStability> all = stability(m_scene).objects;
+    return std::none_of(all.begin(), all.end(), [](const auto& o) { return o.topples; });
   }
 
   // One that seems to lean, and finds no place so, may have been tilted by noise.
@@ -268,16 +272,16 @@ class Mender {
 
   // Level, in contact with its supports, and along with its main one.
   Pose pose_meant(const Rearrangement& scene, const ObjectIntent& meant) const {
-    const Pose pose = at_gap(scene, meant);
+    const Pose pose = at_gap(scene, meant, meant.gap);
     // The object itself counts: with all taken out nothing else gives a clearance.
     const PlacedBox here{meant.id, body_of(m_scene.at(meant.id), pose).world_box};
     return in_contact(m_scene, meant, pose, m_meant.tolerance,
                       clearance_near(m_scene, m_options.settle, here.box, {&here, 1}));
   }
 
-  Pose at_gap(const Rearrangement& scene, const ObjectIntent& meant) const {
+  Pose at_gap(const Rearrangement& scene, const ObjectIntent& meant, double gap) const {
     Pose pose = meant.level;
-    pose.translation.z() -= meant.gap;
+    pose.translation.z() -= gap;
     if (meant.on.empty() || !meant.on[0].on.is_object()) return pose;
     const ObjectId support = meant.on[0].on.object();
     const ObjectIntent* const below = m_meant.find(support);
@@ -289,7 +293,7 @@ class Mender {
       pose.translation += middle_of(support, now) - middle_of(support, from);
       return pose;
     }
-    return carried(from, now, pose);
+    return carried_along(from, now, pose);
   }
 
   Vec3 middle_of(ObjectId id, const Pose& pose) const {
@@ -320,45 +324,23 @@ class Mender {
     return out;
   }
 
-  static std::vector<Support> supports_of(const Object& object) {
-    std::vector<Support> out;
-    for (const ObjectContact& c : object.contacts)
-      if (holds_up(c)) out.push_back(c.with);
-    return out;
-  }
-
   bool carried_as_meant(const Object& there) const {
     if (m_object->on.empty()) return true;
-    const std::vector<Support> supports = supports_of(there);
+    const std::vector<Support> supports = carriers_of(there);
     return std::find(supports.begin(), supports.end(), m_object->on[0].on) != supports.end();
+  }
+
+  bool leans_on(const Support& s) const {
+    return s.is_object() && m_leaning.count({m_object->id.index, s.object().index}) > 0;
   }
 
   int extra_supports(const Object& there) const {
     int out = 0;
-    for (const Support& s : supports_of(there))
+    for (const Support& s : carriers_of(there))
       out += std::none_of(m_object->on.begin(), m_object->on.end(),
-                          [&](const IntendedSupport& meant) { return meant.on == s; });
+                          [&](const IntendedSupport& meant) { return meant.on == s; }) &&
+             !leans_on(s);
     return out;
-  }
-
-  void compare(const ObjectIntent& meant, MendedScene& out) const {
-    const Object& object = m_scene.at(meant.id);
-    const std::vector<Support> now = supports_of(object);
-    ChangedRelation change{object.name, {}, {}};
-    const auto name = [&](const Support& s) { return named(m_scene, s).name; };
-    // Relations that were meant and are kept, lost ones, and new ones are counted.
-    for (const IntendedSupport& s : meant.on) {
-      ++out.num_meant;
-      if (std::find(now.begin(), now.end(), s.on) != now.end())
-        ++out.num_kept;
-      else
-        change.lost.push_back(name(s.on));
-    }
-    for (const Support& s : now)
-      if (std::none_of(meant.on.begin(), meant.on.end(),
-                       [&](const IntendedSupport& m) { return m.on == s; }))
-        change.gained.push_back(name(s));
-    if (!change.lost.empty() || !change.gained.empty()) out.relations.push_back(std::move(change));
   }
 
   Scene& m_scene;
@@ -366,6 +348,7 @@ class Mender {
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;  // that is being placed
   std::vector<ObjectId> m_moving;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> m_leaning;  // slots: one on the other
   std::map<std::uint32_t, Pose> m_in_row;   // nominal poses of objects in rows, by slot
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/motion/compose.h"
+#include "ops/base/refusal.h"
 #include "ops/check/check.h"
 #include "ops/operations/commit.h"
 #include "ops/operations/perform.h"
@@ -139,6 +140,40 @@ std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids
   std::stable_sort(ids.begin(), ids.end(),
                    [&](ObjectId a, ObjectId b) { return height(a) < height(b); });
   return ids;
+}
+
+Pose carried_along(const Pose& from, const Pose& to, const Pose& then) {
+  // The pose keeps its place relative to the body that is moved.
+  const Rotation turn = (to.rotation * inverse(from).rotation).normalized();
+  return {(turn * then.rotation).normalized(),
+          to.translation + turn.matrix() * (then.translation - from.translation)};
+}
+
+std::vector<Support> carriers_of(const Object& object) {
+  std::vector<Support> out;
+  for (const ObjectContact& c : object.contacts)
+    if (holds_up(c)) out.push_back(c.with);
+  return out;
+}
+
+void compare_relations(const Scene& scene, const ObjectIntent& meant, MendedScene& out) {
+  const Object& object = scene.at(meant.id);
+  const std::vector<Support> now = carriers_of(object);
+  ChangedRelation change{object.name, {}, {}};
+  const auto name = [&](const Support& s) { return named(scene, s).name; };
+  // Relations that were meant and are kept, lost ones, and new ones are counted.
+  for (const IntendedSupport& s : meant.on) {
+    ++out.num_meant;
+    if (std::find(now.begin(), now.end(), s.on) != now.end())
+      ++out.num_kept;
+    else
+      change.lost.push_back(name(s.on));
+  }
+  for (const Support& s : now)
+    if (std::none_of(meant.on.begin(), meant.on.end(),
+                     [&](const IntendedSupport& m) { return m.on == s; }))
+      change.gained.push_back(name(s));
+  if (!change.lost.empty() || !change.gained.empty()) out.relations.push_back(std::move(change));
 }
 
 }  // namespace trivet

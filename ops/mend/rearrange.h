@@ -7,6 +7,7 @@
 #include "core/scene/transaction.h"
 #include "ops/base/outcome.h"
 #include "ops/base/stopwatch.h"
+#include "ops/mend/intent.h"
 #include "ops/mend/settle_free.h"
 #include "ops/operations/put.h"
 
@@ -71,5 +72,14 @@ std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& 
 
 /// The lowest first.
 std::vector<ObjectId> lowest_first(const Scene& scene, std::vector<ObjectId> ids);
+
+/// Pose `then`, carried along by what moves `from` to `to`.
+Pose carried_along(const Pose& from, const Pose& to, const Pose& then);
+
+/// Supports that carry an object, by its contacts.
+std::vector<Support> carriers_of(const Object& object);
+
+/// Counts supports that were meant and those that are kept; names lost and new ones.
+void compare_relations(const Scene& scene, const ObjectIntent& meant, MendedScene& out);
 
 }  // namespace trivet

@@ -12,6 +12,16 @@ bool leans_on_others(const Object& object) {
   return object.placed && !object.fixed && leans(object);
 }
 
+// The other contacts do not balance the body.
+bool is_needed(FreeBodies alone, const Support& partner, double clearance) {
+  const auto is_its = [&](const BodyContact& t) { return t.partner == partner; };
+  std::erase_if(alone.touches, is_its);
+  std::erase_if(alone.more, is_its);
+  if (quickly_balanced(alone, clearance)) return false;
+  const PartForces others = contact_forces(alone, clearance);
+  return others.solved && !others.balanced();
+}
+
 // Carriers of one body among others that stand still; nothing: its contacts do not balance it.
 std::optional<std::vector<ContactsWith>> carriers_among(FreeBodies alone, double clearance) {
   // The forces that balance the body alone tell how much of its weight each partner bears.
@@ -31,9 +41,12 @@ std::optional<std::vector<ContactsWith>> carriers_among(FreeBodies alone, double
     upward[static_cast<size_t>(at - partners.begin())] += found.forces[k].z();
   }
   std::vector<ContactsWith> out;
-  // A partner that bears next to nothing merely touches.
+  // A partner that bears next to nothing merely touches, unless the object would fall without it:
+  // friction leaves open how much a steep one bears.
   for (size_t k = 0; k < partners.size(); ++k)
-    if (upward[k] > kCarriedPart * alone.bodies[0].weight) out.push_back(std::move(partners[k]));
+    if (upward[k] > kCarriedPart * alone.bodies[0].weight ||
+        is_needed(alone, partners[k].with, clearance))
+      out.push_back(std::move(partners[k]));
   return out;
 }
 

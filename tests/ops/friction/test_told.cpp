@@ -189,7 +189,7 @@ TEST(Told, ByForcesOfTheWholeAlone) {
   TRIVET_NEEDS_DATA("models/contactdb_bowl.stl");
   Told told;
   Scene scene;
-  EXPECT_EQ(fill(scene, 38), 8);
+  EXPECT_EQ(fill(scene, 41), 8);
   expect_told(scene, told);
   int num_unlinked = 0;
   for (const CarriedBy& c : carried_by_forces(scene, stability(scene)))
