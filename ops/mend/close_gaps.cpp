@@ -40,7 +40,7 @@ class GapCloser {
     for (const Placement& p : given) m_ids.push_back(p.id);
   }
 
-  std::vector<ObjectId> run() {
+  ClosedGaps run() {
     double reach = m_gaps.reach;
     for (int step = 0;; ++step) {
       // Later steps end nearest to where they begin: linear motions converge sooner so.
@@ -48,7 +48,7 @@ class GapCloser {
       choose(reach, step == 0);
       const bool done = widest_needed() <= kGapClosed * m_gaps.clearance;
       const bool is_last = step == kStepsOfClosing || (m_gaps.is_over && m_gaps.is_over());
-      if (done || is_last || !pull_harder_if_stuck()) return not_held();
+      if (done || is_last || !pull_harder_if_stuck()) return {not_held(), m_longest};
       const double gone = go(reach);
       reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
     }
@@ -144,7 +144,7 @@ class GapCloser {
     bool free = false;
     for (int cut = 0; cut < kCutsOfStep && !free; ++cut) {
       if (cut > 0) motions = nearest_motions(m_choice.rows, to, kStillStep * m_gaps.clearance);
-      farthest = shorten(motions, std::min(reach, m_gaps.most_step));
+      farthest = shorten(motions, reach);
       there = moved(motions);
       const std::vector<MemberCrossing> found = crossings_of(m_scene, there);
       free = found.empty();
@@ -161,10 +161,12 @@ class GapCloser {
     return farthest;
   }
 
-  static double shorten(std::vector<SmallMotion>& motions, double most) {
+  double shorten(std::vector<SmallMotion>& motions, double reach) {
+    const double most = std::min(reach, m_gaps.most_step);
     double farthest = 0;
     for (const SmallMotion& m : motions)
       farthest = std::max(farthest, m.head<3>().norm() + m.tail<3>().norm());
+    m_longest = std::max(m_longest, std::min(farthest, reach));
     if (farthest <= most) return farthest;
     for (SmallMotion& m : motions) m *= most / farthest;
     return most;
@@ -199,6 +201,7 @@ class GapCloser {
   const GapsToClose& m_gaps;
   std::vector<ObjectId> m_ids;
   double m_pull, m_least_cost = kInfinity;
+  double m_longest = 0;  // metres, that a step would have gone without a bound
   int m_num_harder = 0;
   bool m_near_given = true;
   FreeBodies m_part;  // all contacts within reach are touches
@@ -208,8 +211,7 @@ class GapCloser {
 
 }  // namespace
 
-std::vector<ObjectId> close_gaps(Scene& scene, const std::vector<Placement>& given,
-                                 const GapsToClose& gaps) {
+ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps) {
   return GapCloser(scene, given, gaps).run();
 }
 
@@ -229,7 +231,7 @@ std::optional<Pose> rest_near(Scene& scene, const Placement& given, double toler
   place(parted[0].pose, true);
   const double reach = std::min(kReachOfNearRest * tolerance, kMostReachOfNearRest);
   const bool is_held =
-      close_gaps(scene, members, {clearance, reach, kMostStepOfNearRest, is_over}).empty();
+      close_gaps(scene, members, {clearance, reach, kMostStepOfNearRest, is_over}).not_held.empty();
   const Pose rest = scene.at(given.id).pose;
   place(was, false);
   return is_held ? std::optional(rest) : std::nullopt;

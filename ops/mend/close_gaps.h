@@ -16,6 +16,11 @@ struct GapsToClose {
   std::function<bool()> is_over = {};  // asked before each step: it ends there
 };
 
+struct ClosedGaps {
+  std::vector<ObjectId> not_held;  // nothing within reach holds it, or only across an open gap
+  double longest_step = 0;         // metres, of those asked for: a higher bound changes nothing
+};
+
 /// Moves these objects, placed and free of each other, so that contacts can hold them all, as they
 /// lie: a pile whose members hold each other up. The result is nearly the nearest such one.
 ///
@@ -25,9 +30,7 @@ struct GapsToClose {
 ///   again     as features change on the way, until gaps are contacts
 ///
 /// @param given  the objects, and the poses that they are to stay near.
-/// @return those that nothing within reach holds, or that a gap which stays open would hold.
-std::vector<ObjectId> close_gaps(Scene& scene, const std::vector<Placement>& given,
-                                 const GapsToClose& gaps);
+ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps);
 
 /// The pose near the given one at which contacts can hold the object as it lies, leaning or between
 /// others: parted from what it is in, then moved until these are closed (close_gaps.h). Nothing: no

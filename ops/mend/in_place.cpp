@@ -92,10 +92,18 @@ class HeapInPlace {
   void close_all() {
     const Scene parted = m_scene;
     Attempt best = attempt(kMostSteps[0]);
+    std::vector<double> longest{m_longest_step};  // of each attempt
     for (size_t k = 1; k < std::size(kMostSteps) && !best.is_good() && !m_out.is_out_of_time();
          ++k) {
+      // An attempt of which no step met either bound would go as it did.
+      bool is_known = false;
+      for (size_t j = 0; j < k; ++j)
+        is_known |= longest[j] <= std::min(kMostSteps[j], kMostSteps[k]);
+      longest.push_back(kInfinity);
+      if (is_known) continue;
       m_scene = parted;
       Attempt other = attempt(kMostSteps[k]);
+      longest.back() = m_longest_step;
       if (other.is_better_than(best)) best = std::move(other);
     }
     m_scene = best.scene;
@@ -112,6 +120,7 @@ class HeapInPlace {
 
   // Once more from where the first time ended, if anything is missing.
   Attempt attempt(double most_step) {
+    m_longest_step = 0;
     std::vector<ObjectId> missing = close(most_step);
     if (!missing.empty() && !m_out.is_out_of_time()) missing = close(most_step);
     return {std::move(missing), way_of_all(), any_is_far(), m_scene};
@@ -126,7 +135,9 @@ class HeapInPlace {
     for (const ObjectId id : m_order) given.push_back({id, m_out.given(id)});
     for (const ObjectId id : m_order) release(id);
     const auto is_over = [this] { return m_out.is_out_of_time(); };
-    return close_gaps(m_scene, given, {clearance, reach, most_step, is_over});
+    ClosedGaps closed = close_gaps(m_scene, given, {clearance, reach, most_step, is_over});
+    m_longest_step = std::max(m_longest_step, closed.longest_step);
+    return std::move(closed.not_held);
   }
 
   std::vector<double> ways() const {
@@ -299,6 +310,7 @@ class HeapInPlace {
   const Intent& m_meant;
   const std::vector<ObjectId>& m_order;
   Rearrangement m_out;
+  double m_longest_step = 0;            // metres, of an attempt, had it no bound
   std::set<std::uint32_t> m_gives_way;  // slots, at the first start that was refused
 };
 

@@ -13,6 +13,7 @@
 #include "ops/mend/attitudes.h"
 #include "ops/mend/close_gaps.h"
 #include "ops/mend/in_place.h"
+#include "ops/mend/landing.h"
 #include "ops/mend/neighbours.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
@@ -27,17 +28,8 @@ namespace {
 // Parts of an object's size: a lost support, attitude or height, and a support too many.
 constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
 constexpr int kAims = 3;           // tries to hit the place, from where it came to rest
-constexpr double kAimed = 0.1;     // tolerances: near enough
 constexpr double kMayBeNoise = 2;  // times the tilt that is taken for level
 constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
-
-/// A place where it rested, and what that costs.
-struct Landing {
-  double cost = kInfinity;
-  Pose start;
-  bool as_meant = false;    // supports and attitude
-  Vec2 off = Vec2::Zero();  // metres from the nominal place
-};
 
 class Mender {
  public:
@@ -181,32 +173,38 @@ class Mender {
     const auto stands = [&](const Object& there) { return as_meant(there) && stands_as_whole(); };
     if (rest && scene.stand_still(id, *rest, stands)) return;
     Sentence why = "no place near is free";
-    Landing best;
-    int tries = 0;
     std::vector<Start> starts =
         starts_around(m_scene, *m_object, scene.given(id), nominal, m_meant.tolerance);
     if (rest) starts.insert(starts.begin(), {0, *rest});
-    for (const Start& start : starts) {
-      // A landing as it was meant ends the search, if it is near enough or no cheaper start is
-      // left; so do too many tries.
-      const bool enough = best.as_meant && (best.cost < kAimed * m_meant.tolerance ||
-                                            start.cost > best.cost || tries > 12);
-      if (enough || tries >= m_options.most_tries || scene.is_out_of_time()) break;
-      if (start.cost > best.cost && best.cost < kInfinity && tries > m_options.most_tries / 2)
-        break;
-      // A start that interpenetrates would be refused by PUT, which costs more.
-      if (refuse_interpenetration(m_scene, id, start.pose, false)) continue;
-      ++tries;
-      // Each start is tried in a transaction that is taken back; the best is put at the end.
-      const OperationResult result = scene.try_put(id, start.pose, [&](const Object& there) {
-        const Landing landing = judged(id, there, nominal, start.pose);
-        if (landing.cost < best.cost) best = landing;
-      });
-      if (result.refusal) why = sentence_of(*result.refusal);
-    }
+    // PUT's own starts are far from each other and turned: they count where all others fail.
+    Landing best = cheapest(scene, id, nominal, starts, 1, why);
+    if (best.cost == kInfinity) best = cheapest(scene, id, nominal, starts, kTriesOfPut, why);
     if (!best.as_meant && !m_object->is_level && stand_in_row(scene, id)) return;
     aim_again(scene, id, nominal, best);
-    if (best.cost == kInfinity || !scene.put(id, best.start).ok()) scene.give_up(id, why);
+    if (best.cost == kInfinity || !scene.put(id, best.start, best.tries).ok())
+      scene.give_up(id, why);
+  }
+
+  // The place of least cost among those to which it falls from these starts.
+  Landing cheapest(Rearrangement& scene, ObjectId id, const Pose& nominal,
+                   const std::vector<Start>& starts, int tries_of_put, Sentence& why) {
+    LandingSearch search(kAimed * m_meant.tolerance, m_options.most_tries);
+    for (const Start& start : starts) {
+      if (search.ends_before(start) || scene.is_out_of_time()) break;
+      // A start that interpenetrates would be refused by PUT, which costs more.
+      if (search.is_known(start) || refuse_interpenetration(m_scene, id, start.pose, false))
+        continue;
+      search.note_try(start);
+      // Each start is tried in a transaction that is taken back; the best is put at the end.
+      const auto judge = [&](const Object& there) {
+        search.note(judged(id, there, nominal, start.pose));
+      };
+      const OperationResult result = scene.try_put(id, start.pose, judge, tries_of_put);
+      if (result.refusal) why = sentence_of(*result.refusal);
+    }
+    Landing best = search.best();
+    best.tries = tries_of_put;
+    return best;
   }
 
   // It leans, or lies between others: then the given attitude says more than a stable one.
@@ -240,14 +238,16 @@ class Mender {
 
   // A start from as far on the other side of the nominal place as it came to rest from that.
   void aim_again(Rearrangement& scene, ObjectId id, const Pose& nominal, Landing& best) {
+    const int tries = best.tries;
     for (int k = 0; k < kAims && best.off.norm() > kAimed * m_meant.tolerance; ++k) {
       const Pose start = shifted(best.start, -best.off.x(), -best.off.y(), 0);
       if (scene.is_out_of_time() || refuse_interpenetration(m_scene, id, start, false)) return;
       Landing landing;
-      scene.try_put(id, start,
-                    [&](const Object& there) { landing = judged(id, there, nominal, start); });
+      const auto judge = [&](const Object& there) { landing = judged(id, there, nominal, start); };
+      scene.try_put(id, start, judge, tries);
       if (landing.cost >= best.cost) return;
       best = landing;
+      best.tries = tries;
     }
   }
 
@@ -320,6 +320,7 @@ class Mender {
                penalty * std::max(size, 2 * tol);
     out.start = start;
     out.as_meant = penalty == 0;
+    out.nearly = penalty < kLostTier;
     return out;
   }
 

@@ -15,7 +15,7 @@ namespace trivet {
 
 struct MendOptions : SettleSceneOptions {
   double tolerance = 0;  // metres by which poses may be off; 0: found from them
-  int most_tries = 120;  // starts of one object
+  int most_tries = 48;   // starts of one object
 };
 
 /// A true object stays, to the bit, unless what carries it moves. Every other free object goes to

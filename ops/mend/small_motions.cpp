@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSoftRows = 1e-6;  // bounds multipliers of rows that contradict each other
 constexpr int kSweepsOfRows = 3000;
+constexpr double kSurelySpare = 0.999, kRoundingOfRows = 1e-12;  // a part, and metres
 
 SmallMotion motion_along(const FreeBody& body, const Vec3& point, const Vec3& way) {
   SmallMotion out;
@@ -23,15 +24,78 @@ void push_apart(const MotionRow& row, double push, std::vector<SmallMotion>& mot
   if (row.from != BodyContact::kGround) motions[row.from] += push * row.of_from;
 }
 
-// @return change of the multiplier.
-double meet(MotionRow& row, double squared_norm, std::vector<SmallMotion>& motions) {
-  const double lacks = row.least - row.of(motions) - kSoftRows * row.push;
-  const double push = std::max(row.least_push, row.push + lacks / (squared_norm + kSoftRows));
-  const double change = push - row.push;
-  row.push = push;
-  push_apart(row, change, motions);
-  return std::abs(change);
-}
+/// Rows relaxed in turn. Most hold nothing: these are asked again only when the bodies have gone
+/// far enough to meet them, which gives the same bits.
+class RowRelaxation {
+ public:
+  RowRelaxation(std::vector<MotionRow>& rows, std::vector<SmallMotion> motions)
+      : m_motions(std::move(motions)), m_gone(m_motions.size() + 1, 0) {
+    m_rows.reserve(rows.size());
+    for (MotionRow& row : rows) {
+      row.push = std::max(row.least_push, row.push);
+      m_rows.push_back({row, row.squared_norm(), row.of_on.norm(), row.of_from.norm()});
+      push_apart(row, row.push, m_motions);
+    }
+  }
+
+  std::vector<SmallMotion> run(double still) {
+    for (int sweep = 0; sweep < kSweepsOfRows; ++sweep) {
+      double most = 0;
+      for (Row& row : m_rows)
+        if (!is_idle(row)) most = std::max(most, meet(row));
+      if (most < still) break;
+    }
+    return std::move(m_motions);
+  }
+
+ private:
+  struct Row {
+    MotionRow& row;
+    double squared_norm, norm_on, norm_from;
+    double spare = 0;  // metres by which it was met when it was asked last, pushing nothing
+    double gone_on = 0, gone_from = 0;  // ways of its bodies then
+  };
+
+  // Ways of its bodies; what stays has gone nowhere.
+  double& gone_on(const MotionRow& row) { return m_gone[row.on]; }
+  double& gone_from(const MotionRow& row) {
+    return m_gone[row.from == BodyContact::kGround ? m_gone.size() - 1 : row.from];
+  }
+
+  bool is_idle(const Row& r) {
+    return r.spare > 0 && (gone_on(r.row) - r.gone_on) * r.norm_on +
+                                  (gone_from(r.row) - r.gone_from) * r.norm_from <
+                              r.spare;
+  }
+
+  // @return change of the multiplier.
+  double meet(Row& r) {
+    MotionRow& row = r.row;
+    const double lacks = row.least - row.of(m_motions) - kSoftRows * row.push;
+    const double push = std::max(row.least_push, row.push + lacks / (r.squared_norm + kSoftRows));
+    const double change = push - row.push;
+    row.push = push;
+    if (change == 0) {
+      note_spare(r, -lacks);
+      return 0;
+    }
+    r.spare = 0;
+    push_apart(row, change, m_motions);
+    gone_on(row) += std::abs(change) * r.norm_on;
+    if (row.from != BodyContact::kGround) gone_from(row) += std::abs(change) * r.norm_from;
+    return std::abs(change);
+  }
+
+  void note_spare(Row& r, double metres) {
+    if (r.row.push != 0 || r.row.least_push != 0) return;
+    r.spare = kSurelySpare * metres - kRoundingOfRows;
+    r.gone_on = gone_on(r.row), r.gone_from = gone_from(r.row);
+  }
+
+  std::vector<Row> m_rows;
+  std::vector<SmallMotion> m_motions;
+  std::vector<double> m_gone;  // metres, of each body in all, and of what stays
+};
 
 }  // namespace
 
@@ -65,20 +129,7 @@ double MotionRow::of(const std::vector<SmallMotion>& motions) const {
 
 std::vector<SmallMotion> nearest_motions(std::vector<MotionRow>& rows,
                                          std::vector<SmallMotion> aims, double still) {
-  std::vector<double> squared_norms;
-  squared_norms.reserve(rows.size());
-  for (MotionRow& row : rows) {
-    row.push = std::max(row.least_push, row.push);
-    squared_norms.push_back(row.squared_norm());
-    push_apart(row, row.push, aims);
-  }
-  for (int sweep = 0; sweep < kSweepsOfRows; ++sweep) {
-    double most = 0;
-    for (size_t k = 0; k < rows.size(); ++k)
-      most = std::max(most, meet(rows[k], squared_norms[k], aims));
-    if (most < still) break;
-  }
-  return aims;
+  return RowRelaxation(rows, std::move(aims)).run(still);
 }
 
 }  // namespace trivet
