@@ -192,7 +192,7 @@ class ContactSearch {
     return std::max(a.first - b.second, b.first - a.second) > kFar * m_node_reach;
   }
 
-  // Of a leaf the corners count: boxes of long faces that lie askew are far larger than these.
+  // A leaf counts by its corners: boxes of long faces that lie askew are far larger than these.
   bool leaf_is_apart(Index ia, Index ib) {
     const bool leaf_a = m_object_nodes.bvh().nodes[ia].is_leaf();
     return are_far(leaf_a ? along_plane(faces_a(ia)) : along(node_a(ia), kMoving, m_plane),

@@ -156,7 +156,7 @@ class Tries {
                      [](const auto& a, const auto& b) { return a.num < b.num; });
     // Looks note their starts again, so that the list is taken first.
     std::vector<WouldMove> fewest = std::exchange(m_would_move, {});
-    // Nothing better would come after a rest across a gap.
+    // A rest across a gap is taken at once: no later look would be better.
     m_accepts_gap = true;
     for (size_t k = 0; k < std::min(kSecondLooks, fewest.size()); ++k) {
       OperationResult result = commit(std::move(fewest[k].settled), kBudgetOfSecondLook);

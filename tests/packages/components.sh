@@ -71,4 +71,4 @@ says "is no build" deb --no-build --build "$work/none" --output "$work/out"
 rm -rf "$work"
 echo "components: $components"
 
-"$source_dir/apps/packages/release.sh" --notes | grep -q '^- ' || fail "the change log has no notes of this version"
+"$source_dir/apps/packages/release.sh" --notes | grep -c '^- ' >/dev/null || fail "the change log has no notes of this version"
