@@ -55,6 +55,7 @@ TEST(NearestMotions, HaveTheBitsOfAllRowsAskedInEachSweep) {
   };
   for (int trial = 0; trial < 60; ++trial) {
     std::vector<FreeBody> bodies;
+    bodies.reserve(8);
     for (int i = 0; i < 8; ++i) bodies.push_back({ObjectId{}, 0.1 * triple(), 1, 0.2});
     std::vector<MotionRow> rows;
     for (int k = 0; k < 80; ++k) {
@@ -114,10 +115,12 @@ TEST(Mend, GivesTheSameBitsByAnyNumberOfThreads) {
   std::uniform_real_distribution<double> noise(-0.004, 0.004);
   Boxes bad = tent_with_gaps();
   // Some stacks beside the tent, each in the next.
-  for (int i = 0; i < 12; ++i)
+  for (int i = 0; i < 12; ++i) {
+    const int column = i / 3, row = i % 3;
     bad.add("box " + std::to_string(i), {0.05, 0.05, 0.05},
-            {0.3 + 0.099 * (i / 3) + noise(random), noise(random), 0.05 + 0.1 * (i % 3)}, false,
+            {0.3 + 0.099 * column + noise(random), noise(random), 0.05 + 0.1 * row}, false,
             turn_about(Vec3(noise(random), noise(random), 0.01).normalized(), 2));
+  }
   Scene by_one = bad.scene;
   in_arena(1, [&] { mend_scene(by_one, {}); });
   EXPECT_TRUE(is_true(by_one));
