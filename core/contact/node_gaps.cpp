@@ -10,8 +10,8 @@ PlaneNormal::PlaneNormal(const Vec3& n, const PairFrames& frames)
       in_moving(frames.fixed_from_moving.transpose() * in_fixed) {}
 
 std::pair<double, double> along(const PlacedNode& node, int own, const PlaneNormal& n) {
-  const Vec3 &in_own = own == kFixed ? n.in_fixed : n.in_moving, normal = lane(node.normal, own),
-             half = lane(node.half, own);
+  const Vec3& in_own = own == kFixed ? n.in_fixed : n.in_moving;
+  const Vec3 normal = lane(node.normal, own), half = lane(node.half, own);
   // The part of n along the slab's normal reaches as far as the slab, the rest as far as the box.
   const double c = in_own.dot(normal), box = in_own.cwiseAbs().dot(half);
   const double beside = (in_own - c * normal).cwiseAbs().dot(half);

@@ -210,7 +210,7 @@ class Mender {
   // It leans, or lies between others: then the given attitude says more than a stable one.
   bool lies_on_several() const { return !m_object->is_level || m_object->on.size() > 1; }
 
-  // Where contacts hold it as it lies, nearest to where it was given.
+  // The pose nearest to the given one at which contacts hold it as it lies.
   std::optional<Pose> rest_as_given(const Rearrangement& scene) {
     ObjectIntent meant = *m_object;
     meant.level = scene.given(meant.id);
