@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kTurnDeg = 137.5;          // of a start from that before it: the golden angle
 constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
+constexpr double kShort = 50;  // milliseconds in which most PUTs are done; no result depends on it
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
-constexpr int kMostAtOnce = 8;                         // more would seldom be needed
 
 // Between half a turn either way.
 double wrapped_deg(double deg) { return std::remainder(deg, 360); }
@@ -129,9 +129,13 @@ void StartTrials::take(StartTrial& trial) {
 
 // Twice the threads, as some starts take much longer than others.
 int StartTrials::num_ahead(int number) const {
-  if (m_put.num_threads <= 1 || number <= kLeastStarts) return 1;
-  // The second round may never begin.
-  const int tries = m_operation.tries, last = number <= tries ? tries : kStartsOfTry * tries;
+  const bool is_short = number <= kLeastStarts && m_run.stopwatch.milliseconds() < kShort;
+  if (m_put.num_threads <= 1 || is_short) return 1;
+  // The others may never be tried: where these cost much, and in a second round.
+  const int tries = m_operation.tries;
+  const int last = number <= kLeastStarts ? kLeastStarts
+                   : number <= tries      ? tries
+                                          : kStartsOfTry * tries;
   return std::min(2 * m_put.num_threads, last + 1 - number);
 }
 

@@ -15,7 +15,7 @@
 namespace trivet {
 
 inline constexpr int kStartsOfTry = 2;  // looked at for each try: some interpenetrate, most topple
-/// Tried whatever they cost, one by one: most PUTs are done by then.
+/// Tried whatever they cost: most PUTs are done by then.
 inline constexpr int kLeastStarts = 3;
 /// From other starts than the first the whole has to stand at once. A fifth of them do, which costs
 /// a fifth of what moving others does to place as many.
