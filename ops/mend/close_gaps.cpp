@@ -44,7 +44,7 @@ class GapCloser {
     double reach = m_gaps.reach;
     for (int step = 0;; ++step) {
       // Later steps end nearest to where they begin: linear motions converge sooner so.
-      m_near_given = step < kStepsNearGiven;
+      m_near_given = m_gaps.near_given && step < kStepsNearGiven;
       choose(reach, step == 0);
       const bool done = widest_needed() <= kGapClosed * m_gaps.clearance;
       const bool is_last = step == kStepsOfClosing || (m_gaps.is_over && m_gaps.is_over());
@@ -231,7 +231,8 @@ std::optional<Pose> rest_near(Scene& scene, const Placement& given, double toler
   place(parted[0].pose, true);
   const double reach = std::min(kReachOfNearRest * tolerance, kMostReachOfNearRest);
   const bool is_held =
-      close_gaps(scene, members, {clearance, reach, kMostStepOfNearRest, is_over}).not_held.empty();
+      close_gaps(scene, members, {clearance, reach, kMostStepOfNearRest, true, is_over})
+          .not_held.empty();
   const Pose rest = scene.at(given.id).pose;
   place(was, false);
   return is_held ? std::optional(rest) : std::nullopt;

@@ -10,9 +10,10 @@
 namespace trivet {
 
 struct GapsToClose {
-  double clearance = 0;                // metres
-  double reach = 0;                    // metres: wider gaps stay
-  double most_step = kInfinity;        // metres: turns of longer ones are not linear
+  double clearance = 0;          // metres
+  double reach = 0;              // metres: wider gaps stay
+  double most_step = kInfinity;  // metres: turns of longer ones are not linear
+  bool near_given = true;        // the first steps aim at the given poses, else at where all are
   std::function<bool()> is_over = {};  // asked before each step: it ends there
 };
 

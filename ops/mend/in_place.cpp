@@ -114,7 +114,8 @@ class HeapInPlace {
       before = missing.size();
       for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
       for (const ObjectId id : missing) let_go_alone(id);
-      missing = close(kMostSteps[0]);
+      // Back at its given pose what was let go would be missed again.
+      missing = close(kMostSteps[0], false);
     }
   }
 
@@ -127,7 +128,7 @@ class HeapInPlace {
   }
 
   // @return those that nothing holds.
-  std::vector<ObjectId> close(double most_step) {
+  std::vector<ObjectId> close(double most_step, bool near_given = true) {
     const double clearance = clearance_of(m_scene, m_out.options().settle);
     const double reach = std::min(kReachOfClosing * tolerance(), kMostReach);
     std::vector<Placement> given;
@@ -135,7 +136,8 @@ class HeapInPlace {
     for (const ObjectId id : m_order) given.push_back({id, m_out.given(id)});
     for (const ObjectId id : m_order) release(id);
     const auto is_over = [this] { return m_out.is_out_of_time(); };
-    ClosedGaps closed = close_gaps(m_scene, given, {clearance, reach, most_step, is_over});
+    ClosedGaps closed =
+        close_gaps(m_scene, given, {clearance, reach, most_step, near_given, is_over});
     m_longest_step = std::max(m_longest_step, closed.longest_step);
     return std::move(closed.not_held);
   }

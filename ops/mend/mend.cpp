@@ -224,7 +224,9 @@ class Mender {
   // The object that it leans on may give way to its push.
   bool stands_as_whole() const {
     if (!keeps_whole_at_rest(m_options.settle)) return true;
-    const std::vector<ObjectStability> all = stability(m_scene).objects;
+    StabilityOptions by;
+    by.clearance = m_options.settle.clearance;
+    const std::vector<ObjectStability> all = stability(m_scene, by).objects;
     return std::none_of(all.begin(), all.end(), [](const auto& o) { return o.topples; });
   }
 

@@ -126,9 +126,12 @@ std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& give
 std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& options,
                                   const std::vector<ObjectId>& ids) {
   std::vector<ObjectId> found = unsettled_objects(scene, options);
-  if (keeps_whole_at_rest(options.settle))
-    for (const ObjectStability& o : stability(scene).objects)
+  if (keeps_whole_at_rest(options.settle)) {
+    StabilityOptions by;
+    by.clearance = options.settle.clearance;
+    for (const ObjectStability& o : stability(scene, by).objects)
       if (o.topples) found.push_back(o.object);
+  }
   std::vector<ObjectId> out;
   for (const ObjectId id : ids)
     if (std::find(found.begin(), found.end(), id) != found.end()) out.push_back(id);

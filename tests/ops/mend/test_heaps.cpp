@@ -234,6 +234,17 @@ TEST(CloseGaps, EndsNearestToTheGivenPoses) {
   EXPECT_NEAR((s.at(id) - Vec3(0, 0, 0.05)).norm(), 0, 1e-5);
 }
 
+TEST(CloseGaps, StaysWhereItIsIfTheGivenPosesAreNoAim) {
+  Boxes s;
+  const ObjectId id = s.add("box", kSmallBox, {0, 0, 0.0502});
+  const std::vector<Placement> given = placements_of(s);
+  edit_object(s.scene, id, [](Object& o) { o.pose.translation += Vec3(0.002, 0.001, 1e-4); });
+  GapsToClose gaps{default_clearance(s.scene), 0.005};
+  gaps.near_given = false;
+  EXPECT_TRUE(close_gaps(s.scene, given, gaps).not_held.empty());
+  EXPECT_NEAR((s.at(id) - Vec3(0.002, 0.001, 0.05)).norm(), 0, 1e-5);
+}
+
 TEST(CloseGaps, OfManyCarriersThoseCarryThatTakeTheLeastMotion) {
   const std::vector<std::pair<double, double>> posts{
       {-0.2, 0.001}, {-0.1, 0.004}, {0, 0.002}, {0.1, 0.003}, {0.2, 0.001}};  // place, gap
@@ -326,6 +337,17 @@ TEST(Heaps, OfBricksAreMendedNearby) {
     EXPECT_GE(near, (noise == 0.001 ? 0.95 : 0.8) * all) << noise;
     EXPECT_GE(kept, 0.9 * meant) << noise;
   }
+}
+
+// All judge by the clearance that was asked for, the whole scene's forces, too.
+TEST(Heaps, AreMendedByACoarserClearance) {
+  Boxes s = tent();
+  MendOptions options;
+  options.tolerance = 0.005;
+  options.settle.clearance = 20 * default_clearance(s.scene);
+  EXPECT_TRUE(mend_scene(s.scene, options).unable.empty());
+  update_contacts(s.scene, options.settle.clearance, options.settle);
+  EXPECT_TRUE(check_scene(s.scene, 0, options.settle.clearance, options.settle).ok());
 }
 
 }  // namespace
