@@ -1,4 +1,4 @@
-// Whether two placed shapes cross when one of them is shifted: asked again and again.
+// Two placed shapes of which one is shifted again and again: do they cross?
 #pragma once
 
 #include <optional>

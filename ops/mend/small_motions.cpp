@@ -77,7 +77,7 @@ class RowRelaxation {
 
   static constexpr size_t kMostRowsOfBlock = 8;
 
-  // What stays has gone nowhere.
+  // The last one is that of what stays.
   size_t place_of(Index body) const {
     return body == BodyContact::kGround ? m_gone.size() - 1 : static_cast<size_t>(body);
   }
@@ -113,7 +113,11 @@ class RowRelaxation {
   double meet(Row& r, const Block& block) {
     MotionRow& row = r.row;
     const double lacks = row.least - row.of(m_motions) - kSoftRows * row.push;
-    const double push = std::max(row.least_push, row.push + lacks / (r.squared_norm + kSoftRows));
+    // A row that is met and pushes no more than it must stays as it is, without a division.
+    const bool stays = lacks <= 0 && row.push == row.least_push;
+    const double push =
+        stays ? row.push
+              : std::max(row.least_push, row.push + lacks / (r.squared_norm + kSoftRows));
     const double change = push - row.push;
     row.push = push;
     if (change == 0) {
