@@ -88,6 +88,14 @@ struct BoxedFaces : LeafFaces {
   BoxedFaces(const Body& body, const BvhNode& leaf) : LeafFaces(body, leaf) {
     for (size_t i = 0; i < num; ++i) boxes[i] = box_of(corners[i]);
   }
+  /// Prepared when it is asked for first: most faces are too far.
+  const ContactFace& prepared(size_t i) const {
+    if (!m_prepared[i]) m_prepared[i].emplace(PlainFace(corners[i]));
+    return *m_prepared[i];
+  }
+
+ private:
+  mutable std::array<std::optional<ContactFace>, kMaxLeafFaces> m_prepared;
 };
 
 /// Nodes and leaves that were met last.
@@ -177,11 +185,16 @@ class ContactSearch {
     for (size_t i = 0; i < a.num; ++i)
       for (size_t j = 0; j < b.num; ++j) {
         if (!overlaps(a.boxes[i], b.boxes[j], m_reach)) continue;
-        if (m_parts && !m_parts->faces_may_touch(a.face[i], b.face[j])) continue;
+        FacingFeatures facing;
+        if (m_parts) {
+          const auto found = m_parts->facing(a.face[i], b.face[j]);
+          if (!found) continue;
+          facing = *found;
+        }
         // The cheap test with the faces' own planes rejects most pairs whose boxes overlap.
-        const PlainFace fa(a.corners[i]), fb(b.corners[j]);
+        const ContactFace &fa = a.prepared(i), &fb = b.prepared(j);
         if (is_separated_by(fb, a.corners[i]) || is_separated_by(fa, b.corners[j])) continue;
-        m_features.add(ContactFace(fa), a.face[i], ContactFace(fb), b.face[j]);
+        m_features.add(fa, a.face[i], fb, b.face[j], facing);
         ++m_num_pairs;
       }
     if (!m_parts && m_may_use_cones && cones_pay()) m_parts.emplace(m_object, m_support, m_slack);

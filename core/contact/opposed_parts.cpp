@@ -34,20 +34,29 @@ OpposedParts::Side::Side(const Body& b)
       turn(b.world_from_object.linear / b.scale()),
       scale(b.scale()) {}
 
+std::array<PlacedSides, 3> OpposedParts::Side::features(const std::vector<NormalCones::Part>& all,
+                                                        const Index3& ids) const {
+  // A face with two equal corners has no edge between them.
+  const auto one = [&](Index id) {
+    return PlacedSides(id < 0 ? NormalCones::Part{} : all[id], turn);
+  };
+  return {one(ids[0]), one(ids[1]), one(ids[2])};
+}
+
 OpposedParts::NodePart::NodePart(const Side& side, Index node)
     : PlacedPart{
           side.body.world_from_object.apply(side.body.shape->bvh().nodes[node].box().centre()),
           side.scale * side.body.shape->bvh().nodes[node].box().half_extent().norm(),
-          {side.cones.nodes[node].outwards, side.turn},
-          {side.cones.nodes[node].inwards, side.turn},
+          {side.cones.nodes[node], side.turn},
           {side.cones.nodes[node].normals, side.turn}} {}
 
 OpposedParts::FacePart::FacePart(const Side& side, Index face)
     : PlacedPart{Vec3::Zero(),
                  0,
-                 {side.cones.faces[face].outwards, side.turn},
-                 {side.cones.faces[face].inwards, side.turn},
-                 {side.cones.faces[face].normals, side.turn}} {
+                 {side.cones.faces[face], side.turn},
+                 {side.cones.faces[face].normals, side.turn}},
+      vertices(side.features(side.cones.vertices, side.body.shape->mesh.triangles[face])),
+      edges(side.features(side.cones.edges, side.body.shape->adjacency.face_edges[face])) {
   const Triangle t = side.body.triangle(face);
   const Vec3 lower = t[0].cwiseMin(t[1]).cwiseMin(t[2]), upper = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
   centre = 0.5 * (lower + upper);
@@ -70,21 +79,25 @@ bool OpposedParts::hold(const Body& a, const Body& b, double slack) {
   return true;
 }
 
-bool OpposedParts::may_touch(const PlacedPart& a, const PlacedPart& b) const {
+// Contacts lie along the normal of b's place that leads to a's. Spheres that meet have all ways.
+PlacedCone OpposedParts::ways_to(const PlacedPart& a, const PlacedPart& b) const {
   const Vec3 way = a.centre - b.centre;
   const double reach = a.radius + b.radius + m_margin, squared = way.squaredNorm();
-  // Contacts lie along the normal of b's place that leads to a's. Spheres that meet have all ways.
-  const bool is_apart = squared > reach * reach;
-  const double distance = is_apart ? std::sqrt(squared) : 1, sine = is_apart ? reach / distance : 0;
-  const PlacedCone ways(way / distance, is_apart ? std::sqrt(1 - sine * sine) : -1, sine);
+  if (!(squared > reach * reach)) return {way, -1, 0};
+  const double distance = std::sqrt(squared), sine = reach / distance;
+  return {way / distance, std::sqrt(1 - sine * sine), sine};
+}
+
+bool OpposedParts::may_touch(const PlacedPart& a, const PlacedPart& b) const {
+  const PlacedCone ways = ways_to(a, b);
   const bool normals_a = cones_meet_either_way(ways, a.normals);
   const bool normals_b = cones_meet_either_way(ways, b.normals);
   // Flat faces.
   if (normals_a && normals_b && cones_meet_either_way(a.normals, b.normals)) return true;
-  const bool of_a[] = {cones_meet(ways, a.outwards, -1), cones_meet(ways, a.inwards, -1)};
-  const bool of_b[] = {cones_meet(ways, b.outwards, 1), cones_meet(ways, b.inwards, 1)};
-  const PlacedCone* const cones_a[] = {&a.outwards, &a.inwards};
-  const PlacedCone* const cones_b[] = {&b.outwards, &b.inwards};
+  const PlacedCone* const cones_a[] = {&a.features.outwards, &a.features.inwards};
+  const PlacedCone* const cones_b[] = {&b.features.outwards, &b.features.inwards};
+  const bool of_a[] = {cones_meet(ways, *cones_a[0], -1), cones_meet(ways, *cones_a[1], -1)};
+  const bool of_b[] = {cones_meet(ways, *cones_b[0], 1), cones_meet(ways, *cones_b[1], 1)};
   for (int i = 0; i < 2; ++i) {
     // Vertices over faces, which are seen from either side.
     if (of_a[i] && normals_b && cones_meet_either_way(*cones_a[i], b.normals)) return true;
@@ -94,6 +107,25 @@ bool OpposedParts::may_touch(const PlacedPart& a, const PlacedPart& b) const {
       if (of_a[i] && of_b[j] && cones_meet(*cones_a[i], *cones_b[j], -1)) return true;
   }
   return false;
+}
+
+std::optional<FacingFeatures> OpposedParts::facing(Index face_a, Index face_b) {
+  const FacePart& a = m_memory.faces_a.get(m_search, face_a, m_a, face_a);
+  const FacePart& b = m_memory.faces_b.get(m_search, face_b, m_b, face_b);
+  if (!may_touch(a, b)) return std::nullopt;
+  const PlacedCone ways = ways_to(a, b);
+  // A feature that looks elsewhere than to the other face is not in contact with any part of it.
+  const auto looks = [&](const PlacedSides& of, double sign) {
+    return cones_meet(ways, of.outwards, sign) || cones_meet(ways, of.inwards, sign);
+  };
+  FacingFeatures out;
+  for (int k = 0; k < 3; ++k) {
+    out.a.vertices[k] = looks(a.vertices[k], -1);
+    out.a.edges[k] = looks(a.edges[k], -1);
+    out.b.vertices[k] = looks(b.vertices[k], 1);
+    out.b.edges[k] = looks(b.edges[k], 1);
+  }
+  return out;
 }
 
 }  // namespace trivet

@@ -1,6 +1,8 @@
 // Parts of two surfaces that cannot touch, as they do not face each other. Private.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/contact/body.h"
@@ -24,11 +26,28 @@ struct PlacedCone {
   bool is_none() const { return cos > 1; }
 };
 
-/// Where a node or a face is, and where its features and faces may look.
+/// Where vertices and edges of a part may look, on both sides of the surface; see NormalCones.
+struct PlacedSides {
+  PlacedCone outwards, inwards;
+
+  PlacedSides(const NormalCones::Part& part, const Mat3& world_from_object)
+      : outwards(part.outwards, world_from_object), inwards(part.inwards, world_from_object) {}
+};
+
+/// Where a node or a face is, and where it may look.
 struct PlacedPart {
   Vec3 centre;
-  double radius;                          // of a sphere that holds it
-  PlacedCone outwards, inwards, normals;  // see NormalCones
+  double radius;  // of a sphere that holds it
+  PlacedSides features;
+  PlacedCone normals;
+};
+
+/// Features of two faces that may be in contact with the other face.
+struct FacingFeatures {
+  struct OfFace {
+    std::array<bool, 3> vertices{true, true, true}, edges{true, true, true};
+  };
+  OfFace a, b;
 };
 
 /// Tells parts of two bodies apart between which contact_points() finds nothing: the direction of
@@ -45,10 +64,8 @@ class OpposedParts {
     return may_touch(m_memory.nodes_a.get(m_search, node_a, m_a, node_a),
                      m_memory.nodes_b.get(m_search, node_b, m_b, node_b));
   }
-  bool faces_may_touch(Index face_a, Index face_b) {
-    return may_touch(m_memory.faces_a.get(m_search, face_a, m_a, face_a),
-                     m_memory.faces_b.get(m_search, face_b, m_b, face_b));
-  }
+  /// No value: no features of them are in contact.
+  std::optional<FacingFeatures> facing(Index face_a, Index face_b);
 
  private:
   struct Side {
@@ -58,11 +75,15 @@ class OpposedParts {
     double scale;
 
     explicit Side(const Body& b);
+    std::array<PlacedSides, 3> features(const std::vector<NormalCones::Part>& all,
+                                        const Index3& ids) const;
   };
   struct NodePart : PlacedPart {
     NodePart(const Side& side, Index node);
   };
   struct FacePart : PlacedPart {
+    std::array<PlacedSides, 3> vertices, edges;
+
     FacePart(const Side& side, Index face);
   };
   struct Memory {
@@ -70,6 +91,7 @@ class OpposedParts {
     RecentNodes<FacePart, 256> faces_a, faces_b;
   };
 
+  PlacedCone ways_to(const PlacedPart& a, const PlacedPart& b) const;
   bool may_touch(const PlacedPart& a, const PlacedPart& b) const;
 
   Side m_a, m_b;

@@ -130,6 +130,15 @@ NormalCone rounded_outwards(const WideCone& c) {
   return out;
 }
 
+/// As NormalCones::Part.
+struct WidePart {
+  WideCone outwards, inwards, normals;
+
+  NormalCones::Part rounded() const {
+    return {rounded_outwards(outwards), rounded_outwards(inwards), rounded_outwards(normals)};
+  }
+};
+
 /// Cones on both sides of a surface.
 struct SidedCones {
   WideCone outwards, inwards;
@@ -146,15 +155,7 @@ struct SidedCones {
     }
     return cones;
   }
-};
-
-/// As NormalCones::Part.
-struct WidePart {
-  WideCone outwards, inwards, normals;
-
-  NormalCones::Part rounded() const {
-    return {rounded_outwards(outwards), rounded_outwards(inwards), rounded_outwards(normals)};
-  }
+  WidePart with(const WideCone& normals) const { return {outwards, inwards, normals}; }
 };
 
 WidePart merged_parts(std::span<const WidePart> parts) {
@@ -186,6 +187,9 @@ class ConeMaker {
     NormalCones out;
     for (const WidePart& f : faces) out.faces.push_back(f.rounded());
     for (const WidePart& n : of_nodes(bvh, faces)) out.nodes.push_back(n.rounded());
+    for (const SidedCones& v : m_vertices) out.vertices.push_back(v.with({}).rounded());
+    for (size_t e = 0; e < m_edges.size(); ++e)
+      out.edges.push_back(with_ends(static_cast<Index>(e)).rounded());
     return out;
   }
 
@@ -243,12 +247,17 @@ class ConeMaker {
 
   WidePart of_face(Index face) const {
     std::vector<WidePart> all;
-    const auto add = [&](const SidedCones& c) {
-      all.push_back({c.outwards, c.inwards, of_normal(face)});
-    };
+    const auto add = [&](const SidedCones& c) { all.push_back(c.with(of_normal(face))); };
     for (const Index v : m_mesh.triangles[face]) add(m_vertices[v]);
     for (const Index e : m_adjacency.face_edges[face])
       if (e >= 0) add(m_edges[e]);
+    return merged_parts(all);
+  }
+
+  // Near its ends an edge touches as they do.
+  WidePart with_ends(Index e) const {
+    std::vector<WidePart> all{m_edges[e].with({})};
+    for (const Index v : m_adjacency.edge_vertices[e]) all.push_back(m_vertices[v].with({}));
     return merged_parts(all);
   }
 

@@ -34,6 +34,8 @@ struct NormalCones {
     NormalCone normals;            // of faces
   };
   std::vector<Part> faces, nodes;
+  /// Vertices, and edges with their ends, have no normals.
+  std::vector<Part> vertices, edges;
 };
 
 inline constexpr double kFarOfCones = 1e4, kSlackOfCones = 1e-4;

@@ -61,13 +61,20 @@ class ConeCheck {
   void check_face(Index f, const Vec3& d, test::Random& random) {
     const Index3 &corners = m_shape.mesh.triangles[f], &edges = m_shape.adjacency.face_edges[f];
     bool is_free = false;
+    const auto note = [&](bool rises, const NormalCones::Part& feature) {
+      is_free = is_free || !rises;
+      EXPECT_TRUE(rises || holds(feature, d)) << "face " << f << ": " << d.transpose();
+    };
+    const auto& p = m_shape.mesh.vertices;
     for (int k = 0; k < 3; ++k) {
-      is_free = is_free || !rises_beside_vertex(m_shape, corners[k], d);
+      const bool rises = rises_beside_vertex(m_shape, corners[k], d);
+      note(rises, m_cones.vertices[corners[k]]);
       if (edges[k] < 0) continue;
-      const auto& p = m_shape.mesh.vertices;
-      const Vec3 at =
-          p[corners[k]] + random.uniform(0.01, 0.99) * (p[corners[(k + 1) % 3]] - p[corners[k]]);
-      is_free = is_free || !rises_beside_edge(m_shape, edges[k], at, d);
+      // Ends of edges touch as their vertices do.
+      EXPECT_TRUE(rises || holds(m_cones.edges[edges[k]], d));
+      const Vec3 along = p[corners[(k + 1) % 3]] - p[corners[k]];
+      const Vec3 at = p[corners[k]] + random.uniform(0.01, 0.99) * along;
+      note(rises_beside_edge(m_shape, edges[k], at, d), m_cones.edges[edges[k]]);
     }
     num_free += is_free;
     num_held += holds(m_cones.faces[f], random.direction());
