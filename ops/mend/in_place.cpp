@@ -78,7 +78,7 @@ class HeapInPlace {
     const Scene parted = m_scene;
     Attempt best = attempt(kMostSteps[0]);
     std::vector<double> longest{m_longest_step};  // of each attempt
-    // What nothing held at first has moved others, until these did.
+    // Bodies that nothing held at first have moved others, until these did.
     if (!best.is_noise && !m_missed.empty() && !m_out.is_out_of_time()) {
       m_scene = parted;
       let_go_first(std::exchange(m_missed, {}));
@@ -103,7 +103,7 @@ class HeapInPlace {
     let_go_missing(std::move(best.missing));
   }
 
-  // Where they come to rest near, the others move as little as can be.
+  // The others then move as little as can be, where these come to rest near.
   void let_go_first(const std::vector<ObjectId>& ids) {
     for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
     for (const ObjectId id : ids) {
@@ -113,7 +113,7 @@ class HeapInPlace {
     }
   }
 
-  // What no contact within reach would hold is let go alone, as long as fewer are missing then.
+  // Bodies that no contact within reach would hold come alone, as long as fewer are missing then.
   void let_go_missing(std::vector<ObjectId> missing) {
     for (size_t before = missing.size() + 1;
          !missing.empty() && missing.size() < before && !m_out.is_out_of_time();) {
@@ -174,7 +174,7 @@ class HeapInPlace {
     return sorted.back() > medians * sorted[sorted.size() / 2];
   }
 
-  // What falls as the whole comes to rest is missed by it, as what nothing holds.
+  // A body that falls as the whole comes to rest is missed by it, as one that nothing holds.
   void come_to_rest() {
     const Scene closed = m_scene;
     hold_what_does_not_rest();
