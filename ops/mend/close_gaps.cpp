@@ -38,17 +38,21 @@ class GapCloser {
   GapCloser(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps)
       : m_scene(scene), m_given(given), m_gaps(gaps), m_pull(gaps.reach) {
     for (const Placement& p : given) m_ids.push_back(p.id);
+    m_missed.assign(m_ids.size(), 0);
   }
 
   ClosedGaps run() {
-    double reach = m_gaps.reach;
+    // If all are nearly closed, what is near does.
+    double reach = m_gaps.near_given ? m_gaps.reach : kLeastReach * m_gaps.clearance;
     for (int step = 0;; ++step) {
       // Later steps end nearest to where they begin: linear motions converge sooner so.
       m_near_given = m_gaps.near_given && step < kStepsNearGiven;
       choose(reach, step == 0);
+      if (m_near_given)
+        for (size_t i = 0; i < m_ids.size(); ++i) m_missed[i] |= m_choice.missing[i];
       const bool done = widest_needed() <= kGapClosed * m_gaps.clearance;
       const bool is_last = step == kStepsOfClosing || (m_gaps.is_over && m_gaps.is_over());
-      if (done || is_last || !pull_harder_if_stuck()) return {not_held(), m_longest};
+      if (done || is_last || !pull_harder_if_stuck()) return {not_held(), missed(), m_longest};
       const double gone = go(reach);
       reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
     }
@@ -196,10 +200,18 @@ class GapCloser {
     return out;
   }
 
+  std::vector<ObjectId> missed() const {
+    std::vector<ObjectId> out;
+    for (size_t i = 0; i < m_ids.size(); ++i)
+      if (m_missed[i]) out.push_back(m_ids[i]);
+    return out;
+  }
+
   Scene& m_scene;
   const std::vector<Placement>& m_given;
   const GapsToClose& m_gaps;
   std::vector<ObjectId> m_ids;
+  std::vector<char> m_missed;  // each: by a step that aims at the given poses
   double m_pull, m_least_cost = kInfinity;
   double m_longest = 0;  // metres, that a step would have gone without a bound
   int m_num_harder = 0;

@@ -19,6 +19,7 @@ struct GapsToClose {
 
 struct ClosedGaps {
   std::vector<ObjectId> not_held;  // nothing within reach holds it, or only across an open gap
+  std::vector<ObjectId> missed;    // nothing held it at a step that aimed at the given poses
   double longest_step = 0;         // metres, of those asked for: a higher bound changes nothing
 };
 

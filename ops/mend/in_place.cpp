@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/io/foreign/scene.h"
 #include "ops/check/check.h"
@@ -12,6 +14,7 @@
 #include "ops/mend/part_by_turns.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
+#include "ops/mend/starts_in_place.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
@@ -19,35 +22,18 @@
 namespace trivet {
 namespace {
 
-constexpr double kAirOfParted = 2e-5;  // metres between an object and what it is parted from
-constexpr int kRoundsOfParting = 8;
 constexpr double kReachOfClosing = 2;  // tolerances
 constexpr double kMostReach = 0.04;    // metres: what is farther falls
 // Metres, of closing gaps: the first ones do mostly.
 constexpr double kMostSteps[] = {0.006, 0.004, kInfinity};
-constexpr double kFarInHeap = 4;  // median ways
+// Median ways: farther than noise alone would have it, and surely dragged along.
+constexpr double kFarForNoise = 2.5, kFarInHeap = 4;
 // Tolerances within which an object has to come to rest, round by round.
 constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
 constexpr double kTiltedShareOfHeap = 0.2;
-// Starts around its place: above and beside it, in tolerances, and turned, in degrees.
-constexpr double kLiftsInPlace[] = {0.01, 0.1, 0.3, 1}, kRingsInPlace[] = {0.1, 0.3, 1};
-constexpr double kTurnsInPlace[] = {1, 3};
 constexpr double kNearInPlace = 0.7;  // tolerances: near enough to look no further
 constexpr double kRadiansOfDegree = 3.14159265358979323846 / 180;
-
-Vec3 way_out(const Scene& scene, const ObjectIntent& meant, const ObjectInWorld& mine,
-             const Support& with, const Vec3& origin) {
-  if (with.is_floor()) return depth_below_floor(mine).metres * Vec3::UnitZ();
-  const Object& other = scene.at(with.object());
-  const Depth depth = depth_of(mine, in_world(other, other.pose, origin));
-  Vec3 way = (depth.metres + kAirOfParted) * depth.way;
-  // The way out of what does not carry it is sideways, unless it is steep.
-  const bool carries = std::any_of(meant.on.begin(), meant.on.end(),
-                                   [&](const IntendedSupport& s) { return s.on == with; });
-  if (!carries && std::abs(way.z()) < way.head<2>().norm()) way.z() = 0;
-  return way;
-}
 
 class HeapInPlace {
  public:
@@ -58,7 +44,7 @@ class HeapInPlace {
   SettledScene run() {
     hold_parted();
     close_all();
-    hold_what_does_not_rest();
+    come_to_rest();
     // The others are let go one by one, at first only where they come to rest near.
     for (const double farthest : kFarthestInPlace)
       for (const ObjectId id : m_order)
@@ -77,8 +63,8 @@ class HeapInPlace {
   /// Result of closing gaps by steps of one length.
   struct Attempt {
     std::vector<ObjectId> missing;  // that nothing holds
-    double way = kInfinity;         // metres, of all
-    bool any_is_far = true;
+    double way = kInfinity;         // square metres, of all
+    bool is_noise = false, any_is_far = true;
     Scene scene;
 
     bool is_good() const { return missing.empty() && !any_is_far; }
@@ -87,12 +73,19 @@ class HeapInPlace {
     }
   };
 
-  // All come into the contacts that hold them. What none within reach would hold is let go alone,
-  // and they try again.
+  // All come into the contacts that hold them.
   void close_all() {
     const Scene parted = m_scene;
     Attempt best = attempt(kMostSteps[0]);
     std::vector<double> longest{m_longest_step};  // of each attempt
+    // Bodies that nothing held at first have moved others, until these did.
+    if (!best.is_noise && !m_missed.empty() && !m_out.is_out_of_time()) {
+      m_scene = parted;
+      let_go_first(std::exchange(m_missed, {}));
+      Attempt other = attempt(kMostSteps[0]);
+      m_aims.clear();
+      if (other.is_better_than(best)) best = std::move(other);
+    }
     for (size_t k = 1; k < std::size(kMostSteps) && !best.is_good() && !m_out.is_out_of_time();
          ++k) {
       // An attempt of which no step met either bound would go as it did.
@@ -107,8 +100,21 @@ class HeapInPlace {
       if (other.is_better_than(best)) best = std::move(other);
     }
     m_scene = best.scene;
-    // Letting go goes on while fewer are missing each time.
-    std::vector<ObjectId> missing = std::move(best.missing);
+    let_go_missing(std::move(best.missing));
+  }
+
+  // The others then move as little as can be, where these come to rest near.
+  void let_go_first(const std::vector<ObjectId>& ids) {
+    for (const ObjectId id : m_order) hold(id, m_scene.at(id).pose);
+    for (const ObjectId id : ids) {
+      let_go(id, kFarthestInPlace[0] * tolerance());
+      if (!is_held(id)) m_aims[id.index] = m_scene.at(id).pose;
+      hold(id, m_scene.at(id).pose);
+    }
+  }
+
+  // Bodies that no contact within reach would hold come alone, as long as fewer are missing then.
+  void let_go_missing(std::vector<ObjectId> missing) {
     for (size_t before = missing.size() + 1;
          !missing.empty() && missing.size() < before && !m_out.is_out_of_time();) {
       before = missing.size();
@@ -122,9 +128,11 @@ class HeapInPlace {
   // Once more from where the first time ended, if anything is missing.
   Attempt attempt(double most_step) {
     m_longest_step = 0;
+    m_missed.clear();
     std::vector<ObjectId> missing = close(most_step);
     if (!missing.empty() && !m_out.is_out_of_time()) missing = close(most_step);
-    return {std::move(missing), way_of_all(), any_is_far(), m_scene};
+    return {std::move(missing), squared_ways(), !any_is_far(kFarForNoise), any_is_far(kFarInHeap),
+            m_scene};
   }
 
   // @return those that nothing holds.
@@ -133,12 +141,18 @@ class HeapInPlace {
     const double reach = std::min(kReachOfClosing * tolerance(), kMostReach);
     std::vector<Placement> given;
     given.reserve(m_order.size());
-    for (const ObjectId id : m_order) given.push_back({id, m_out.given(id)});
+    for (const ObjectId id : m_order) {
+      const auto aim = m_aims.find(id.index);
+      given.push_back({id, aim == m_aims.end() ? m_out.given(id) : aim->second});
+    }
     for (const ObjectId id : m_order) release(id);
     const auto is_over = [this] { return m_out.is_out_of_time(); };
     ClosedGaps closed =
         close_gaps(m_scene, given, {clearance, reach, most_step, near_given, is_over});
     m_longest_step = std::max(m_longest_step, closed.longest_step);
+    if (near_given)
+      for (const ObjectId id : closed.missed)
+        if (!contains(m_missed, id)) m_missed.push_back(id);
     return std::move(closed.not_held);
   }
 
@@ -148,16 +162,39 @@ class HeapInPlace {
     for (const ObjectId id : m_order) out.push_back(way_to(id, m_scene.at(id).pose));
     return out;
   }
-  double way_of_all() const {
+  double squared_ways() const {
     double out = 0;
-    for (const double way : ways()) out += way;
+    for (const double way : ways()) out += way * way;
     return out;
   }
   // A wrong contact has dragged it along.
-  bool any_is_far() const {
+  bool any_is_far(double medians) const {
     std::vector<double> sorted = ways();
     std::sort(sorted.begin(), sorted.end());
-    return sorted.back() > kFarInHeap * sorted[sorted.size() / 2];
+    return sorted.back() > medians * sorted[sorted.size() / 2];
+  }
+
+  // A body that falls as the whole comes to rest is missed by it, as one that nothing holds.
+  void come_to_rest() {
+    const Scene closed = m_scene;
+    hold_what_does_not_rest();
+    const std::vector<ObjectId> fallen = gone_since(closed, tolerance());
+    if (fallen.empty() || m_out.is_out_of_time()) return;
+    const std::pair<size_t, double> cost{num_held(), squared_ways()};
+    Scene other = std::exchange(m_scene, closed);
+    let_go_missing(fallen);
+    hold_what_does_not_rest();
+    if (std::pair(num_held(), squared_ways()) > cost) m_scene = std::move(other);
+  }
+  std::vector<ObjectId> gone_since(const Scene& before, double metres) const {
+    std::vector<ObjectId> out;
+    for (const ObjectId id : m_order)
+      if (way_between(id, before.at(id).pose, m_scene.at(id).pose) > metres) out.push_back(id);
+    return out;
+  }
+  size_t num_held() const {
+    return static_cast<size_t>(
+        std::count_if(m_order.begin(), m_order.end(), [&](ObjectId id) { return is_held(id); }));
   }
 
   // As a whole, or alone.
@@ -165,11 +202,16 @@ class HeapInPlace {
     std::vector<ObjectId> let_go;
     for (const ObjectId id : m_order)
       if (!is_held(id)) let_go.push_back(id);
-    std::vector<ObjectId> left = m_out.rest_together(let_go);
-    const std::vector<ObjectId> alone = unsettled_objects(m_scene, m_out.options());
-    left.insert(left.end(), alone.begin(), alone.end());
+    const std::vector<ObjectId> left = not_at_rest_now(let_go);
     for (const ObjectId id : left)
       if (contains(let_go, id)) hold(id, m_scene.at(id).pose);
+  }
+
+  std::vector<ObjectId> not_at_rest_now(const std::vector<ObjectId>& ids) {
+    std::vector<ObjectId> left = m_out.rest_together(ids);
+    const std::vector<ObjectId> alone = unsettled_objects(m_scene, m_out.options());
+    left.insert(left.end(), alone.begin(), alone.end());
+    return left;
   }
 
   void give_up(ObjectId id) {
@@ -236,7 +278,7 @@ class HeapInPlace {
     double least = kInfinity;
     m_gives_way.clear();
     const double others = way_of_others(id);
-    for (const Pose& start : starts_of(id, free)) {
+    for (const Pose& start : starts_in_place(m_scene, *m_meant.find(id), free, tolerance())) {
       if (m_out.is_out_of_time()) break;
       if (refuse_interpenetration(m_scene, id, start, false)) continue;
       const auto judge = [&](const Object& there) {
@@ -265,55 +307,25 @@ class HeapInPlace {
 
   // From the given pose: the way of its middle and the turn of its half size.
   double way_to(ObjectId id, const Pose& pose) const {
-    const Pose& given = m_out.given(id);
+    return way_between(id, m_out.given(id), pose);
+  }
+  double way_between(ObjectId id, const Pose& from, const Pose& to) const {
     const Object& object = m_scene.at(id);
-    const double turn = turn_between_deg(given.rotation, pose.rotation) * kRadiansOfDegree;
-    return (middle_of_box(object, pose) - middle_of_box(object, given)).norm() +
+    const double turn = turn_between_deg(from.rotation, to.rotation) * kRadiansOfDegree;
+    return (middle_of_box(object, to) - middle_of_box(object, from)).norm() +
            0.5 * size_of(object) * turn;
   }
 
   double tolerance() const { return std::max(m_meant.tolerance, 0.002); }
 
-  // Above the free pose, then beside it, then turned about level axes.
-  std::vector<Pose> starts_of(ObjectId id, const Pose& free) const {
-    std::vector<Pose> out{free};
-    const ObjectIntent& meant = *m_meant.find(id);
-    if (meant.is_level) out.push_back(parted(m_scene, meant, levelled_from(id, free)));
-    for (const double lift : kLiftsInPlace) out.push_back(moved(free, lift * Vec3::UnitZ()));
-    for (const double ring : kRingsInPlace)
-      for (int k = 0; k < 8; ++k) {
-        const Vec3 way = turn_about(Vec3::UnitZ(), 45.0 * k).matrix().col(0);
-        out.push_back(moved(free, ring * way + 0.1 * Vec3::UnitZ()));
-      }
-    const Vec3 middle = middle_of_box(m_scene.at(id), free);
-    for (const double degrees : kTurnsInPlace)
-      for (int k = 0; k < 8; ++k) {
-        const Vec3 axis = turn_about(Vec3::UnitZ(), 45.0 * k).matrix().col(0);
-        const Rotation turn = turn_about(axis, degrees).normalized();
-        const Pose turned{(turn * free.rotation).normalized(),
-                          middle + turn.matrix() * (free.translation - middle)};
-        out.push_back(moved(turned, 0.3 * Vec3::UnitZ()));
-      }
-    return out;
-  }
-  // Its level attitude, about the middle of where it is.
-  Pose levelled_from(ObjectId id, const Pose& free) const {
-    const Object& object = m_scene.at(id);
-    Pose out = m_meant.find(id)->level;
-    out.translation += middle_of_box(object, free) - middle_of_box(object, out);
-    return out;
-  }
-  Pose moved(Pose pose, const Vec3& tolerances) const {
-    pose.translation += tolerance() * tolerances;
-    return pose;
-  }
-
   Scene& m_scene;
   const Intent& m_meant;
   const std::vector<ObjectId>& m_order;
   Rearrangement m_out;
-  double m_longest_step = 0;            // metres, of an attempt, had it no bound
-  std::set<std::uint32_t> m_gives_way;  // slots, at the first start that was refused
+  std::vector<ObjectId> m_missed;        // by the first steps of an attempt
+  std::map<std::uint32_t, Pose> m_aims;  // by slot, other than the given poses
+  double m_longest_step = 0;             // metres, of an attempt, had it no bound
+  std::set<std::uint32_t> m_gives_way;   // slots, at the first start that was refused
 };
 
 }  // namespace
@@ -336,21 +348,6 @@ bool is_heap(const Intent& meant, const std::vector<ObjectId>& moving) {
       moving.begin(), moving.end(), [&](ObjectId id) { return in_heap.count(id.index) > 0; }));
   return tilted >= kLeastOfHeap &&
          static_cast<double>(tilted) >= kTiltedShareOfHeap * static_cast<double>(moving.size());
-}
-
-Pose parted(const Scene& scene, const ObjectIntent& meant, Pose pose) {
-  pose.translation.z() += kAirOfParted;
-  // Each round parts it from all that it crosses; it may then cross others.
-  for (int round = 0; round < kRoundsOfParting; ++round) {
-    const Placement here{meant.id, pose};
-    const auto found = interpenetrations(scene, {&here, 1}, false, 8);
-    if (found.empty()) break;
-    const Vec3 origin = origin_with(scene, {&here, 1});
-    const ObjectInWorld mine = in_world(scene.at(meant.id), pose, origin);
-    for (const Interpenetration& x : found)
-      pose.translation += way_out(scene, meant, mine, x.with, origin);
-  }
-  return pose;
 }
 
 SettledScene mend_in_place(Scene& scene, const MendOptions& options, const Intent& meant,

@@ -10,10 +10,6 @@ namespace trivet {
 /// hold each other up: there is no order in which each finds all that carries it.
 bool is_heap(const Intent& meant, const std::vector<ObjectId>& moving);
 
-/// `pose` out of each object that it passes through there, by the shortest way: up from what
-/// carries it, sideways from others.
-Pose parted(const Scene& scene, const ObjectIntent& meant, Pose pose);
-
 /// First all objects are parted, bottom up; then each that does not rest is let go from where it
 /// is, with all others there, in several rounds. What is not at rest then is given up.
 /// @param order  what is below before what is above.

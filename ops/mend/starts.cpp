@@ -5,8 +5,9 @@
 
 #include "core/motion/compose.h"
 #include "ops/mend/attitudes.h"
-#include "ops/mend/in_place.h"
 #include "ops/mend/rows.h"
+#include "ops/mend/settle_free.h"
+#include "ops/mend/starts_in_place.h"
 
 namespace trivet {
 namespace {
