@@ -162,6 +162,7 @@ WidePart merged_parts(std::span<const WidePart> parts) {
   WidePart out;
   for (WideCone WidePart::*which : {&WidePart::outwards, &WidePart::inwards, &WidePart::normals}) {
     std::vector<WideCone> cones;
+    cones.reserve(parts.size());
     for (const WidePart& p : parts) cones.push_back(p.*which);
     out.*which = merged_cones(cones);
   }
@@ -177,20 +178,22 @@ class ConeMaker {
         m_slack(kSlackOfCones * shape.box.diagonal()) {}
 
   NormalCones run(const Bvh& bvh) {
+    const size_t num_edges = m_adjacency.edge_vertices.size();
+    m_vertices.reserve(m_mesh.vertices.size());
     for (Index v = 0; v < static_cast<Index>(m_mesh.vertices.size()); ++v)
       m_vertices.push_back(of_vertex(v));
-    for (Index e = 0; e < static_cast<Index>(m_adjacency.edge_vertices.size()); ++e)
-      m_edges.push_back(of_edge(e));
-    std::vector<WidePart> faces;
+    m_edges.reserve(num_edges);
+    for (Index e = 0; e < static_cast<Index>(num_edges); ++e) m_edges.push_back(of_edge(e));
+    std::vector<WidePart> vertices, edges, faces;
+    vertices.reserve(m_vertices.size());
+    for (const SidedCones& v : m_vertices) vertices.push_back(v.with({}));
+    edges.reserve(num_edges);
+    for (Index e = 0; e < static_cast<Index>(num_edges); ++e) edges.push_back(with_ends(e));
+    faces.reserve(m_mesh.triangles.size());
     for (Index f = 0; f < static_cast<Index>(m_mesh.triangles.size()); ++f)
       faces.push_back(of_face(f));
-    NormalCones out;
-    for (const WidePart& f : faces) out.faces.push_back(f.rounded());
-    for (const WidePart& n : of_nodes(bvh, faces)) out.nodes.push_back(n.rounded());
-    for (const SidedCones& v : m_vertices) out.vertices.push_back(v.with({}).rounded());
-    for (size_t e = 0; e < m_edges.size(); ++e)
-      out.edges.push_back(with_ends(static_cast<Index>(e)).rounded());
-    return out;
+    return {all_rounded(faces), all_rounded(of_nodes(bvh, faces)), all_rounded(vertices),
+            all_rounded(edges)};
   }
 
  private:
@@ -270,6 +273,13 @@ class ConeMaker {
     if (!(normal.norm() > m_shortest * longest)) return {};
     // Flat faces touch that are parallel to within the slope.
     return WideCone{normal.normalized(), 1}.widened(kConeSlope + kWidening);
+  }
+
+  static std::vector<NormalCones::Part> all_rounded(const std::vector<WidePart>& parts) {
+    std::vector<NormalCones::Part> out;
+    out.reserve(parts.size());
+    for (const WidePart& p : parts) out.push_back(p.rounded());
+    return out;
   }
 
   static std::vector<WidePart> of_nodes(const Bvh& bvh, const std::vector<WidePart>& faces) {
