@@ -14,6 +14,7 @@
 #include "ops/mend/part_by_turns.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
+#include "ops/mend/starts.h"
 #include "ops/mend/starts_in_place.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
@@ -100,7 +101,6 @@ class HeapInPlace {
       if (other.is_better_than(best)) best = std::move(other);
     }
     m_scene = best.scene;
-    let_go_missing(std::move(best.missing));
   }
 
   // The others then move as little as can be, where these come to rest near.
@@ -114,7 +114,7 @@ class HeapInPlace {
   }
 
   // Bodies that no contact within reach would hold come alone, as long as fewer are missing then.
-  void let_go_missing(std::vector<ObjectId> missing) {
+  std::vector<ObjectId> let_go_missing(std::vector<ObjectId> missing) {
     for (size_t before = missing.size() + 1;
          !missing.empty() && missing.size() < before && !m_out.is_out_of_time();) {
       before = missing.size();
@@ -123,6 +123,7 @@ class HeapInPlace {
       // Back at its given pose what was let go would be missed again.
       missing = close(kMostSteps[0], false);
     }
+    return missing;
   }
 
   // Once more from where the first time ended, if anything is missing.
@@ -131,6 +132,7 @@ class HeapInPlace {
     m_missed.clear();
     std::vector<ObjectId> missing = close(most_step);
     if (!missing.empty() && !m_out.is_out_of_time()) missing = close(most_step);
+    missing = let_go_missing(std::move(missing));
     return {std::move(missing), squared_ways(), !any_is_far(kFarForNoise), any_is_far(kFarInHeap),
             m_scene};
   }
@@ -278,9 +280,12 @@ class HeapInPlace {
     double least = kInfinity;
     m_gives_way.clear();
     const double others = way_of_others(id);
+    std::vector<Pose> tried;
     for (const Pose& start : starts_in_place(m_scene, *m_meant.find(id), free, tolerance())) {
       if (m_out.is_out_of_time()) break;
-      if (refuse_interpenetration(m_scene, id, start, false)) continue;
+      if (falls_as_another(start, tried) || refuse_interpenetration(m_scene, id, start, false))
+        continue;
+      tried.push_back(start);
       const auto judge = [&](const Object& there) {
         const double way = way_to(id, there.pose), all = way + way_of_others(id) - others;
         if (way < farthest && all < least) least = all, best = start;
