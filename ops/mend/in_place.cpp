@@ -27,8 +27,7 @@ constexpr double kReachOfClosing = 2;  // tolerances
 constexpr double kMostReach = 0.04;    // metres: what is farther falls
 // Metres, of closing gaps: the first ones do mostly.
 constexpr double kMostSteps[] = {0.006, 0.004, kInfinity};
-// Median ways: farther than noise alone would have it, and surely dragged along.
-constexpr double kFarForNoise = 2.5, kFarInHeap = 4;
+constexpr double kFarInHeap = 4;  // median ways
 // Tolerances within which an object has to come to rest, round by round.
 constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
@@ -65,7 +64,7 @@ class HeapInPlace {
   struct Attempt {
     std::vector<ObjectId> missing;  // that nothing holds
     double way = kInfinity;         // square metres, of all
-    bool is_noise = false, any_is_far = true;
+    bool any_is_far = true;
     Scene scene;
 
     bool is_good() const { return missing.empty() && !any_is_far; }
@@ -80,7 +79,7 @@ class HeapInPlace {
     Attempt best = attempt(kMostSteps[0]);
     std::vector<double> longest{m_longest_step};  // of each attempt
     // Bodies that nothing held at first have moved others, until these did.
-    if (!best.is_noise && !m_missed.empty() && !m_out.is_out_of_time()) {
+    if (!best.is_good() && !m_missed.empty() && !m_out.is_out_of_time()) {
       m_scene = parted;
       let_go_first(std::exchange(m_missed, {}));
       Attempt other = attempt(kMostSteps[0]);
@@ -133,8 +132,7 @@ class HeapInPlace {
     std::vector<ObjectId> missing = close(most_step);
     if (!missing.empty() && !m_out.is_out_of_time()) missing = close(most_step);
     missing = let_go_missing(std::move(missing));
-    return {std::move(missing), squared_ways(), !any_is_far(kFarForNoise), any_is_far(kFarInHeap),
-            m_scene};
+    return {std::move(missing), squared_ways(), any_is_far(), m_scene};
   }
 
   // @return those that nothing holds.
@@ -170,10 +168,10 @@ class HeapInPlace {
     return out;
   }
   // A wrong contact has dragged it along.
-  bool any_is_far(double medians) const {
+  bool any_is_far() const {
     std::vector<double> sorted = ways();
     std::sort(sorted.begin(), sorted.end());
-    return sorted.back() > medians * sorted[sorted.size() / 2];
+    return sorted.back() > kFarInHeap * sorted[sorted.size() / 2];
   }
 
   // A body that falls as the whole comes to rest is missed by it, as one that nothing holds.
