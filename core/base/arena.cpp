@@ -1,5 +1,6 @@
 #include "core/base/arena.h"
 
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
@@ -44,6 +45,13 @@ void run_in_arena(int num_threads, void (*call)(void* context), void* context) {
     ~Release() { kept.is_used = false; }
   } release{kept};
   kept.arena.execute([&] { call(context); });
+}
+
+int num_threads_here() {
+  // Slots of an arena may outnumber the threads that are allowed.
+  const size_t allowed =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::max(1, std::min(tbb::this_task_arena::max_concurrency(), static_cast<int>(allowed)));
 }
 
 }  // namespace trivet

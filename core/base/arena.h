@@ -16,4 +16,7 @@ void in_arena(int num_threads, F f) {
   run_in_arena(num_threads, call, &f);
 }
 
+/// Threads that a loop has here at most: cores, those of the arena, or as tbb::global_control says.
+int num_threads_here();
+
 }  // namespace trivet

@@ -1,8 +1,6 @@
 // Splits work into contiguous parts whose results can be joined in a fixed order.
 #pragma once
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cstddef>
 
@@ -30,7 +28,7 @@ void for_each_part(size_t count, int num_threads, F f) {
   };
   const auto run = [&](size_t i) { f(i, begin(i), begin(i + 1)); };
   if (parts == 1) return run(0);
-  const int cores = std::min(num_threads, tbb::this_task_arena::max_concurrency());
+  const int cores = std::min(num_threads, num_threads_here());
   in_arena(cores, [&] { in_parallel(parts, run); });
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "core/contact/feature_contacts.h"
 #include "core/contact/leaf_faces.h"
 #include "core/contact/node_gaps.h"
+#include "core/contact/opposed_parts.h"
 #include "core/contact/recent_nodes.h"
 
 namespace trivet {
@@ -20,6 +22,7 @@ namespace {
 // Nodes are compared as they are: of the two bodies, the object is the one that could move.
 const Motion kAtRest = Motion::translation(Vec3::Zero(), 0);
 constexpr double kFar = 1.01;
+constexpr Index kFewPairs = 32;  // of faces: cones are not asked
 
 auto features_of(const ContactPoint& c) {
   return std::tie(c.features, c.feature_object, c.feature_support);
@@ -85,6 +88,14 @@ struct BoxedFaces : LeafFaces {
   BoxedFaces(const Body& body, const BvhNode& leaf) : LeafFaces(body, leaf) {
     for (size_t i = 0; i < num; ++i) boxes[i] = box_of(corners[i]);
   }
+  /// Prepared when it is asked for first: most faces are too far.
+  const ContactFace& prepared(size_t i) const {
+    if (!m_prepared[i]) m_prepared[i].emplace(PlainFace(corners[i]));
+    return *m_prepared[i];
+  }
+
+ private:
+  mutable std::array<std::optional<ContactFace>, kMaxLeafFaces> m_prepared;
 };
 
 /// Nodes and leaves that were met last.
@@ -98,10 +109,14 @@ struct SearchMemory {
 
 class ContactSearch {
  public:
-  ContactSearch(const Body& object, const Body& support, double tolerance, double slack)
+  /// @param by_cones  parts that do not face each other may be left out.
+  ContactSearch(const Body& object, const Body& support, double tolerance, double slack,
+                bool by_cones)
       : m_object(object),
         m_support(support),
         m_tolerance(tolerance),
+        m_slack(slack),
+        m_may_use_cones(by_cones && OpposedParts::hold(object, support, slack)),
         m_frames(object, support),
         m_object_nodes(m_frames.moving_nodes(object, kAtRest)),
         m_support_nodes(m_frames.fixed_nodes(support, kAtRest)),
@@ -118,7 +133,9 @@ class ContactSearch {
     // Ends of edges and corners of flush overlaps count where nothing else does.
     append_elsewhere(m_features.ends_and_corners(), m_tolerance, points);
     if (!points.empty()) return points;
-    // Without a feature that faces the other one, the closest points of near faces have to do.
+    // Without a feature that faces the other one, the closest points of near faces have to do, of
+    // all of them.
+    if (m_parts) return ContactSearch(m_object, m_support, m_tolerance, m_slack, false).run();
     return first_of_each(m_features.closest_points());
   }
 
@@ -151,6 +168,7 @@ class ContactSearch {
     const BvhNode &a = m_object_nodes.bvh().nodes[ia], &b = m_support_nodes.bvh().nodes[ib];
     if (a.is_leaf() && b.is_leaf()) return try_leaves(ia, ib);
     if (m_plane.is_known() && a.is_leaf() != b.is_leaf() && leaf_is_apart(ia, ib)) return;
+    if (m_parts && !m_parts->nodes_may_touch(ia, ib)) return;
     if (!a.is_leaf() && (b.is_leaf() || in_a.radius > in_b.radius)) {
       visit(ia + 1, ib);
       visit(a.second_child, ib);
@@ -163,17 +181,35 @@ class ContactSearch {
   void try_leaves(Index ia, Index ib) {
     const BoxedFaces &a = faces_a(ia), &b = faces_b(ib);
     if (m_plane.is_known() && are_far(along_plane(a), along_plane(b))) return;
+    if (m_parts && !m_parts->nodes_may_touch(ia, ib)) return;
     for (size_t i = 0; i < a.num; ++i)
       for (size_t j = 0; j < b.num; ++j) {
         if (!overlaps(a.boxes[i], b.boxes[j], m_reach)) continue;
+        FacingFeatures facing;
+        if (m_parts) {
+          const auto found = m_parts->facing(a.face[i], b.face[j]);
+          if (!found) continue;
+          facing = *found;
+        }
         // The cheap test with the faces' own planes rejects most pairs whose boxes overlap.
-        const PlainFace fa(a.corners[i]), fb(b.corners[j]);
+        const ContactFace &fa = a.prepared(i), &fb = b.prepared(j);
         if (is_separated_by(fb, a.corners[i]) || is_separated_by(fa, b.corners[j])) continue;
-        m_features.add(ContactFace(fa), a.face[i], ContactFace(fb), b.face[j]);
+        m_features.add(fa, a.face[i], fb, b.face[j], facing);
+        ++m_num_pairs;
       }
+    if (!m_parts && m_may_use_cones && cones_pay()) m_parts.emplace(m_object, m_support, m_slack);
     if (m_separating == Vec3::Zero()) return;
     m_plane = PlaneNormal(m_separating.normalized(), m_frames);
     m_separating.setZero();
+  }
+
+  // Cones are made when the search has taken about as long as that.
+  bool cones_pay() const {
+    Index least = kFewPairs;
+    for (const Body* body : {&m_object, &m_support})
+      if (!has_normal_cones(*body->shape))
+        least += static_cast<Index>(body->shape->mesh.triangles.size());
+    return m_num_pairs > least;
   }
 
   // The plane of a face separates faces beside it, too.
@@ -200,7 +236,10 @@ class ContactSearch {
   }
 
   const Body &m_object, &m_support;
-  double m_tolerance;
+  double m_tolerance, m_slack;
+  bool m_may_use_cones;
+  Index m_num_pairs = 0;  // of faces that were tried
+  std::optional<OpposedParts> m_parts;
   double m_node_reach = 0;  // with the rounding of nodes
   PairFrames m_frames;
   NodePlacer m_object_nodes, m_support_nodes;
@@ -229,22 +268,32 @@ void collect_floor_vertices(const Body& object, const PlacedBvh& tree, Index nod
       if (object.vertex(v).z() <= tolerance) vertices.push_back(v);
 }
 
-}  // namespace
-
-std::vector<ContactPoint> contact_points(const Body& object, const Body& support, double tolerance,
-                                         double slack) {
+std::vector<ContactPoint> find_contact_points(const Body& object, const Body& support,
+                                              double tolerance, double slack, bool by_cones) {
   // Bodies that are far apart, which most pairs of a scene are, build nothing.
   if (!overlaps(object.world_box, support.world_box, tolerance * 1.001)) return {};
   // One order for both ways round: the same pair gives the same bits, whoever asks.
   const bool from_support = comes_first(support, object);
   const Body &first = from_support ? support : object, &second = from_support ? object : support;
-  const auto find = [&] { return ContactSearch(first, second, tolerance, slack).run(); };
-  ContactMemory* const memory = ContactMemory::current();
+  const auto find = [&] { return ContactSearch(first, second, tolerance, slack, by_cones).run(); };
+  ContactMemory* const memory = by_cones ? ContactMemory::current() : nullptr;
   std::vector<ContactPoint> points =
       memory ? memory->points(first, second, tolerance, slack, find) : find();
   if (from_support)
     for (ContactPoint& p : points) p = seen_from_support(p);
   return points;
+}
+
+}  // namespace
+
+std::vector<ContactPoint> contact_points(const Body& object, const Body& support, double tolerance,
+                                         double slack) {
+  return find_contact_points(object, support, tolerance, slack, true);
+}
+
+std::vector<ContactPoint> contact_points_of_all_faces(const Body& object, const Body& support,
+                                                      double tolerance, double slack) {
+  return find_contact_points(object, support, tolerance, slack, false);
 }
 
 std::vector<ContactPoint> floor_contact_points(const Body& object, double tolerance) {

@@ -40,7 +40,8 @@ std::vector<ContactPoint> FeatureContacts::ends_and_corners() {
   return out;
 }
 
-void FeatureContacts::add(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b) {
+void FeatureContacts::add(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b,
+                          const FacingFeatures& facing) {
   if (b.separates(a.corners, m_tolerance) || a.separates(b.corners, m_tolerance)) return;
   m_near.push_back({face_a, face_b});
   const Index3 &va = m_object.shape->mesh.triangles[face_a],
@@ -49,15 +50,16 @@ void FeatureContacts::add(const ContactFace& a, Index face_a, const ContactFace&
   const Index3 &ea = m_object.shape->adjacency.face_edges[face_a],
                &eb = m_support.shape->adjacency.face_edges[face_b];
   for (int k = 0; k < 3; ++k) {
-    if (!b.valid || !try_vertex_face(a.corners[k], va[k], b, face_b))
+    if (facing.a.vertices[k] && (!b.valid || !try_vertex_face(a.corners[k], va[k], b, face_b)))
       m_ends.add_vertex(a.corners[k], va[k], face_a, b, vb, eb, face_b);
-    if (!a.valid || !try_face_vertex(b.corners[k], vb[k], a, face_a))
+    if (facing.b.vertices[k] && (!a.valid || !try_face_vertex(b.corners[k], vb[k], a, face_a)))
       m_ends.add_support_vertex(a, ea, face_a, b.corners[k], vb[k], face_b);
   }
   // Nine pairs of edges are left, of which most are told apart by their boxes.
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      if (ea[i] >= 0 && eb[j] >= 0 && overlaps(a.edge_box[i], b.edge_box[j], m_reach))
+      if (facing.a.edges[i] && facing.b.edges[j] && ea[i] >= 0 && eb[j] >= 0 &&
+          overlaps(a.edge_box[i], b.edge_box[j], m_reach))
         try_edges(a, i, ea[i], b, j, eb[j]);
   // Flat overlaps, which rounding hides from vertices and edges, are collected apart.
   m_flush.add(a, face_a, b, face_b);

@@ -10,6 +10,7 @@
 #include "core/contact/contact_ends.h"
 #include "core/contact/contact_face.h"
 #include "core/contact/flush_faces.h"
+#include "core/contact/opposed_parts.h"
 #include "core/contact/pair_numbers.h"
 
 namespace trivet {
@@ -28,7 +29,9 @@ class FeatureContacts {
         m_flush(object, support, tolerance, slack),
         m_ends(object, support, tolerance, reach, slack) {}
 
-  void add(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b);
+  /// @param facing  other features are left out.
+  void add(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b,
+           const FacingFeatures& facing);
 
   /// Features of both bodies, some of them several times.
   const std::vector<ContactPoint>& found() const { return m_found; }

@@ -69,6 +69,34 @@ bool SeparatingAxes::separate(const Aabb& box_a, const Aabb& box_b) const {
   return false;
 }
 
+SeparatingAxes::AlongAxes SeparatingAxes::of_a(const Aabb& box) const {
+  AlongAxes out;
+  const Vec3 centre = box.centre(), half = box.half_extent();
+  for (int i = 0; i < m_num_axes; ++i) {
+    out.centre[i] = m_axes[i].of_a.dot(centre);
+    out.reach[i] = m_axes[i].of_a.cwiseAbs().dot(half);
+  }
+  return out;
+}
+
+SeparatingAxes::AlongAxes SeparatingAxes::of_b(const Aabb& box) const {
+  AlongAxes out;
+  const Vec3 centre = box.centre(), half = box.half_extent();
+  for (int i = 0; i < m_num_axes; ++i) {
+    out.centre[i] = m_axes[i].of_b.dot(centre);
+    out.reach[i] = m_axes[i].of_b.cwiseAbs().dot(half);
+  }
+  return out;
+}
+
+bool SeparatingAxes::separate(const AlongAxes& a, const AlongAxes& b) const {
+  for (int i = 0; i < m_num_axes; ++i)
+    if (std::abs(b.centre[i] - a.centre[i] + m_axes[i].offset) >
+        a.reach[i] + b.reach[i] + m_axes[i].margin)
+      return true;
+  return false;
+}
+
 bool SeparatingAxes::a_is_larger(const Aabb& box_a, const Aabb& box_b) const {
   return m_scale_a * (box_a.upper - box_a.lower).sum() >
          m_scale_b * (box_b.upper - box_b.lower).sum();

@@ -32,6 +32,16 @@ class SeparatingAxes {
   /// True only if the contents of the two boxes are disjoint.
   bool separate(const Aabb& box_a, const Aabb& box_b) const;
 
+  /// A box along all axes, for those who ask for the same one again: it depends on the linear part
+  /// of its frame alone, and on that of the other.
+  struct AlongAxes {
+    std::array<double, kMaxAxes> centre, reach;
+  };
+  AlongAxes of_a(const Aabb& box) const;
+  AlongAxes of_b(const Aabb& box) const;
+  /// As of their boxes, to the bit.
+  bool separate(const AlongAxes& a, const AlongAxes& b) const;
+
   /// True if the box of a is the larger one in the world.
   bool a_is_larger(const Aabb& box_a, const Aabb& box_b) const;
 
@@ -55,8 +65,10 @@ class SeparatingAxes {
 
 /// Calls visit(leaf of a, leaf of b) -> bool for all leaves that are not separated, until it
 /// returns false.
-template <class Visit>
-void visit_near_leaves(const Bvh& a, const Bvh& b, const SeparatingAxes& axes, const Visit& visit) {
+/// @param apart  apart(node of a, node of b): as axes.separate() of their boxes.
+template <class Apart, class Visit>
+void visit_near_leaves(const Bvh& a, const Bvh& b, const SeparatingAxes& axes, const Apart& apart,
+                       const Visit& visit) {
   if (a.nodes.empty() || b.nodes.empty()) return;
   // A stack of its own replaces recursion, as trees may be deep.
   std::vector<std::array<Index, 2>> stack{{0, 0}};
@@ -64,13 +76,12 @@ void visit_near_leaves(const Bvh& a, const Bvh& b, const SeparatingAxes& axes, c
     const auto [i, j] = stack.back();
     stack.pop_back();
     const BvhNode &x = a.nodes[i], &y = b.nodes[j];
-    // The larger of two nodes that are not apart is opened, so that both get small together.
-    const Aabb box_x = x.box(), box_y = y.box();
     // Pairs of separated boxes end here, and most of the work with them.
-    if (axes.separate(box_x, box_y)) continue;
+    if (apart(i, j)) continue;
+    // The larger of two nodes that are not apart is opened, so that both get small together.
     if (x.is_leaf() && y.is_leaf()) {
       if (!visit(x, y)) return;
-    } else if (y.is_leaf() || (!x.is_leaf() && axes.a_is_larger(box_x, box_y))) {
+    } else if (y.is_leaf() || (!x.is_leaf() && axes.a_is_larger(x.box(), y.box()))) {
       stack.push_back({x.second_child, j});
       stack.push_back({i + 1, j});
     } else {
@@ -78,6 +89,14 @@ void visit_near_leaves(const Bvh& a, const Bvh& b, const SeparatingAxes& axes, c
       stack.push_back({i, j + 1});
     }
   }
+}
+
+template <class Visit>
+void visit_near_leaves(const Bvh& a, const Bvh& b, const SeparatingAxes& axes, const Visit& visit) {
+  const auto apart = [&](Index i, Index j) {
+    return axes.separate(a.nodes[i].box(), b.nodes[j].box());
+  };
+  visit_near_leaves(a, b, axes, apart, visit);
 }
 
 }  // namespace trivet

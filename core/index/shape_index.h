@@ -5,6 +5,7 @@
 
 #include "core/base/lazy.h"
 #include "core/index/bvh.h"
+#include "core/index/normal_cones.h"
 #include "core/index/ray_scene.h"
 
 namespace trivet {
@@ -12,6 +13,7 @@ namespace trivet {
 struct ShapeIndex {
   Lazy<Bvh> bvh;
   Lazy<RayScene> rays;
+  Lazy<NormalCones> cones;
 };
 
 /// Embree waits for tasks of its own; another task taken up meanwhile might need the same value.

@@ -6,6 +6,8 @@
 namespace trivet {
 namespace {
 
+bool is_set(const std::atomic<bool>* flag) { return flag && flag->load(std::memory_order_relaxed); }
+
 constexpr double kLongestBudget = 1e8;  // seconds; the clock counts nanoseconds
 
 }  // namespace
@@ -19,7 +21,7 @@ Interrupt::Interrupt(const RunContext& context)
 
 std::optional<Interrupt::Reason> Interrupt::reason() {
   if (m_reason) return m_reason;
-  if (m_cancel && m_cancel->load(std::memory_order_relaxed))
+  if (is_set(m_cancel) || is_set(m_unneeded))
     m_reason = Reason::Cancelled;
   else if (m_deadline && Clock::now() >= *m_deadline)
     m_reason = Reason::OutOfTime;

@@ -19,6 +19,9 @@ class Interrupt {
   /// The time of context.time_budget_s begins now.
   explicit Interrupt(const RunContext& context);
 
+  /// Stops, as cancelled, when this becomes true, too. Not owned.
+  void stop_on(const std::atomic<bool>& unneeded) { m_unneeded = &unneeded; }
+
   /// Why to stop; nullopt: go on. Once it says stop it stays with that. Costs a look at the clock.
   std::optional<Reason> reason();
 
@@ -30,6 +33,7 @@ class Interrupt {
  private:
   using Clock = std::chrono::steady_clock;
   const std::atomic<bool>* m_cancel;
+  const std::atomic<bool>* m_unneeded = nullptr;
   double m_budget_s;
   std::optional<Clock::time_point> m_deadline;
   std::optional<Reason> m_reason;

@@ -25,7 +25,8 @@ void push_apart(const MotionRow& row, double push, std::vector<SmallMotion>& mot
 }
 
 /// Rows relaxed in turn. Most hold nothing: these are asked again only when the bodies have gone
-/// far enough to meet them, which gives the same bits.
+/// far enough to meet them, which gives the same bits. Rows of one pair of bodies follow each
+/// other, and are passed over together.
 class RowRelaxation {
  public:
   RowRelaxation(std::vector<MotionRow>& rows, std::vector<SmallMotion> motions)
@@ -33,66 +34,111 @@ class RowRelaxation {
     m_rows.reserve(rows.size());
     for (MotionRow& row : rows) {
       row.push = std::max(row.least_push, row.push);
-      m_rows.push_back({row, row.squared_norm(), row.of_on.norm(), row.of_from.norm()});
+      m_rows.push_back({row, row.squared_norm(), {row.of_on.norm(), row.of_from.norm()}});
       push_apart(row, row.push, m_motions);
+      if (m_blocks.empty() || !takes(m_blocks.back(), row)) m_blocks.push_back(block_at(row));
+      m_blocks.back().ways.widen(m_rows.back().ways);
+      ++m_blocks.back().end;
     }
   }
 
   std::vector<SmallMotion> run(double still) {
     for (int sweep = 0; sweep < kSweepsOfRows; ++sweep) {
       double most = 0;
-      for (Row& row : m_rows)
-        if (!is_idle(row)) most = std::max(most, meet(row));
+      for (Block& block : m_blocks)
+        if (left_of(block.ways, block) <= 0) most = std::max(most, meet_all(block));
       if (most < still) break;
     }
     return std::move(m_motions);
   }
 
  private:
+  /// Until when a row, or all rows of a block, are met, pushing nothing.
+  struct Idle {
+    double norm_on = 0, norm_from = 0;  // metres of the row for each metre of a body, at most
+    double spare = 0;                   // metres by which it was met when it was asked last
+    double gone_on = 0, gone_from = 0;  // ways of its bodies then
+
+    void widen(const Idle& other) {
+      norm_on = std::max(norm_on, other.norm_on);
+      norm_from = std::max(norm_from, other.norm_from);
+    }
+  };
   struct Row {
     MotionRow& row;
-    double squared_norm, norm_on, norm_from;
-    double spare = 0;  // metres by which it was met when it was asked last, pushing nothing
-    double gone_on = 0, gone_from = 0;  // ways of its bodies then
+    double squared_norm;
+    Idle ways;
+  };
+  struct Block {
+    size_t on, from;  // of m_gone
+    size_t first, end;
+    Idle ways = {};
   };
 
-  // Ways of its bodies; what stays has gone nowhere.
-  double& gone_on(const MotionRow& row) { return m_gone[row.on]; }
-  double& gone_from(const MotionRow& row) {
-    return m_gone[row.from == BodyContact::kGround ? m_gone.size() - 1 : row.from];
+  static constexpr size_t kMostRowsOfBlock = 8;
+
+  // The last one is that of what stays.
+  size_t place_of(Index body) const {
+    return body == BodyContact::kGround ? m_gone.size() - 1 : static_cast<size_t>(body);
+  }
+  Block block_at(const MotionRow& row) const {
+    return {place_of(row.on), place_of(row.from), m_rows.size() - 1, m_rows.size() - 1};
+  }
+  bool takes(const Block& block, const MotionRow& row) const {
+    return block.on == place_of(row.on) && block.from == place_of(row.from) &&
+           block.end - block.first < kMostRowsOfBlock;
   }
 
-  bool is_idle(const Row& r) {
-    return r.spare > 0 && (gone_on(r.row) - r.gone_on) * r.norm_on +
-                                  (gone_from(r.row) - r.gone_from) * r.norm_from <
-                              r.spare;
+  // Metres that are certainly left; 0: nothing is known.
+  double left_of(const Idle& ways, const Block& block) const {
+    if (ways.spare <= 0) return 0;
+    return ways.spare - (m_gone[block.on] - ways.gone_on) * ways.norm_on -
+           (m_gone[block.from] - ways.gone_from) * ways.norm_from;
+  }
+
+  // @return the largest change of a multiplier.
+  double meet_all(Block& block) {
+    double most = 0, least_left = kInfinity;
+    for (size_t k = block.first; k < block.end; ++k) {
+      Row& row = m_rows[k];
+      if (left_of(row.ways, block) <= 0) most = std::max(most, meet(row, block));
+      least_left = std::min(least_left, left_of(row.ways, block));
+    }
+    // Where no row pushes, no body has gone anywhere meanwhile.
+    note_spare(block.ways, least_left, block);
+    return most;
   }
 
   // @return change of the multiplier.
-  double meet(Row& r) {
+  double meet(Row& r, const Block& block) {
     MotionRow& row = r.row;
     const double lacks = row.least - row.of(m_motions) - kSoftRows * row.push;
-    const double push = std::max(row.least_push, row.push + lacks / (r.squared_norm + kSoftRows));
+    // A row that is met and pushes no more than it must stays as it is, without a division.
+    const bool stays = lacks <= 0 && row.push == row.least_push;
+    const double push =
+        stays ? row.push
+              : std::max(row.least_push, row.push + lacks / (r.squared_norm + kSoftRows));
     const double change = push - row.push;
     row.push = push;
     if (change == 0) {
-      note_spare(r, -lacks);
+      if (row.push == 0 && row.least_push == 0)
+        note_spare(r.ways, kSurelySpare * -lacks - kRoundingOfRows, block);
       return 0;
     }
-    r.spare = 0;
+    r.ways.spare = 0;
     push_apart(row, change, m_motions);
-    gone_on(row) += std::abs(change) * r.norm_on;
-    if (row.from != BodyContact::kGround) gone_from(row) += std::abs(change) * r.norm_from;
+    m_gone[block.on] += std::abs(change) * r.ways.norm_on;
+    if (row.from != BodyContact::kGround) m_gone[block.from] += std::abs(change) * r.ways.norm_from;
     return std::abs(change);
   }
 
-  void note_spare(Row& r, double metres) {
-    if (r.row.push != 0 || r.row.least_push != 0) return;
-    r.spare = kSurelySpare * metres - kRoundingOfRows;
-    r.gone_on = gone_on(r.row), r.gone_from = gone_from(r.row);
+  void note_spare(Idle& ways, double metres, const Block& block) const {
+    ways.spare = metres;
+    ways.gone_on = m_gone[block.on], ways.gone_from = m_gone[block.from];
   }
 
   std::vector<Row> m_rows;
+  std::vector<Block> m_blocks;
   std::vector<SmallMotion> m_motions;
   std::vector<double> m_gone;  // metres, of each body in all, and of what stays
 };

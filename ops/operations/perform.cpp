@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/arena.h"
 #include "core/contact/contact_memory.h"
 #include "ops/free_places/place_region.h"
 #include "ops/operations/carried_drapes.h"
@@ -59,6 +60,14 @@ std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const Pl
   return std::nullopt;
 }
 
+/// Copies of larger scenes cost more than trials: about 1 µs an object.
+constexpr size_t kMostObjectsToCopy = 2000;
+
+int threads_of_put(const Scene& scene, const OperationRun& run) {
+  // Detectors draw one query at a time.
+  return run.detector || scene.num_objects() > kMostObjectsToCopy ? 1 : num_threads_here();
+}
+
 /// A PUT takes a place only where its commit would be accepted.
 OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOperation& o,
                             OperationRun& run, const Named& name) {
@@ -77,16 +86,18 @@ OperationResult perform_put(Transaction& transaction, ObjectId id, const PutOper
   };
   TryCommit try_commit_there;
   if (is_judged || keeps_whole_at_rest(run.options)) try_commit_there = refuse_place;
-  const PutSteps put{[&](const Scene& scene, const PutOperation& move) {
-                       return plan_put(scene, id, move, run, try_commit_there);
+  const PutSteps put{[&](const Scene& scene, const PutOperation& move, OperationRun& own) {
+                       return plan_put(scene, id, move, own, try_commit_there);
                      },
-                     [&](Transaction& inner, MovePlan plan, Budget budget) {
-                       return commit_at_rest(inner, std::move(plan), run, name, budget);
-                     }};
+                     [&](Transaction& inner, MovePlan plan, Budget budget, OperationRun& own) {
+                       return commit_at_rest(inner, std::move(plan), own, name, budget);
+                     },
+                     threads_of_put(transaction.scene(), run)};
   // A start that was asked for exactly, or a place that is searched for, has no other tries.
   const bool is_exact = o.tries == 1 || o.place || run.options.literal_paper_rules;
-  if (is_exact) return put.commit(transaction, put.plan(transaction.scene(), o), kBudgetOfPut);
-  OperationResult result = put_by_tries(transaction, id, o, put, kBudgetOfFirstStart);
+  if (is_exact)
+    return put.commit(transaction, put.plan(transaction.scene(), o, run), kBudgetOfPut, run);
+  OperationResult result = put_by_tries(transaction, id, o, put, kBudgetOfFirstStart, run);
   // A refusal is that of the first start, but its time is that of all.
   result.milliseconds = run.stopwatch.milliseconds();
   return result;

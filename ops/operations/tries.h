@@ -17,31 +17,18 @@
 //   first contacts of fine meshes
 //                            count more, by the root of the number of faces: where they add up to
 //                            seconds, no further start is tried, but for what got over a wall
+//   cores that are free      try several starts at once, before it is known whether all of them
+//                            are needed; what is done does not depend on it
 #pragma once
 
-#include <functional>
-
-#include "core/scene/transaction.h"
-#include "ops/operations/move_plan.h"
-#include "ops/operations/put.h"
-#include "ops/operations/whole.h"
+#include "ops/operations/start_trials.h"
 
 namespace trivet {
-
-/// A start of the sequence. @param number  1: the one that was asked for.
-/// @param part  of its shift.
-StartTried start_to_try(const Object& object, const PutOperation& o, int number, double part = 1);
-
-/// A PUT in two steps, of which the second may be tried again by a larger budget.
-struct PutSteps {
-  std::function<MovePlan(const Scene&, const PutOperation&)> plan;
-  std::function<OperationResult(Transaction&, MovePlan, Budget)> commit;
-};
 
 /// The first start from which `put` is done. Otherwise the refusal of the one that was asked for,
 /// with the number of tries. @param o  without a place, with more than one try.
 /// @param budget  of the first start.
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
-                             const PutSteps& put, Budget budget);
+                             const PutSteps& put, Budget budget, OperationRun& run);
 
 }  // namespace trivet

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/exact/shifted_pair.h"
 #include "core/model/exported_floats.h"
 #include "ops/placement/clearance.h"
 
@@ -14,7 +15,8 @@ constexpr double kAccuracy = 1e-3;  // of the depth
 
 class PairDepth {
  public:
-  PairDepth(const ObjectInWorld& a, const ObjectInWorld& b) : m_a(a.doubles), m_b(b.doubles) {
+  PairDepth(const ObjectInWorld& a, const ObjectInWorld& b)
+      : m_a(a.doubles), m_b(b.doubles), m_shifted(a.doubles, b.doubles) {
     m_box_a = box_of(a), m_box_b = box_of(b);
     m_size = std::max(m_box_a.diagonal(), m_box_b.diagonal());
   }
@@ -60,12 +62,11 @@ class PairDepth {
     return 0.5 * (of_a.lower.cwiseMax(of_b.lower) + of_a.upper.cwiseMin(of_b.upper));
   }
 
-  bool is_free(const Vec3& by) const {
-    // Both bodies stay as they are; only the test's placement moves.
+  bool is_free(const Vec3& by) {
+    if (m_shifted.cross(by)) return false;
     PlacedShape a = m_a;
     a.world_from_object.translation += by;
-    return !count_crossings(a, m_b, 1) && !count_components_inside(a, m_b) &&
-           !count_components_inside(m_b, a);
+    return !count_components_inside(a, m_b) && !count_components_inside(m_b, a);
   }
 
   // Metres along the way until the boxes part.
@@ -81,7 +82,7 @@ class PairDepth {
     return out + kTouch * m_size;
   }
 
-  double least_along(const Vec3& way) const {
+  double least_along(const Vec3& way) {
     const double most = most_along(way);
     // The length is bracketed by steps that grow, and halved then.
     double held = 0, free = kTouch * m_size;
@@ -96,6 +97,7 @@ class PairDepth {
   }
 
   const PlacedShape &m_a, &m_b;
+  ShiftedPair m_shifted;
   Aabb m_box_a, m_box_b;
   double m_size;
 };

@@ -1,7 +1,5 @@
 #include "raster/zlist/complete_zlists.h"
 
-#include <tbb/task_arena.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
@@ -222,8 +220,7 @@ const char* to_string(Crossing crossing) {
 CompleteZLists::CompleteZLists(std::span<const Body> bodies, const ProjectionOptions& options)
     : m_bodies(bodies), m_projection(axes_of(options.direction)) {
   check(options);
-  const int cores = tbb::this_task_arena::max_concurrency();
-  const int threads = options.num_threads > 0 ? options.num_threads : cores;
+  const int threads = options.num_threads > 0 ? options.num_threads : num_threads_here();
   for (const Body& body : bodies) m_winding.push_back(winding_of(*body.shape));
   // The window fits what is seen, unless a region is asked for.
   const Aabb extent = extent_of(bodies, rows_of(m_projection));

@@ -1,10 +1,9 @@
 #include "raster/zlist/software_zlists.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/arena.h"
 #include "core/base/error.h"
 #include "raster/zlist/search.h"
 
@@ -25,8 +24,7 @@ SoftwareZListOptions checked(SoftwareZListOptions options) {
       say("number of threads of z-lists is %1; accepted: 0 (all) or more", options.num_threads));
   require(options.zoom_levels >= 0 && options.zoom_levels <= 4,
           say("zoom levels of z-lists are %1; accepted: 0 to 4", options.zoom_levels));
-  if (options.num_threads == 0)
-    options.num_threads = std::max(1, tbb::this_task_arena::max_concurrency());
+  if (options.num_threads == 0) options.num_threads = num_threads_here();
   return options;
 }
 
