@@ -14,6 +14,7 @@
 #include "ops/mend/part_by_turns.h"
 #include "ops/mend/rearrange.h"
 #include "ops/mend/rows.h"
+#include "ops/mend/starts.h"
 #include "ops/mend/starts_in_place.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
@@ -26,8 +27,7 @@ constexpr double kReachOfClosing = 2;  // tolerances
 constexpr double kMostReach = 0.04;    // metres: what is farther falls
 // Metres, of closing gaps: the first ones do mostly.
 constexpr double kMostSteps[] = {0.006, 0.004, kInfinity};
-// Median ways: farther than noise alone would have it, and surely dragged along.
-constexpr double kFarForNoise = 2.5, kFarInHeap = 4;
+constexpr double kFarInHeap = 4;  // median ways
 // Tolerances within which an object has to come to rest, round by round.
 constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
@@ -64,7 +64,7 @@ class HeapInPlace {
   struct Attempt {
     std::vector<ObjectId> missing;  // that nothing holds
     double way = kInfinity;         // square metres, of all
-    bool is_noise = false, any_is_far = true;
+    bool any_is_far = true;
     Scene scene;
 
     bool is_good() const { return missing.empty() && !any_is_far; }
@@ -79,7 +79,7 @@ class HeapInPlace {
     Attempt best = attempt(kMostSteps[0]);
     std::vector<double> longest{m_longest_step};  // of each attempt
     // Bodies that nothing held at first have moved others, until these did.
-    if (!best.is_noise && !m_missed.empty() && !m_out.is_out_of_time()) {
+    if (!best.is_good() && !m_missed.empty() && !m_out.is_out_of_time()) {
       m_scene = parted;
       let_go_first(std::exchange(m_missed, {}));
       Attempt other = attempt(kMostSteps[0]);
@@ -100,7 +100,6 @@ class HeapInPlace {
       if (other.is_better_than(best)) best = std::move(other);
     }
     m_scene = best.scene;
-    let_go_missing(std::move(best.missing));
   }
 
   // The others then move as little as can be, where these come to rest near.
@@ -114,7 +113,7 @@ class HeapInPlace {
   }
 
   // Bodies that no contact within reach would hold come alone, as long as fewer are missing then.
-  void let_go_missing(std::vector<ObjectId> missing) {
+  std::vector<ObjectId> let_go_missing(std::vector<ObjectId> missing) {
     for (size_t before = missing.size() + 1;
          !missing.empty() && missing.size() < before && !m_out.is_out_of_time();) {
       before = missing.size();
@@ -123,6 +122,7 @@ class HeapInPlace {
       // Back at its given pose what was let go would be missed again.
       missing = close(kMostSteps[0], false);
     }
+    return missing;
   }
 
   // Once more from where the first time ended, if anything is missing.
@@ -131,8 +131,8 @@ class HeapInPlace {
     m_missed.clear();
     std::vector<ObjectId> missing = close(most_step);
     if (!missing.empty() && !m_out.is_out_of_time()) missing = close(most_step);
-    return {std::move(missing), squared_ways(), !any_is_far(kFarForNoise), any_is_far(kFarInHeap),
-            m_scene};
+    missing = let_go_missing(std::move(missing));
+    return {std::move(missing), squared_ways(), any_is_far(), m_scene};
   }
 
   // @return those that nothing holds.
@@ -168,10 +168,10 @@ class HeapInPlace {
     return out;
   }
   // A wrong contact has dragged it along.
-  bool any_is_far(double medians) const {
+  bool any_is_far() const {
     std::vector<double> sorted = ways();
     std::sort(sorted.begin(), sorted.end());
-    return sorted.back() > medians * sorted[sorted.size() / 2];
+    return sorted.back() > kFarInHeap * sorted[sorted.size() / 2];
   }
 
   // A body that falls as the whole comes to rest is missed by it, as one that nothing holds.
@@ -278,9 +278,12 @@ class HeapInPlace {
     double least = kInfinity;
     m_gives_way.clear();
     const double others = way_of_others(id);
+    std::vector<Pose> tried;
     for (const Pose& start : starts_in_place(m_scene, *m_meant.find(id), free, tolerance())) {
       if (m_out.is_out_of_time()) break;
-      if (refuse_interpenetration(m_scene, id, start, false)) continue;
+      if (falls_as_another(start, tried) || refuse_interpenetration(m_scene, id, start, false))
+        continue;
+      tried.push_back(start);
       const auto judge = [&](const Object& there) {
         const double way = way_to(id, there.pose), all = way + way_of_others(id) - others;
         if (way < farthest && all < least) least = all, best = start;
