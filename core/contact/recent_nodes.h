@@ -20,7 +20,7 @@ inline std::uint64_t new_search() {
 template <class Memory>
 Memory& memory_of_thread() {
   thread_local const std::unique_ptr<Memory> memory = std::make_unique<Memory>();
-  return *memory;
+  return *memory;  // NOLINT(clang-analyzer-cplusplus.NewDelete): it lives as long as the thread
 }
 
 /// Values of nodes of one body in several searches: a search meets most nodes many times.

@@ -123,8 +123,8 @@ std::vector<StartTrial> StartTrials::all(std::vector<SettledStart> starts, Budge
 }
 
 void StartTrials::take(StartTrial& trial) {
-  for (auto& [id, object] : trial.after)
-    m_transaction.edit(id, [&](Object& now) { now = std::move(object); });
+  for (std::pair<ObjectId, Object>& after : trial.after)
+    m_transaction.edit(after.first, [&](Object& now) { now = std::move(after.second); });
 }
 
 // Twice the threads, as some starts take much longer than others.

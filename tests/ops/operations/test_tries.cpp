@@ -355,7 +355,7 @@ struct ToldByNumber {
     if (how == End::Topples) {
       OperationResult out = topples();
       // Start 9 topples with the fewest.
-      out.refusal->objects.resize(static_cast<size_t>(1 + std::abs(number - 9)));
+      out.refusal->objects.resize(1 + static_cast<size_t>(std::abs(number - 9)));
       return out;
     }
     OperationResult out;
