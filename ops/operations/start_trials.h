@@ -68,7 +68,7 @@ class StartTrials {
   StartTrials(Transaction& transaction, ObjectId id, const PutOperation& o, const PutSteps& put,
               OperationRun& run);
 
-  /// That of the first start.
+  /// The container of the first start.
   const Container& container() const { return m_container; }
 
   /// From now on a rest across a gap is as good as any.
