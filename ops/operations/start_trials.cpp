@@ -133,10 +133,10 @@ int StartTrials::num_ahead(int number) const {
   if (m_put.num_threads <= 1 || is_short) return 1;
   // The others may never be tried: where these cost much, and in a second round.
   const int tries = m_operation.tries;
-  const int last = number <= kLeastStarts ? kLeastStarts
-                   : number <= tries      ? tries
-                                          : kStartsOfTry * tries;
-  return std::min(2 * m_put.num_threads, last + 1 - number);
+  const bool are_least = number <= kLeastStarts && !m_wants_all;
+  const int last = are_least ? kLeastStarts : number <= tries ? tries : kStartsOfTry * tries;
+  const int left = last + 1 - number;
+  return m_wants_all ? left : std::min(2 * m_put.num_threads, left);
 }
 
 // Up to the first that is the last one.

@@ -71,6 +71,9 @@ class StartTrials {
   /// The container of the first start.
   const Container& container() const { return m_container; }
 
+  /// All starts are tried until one stands, whatever that costs.
+  void want_all() { m_wants_all = true; }
+
   /// From now on a rest across a gap is as good as any.
   void accept_gaps() { m_accepts_gaps = true; }
 
@@ -102,7 +105,7 @@ class StartTrials {
   const PutSteps& m_put;
   OperationRun& m_run;
   const Container m_container;
-  bool m_accepts_gaps = false;
+  bool m_wants_all = false, m_accepts_gaps = false;
   std::deque<Trials> m_ahead;
 };
 

@@ -62,6 +62,7 @@ class Tries {
       keep(std::move(settled), rest, budget);
     else
       note_movers(std::move(settled), first);
+    if (rest == Rest::BesideContainer) m_trials.want_all();
     int num_tries = 1, num_left = 0;
     // A second round costs less than to move others from starts of the first one.
     for (int n = 2; n <= kStartsOfTry * m_operation.tries; ++n) {
