@@ -112,13 +112,13 @@ std::vector<StartTrial> StartTrials::next(int number) {
 }
 
 std::vector<StartTrial> StartTrials::all(std::vector<SettledStart> starts, Budget budget) {
+  const auto try_one = [&](size_t k, Transaction& transaction, OperationRun& run) {
+    Trials one;
+    one.push_back(try_from(std::move(starts[k]), budget, transaction, run));
+    return one;
+  };
   Trials out;
-  for (Trials& trials : try_each(starts.size(), [&](size_t k, Transaction&t, OperationRun&run) {
-         Trials one;
-         one.push_back(try_from(std::move(starts[k]), budget, t, run));
-         return one;
-       }))
-    out.push_back(std::move(trials.front()));
+  for (Trials& trials : try_each(starts.size(), try_one)) out.push_back(std::move(trials.front()));
   return out;
 }
 
