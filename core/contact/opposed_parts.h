@@ -26,7 +26,8 @@ struct PlacedCone {
   bool is_none() const { return cos > 1; }
 };
 
-/// Where vertices and edges of a part may look, on both sides of the surface; see NormalCones.
+/// Cones in which vertices and edges of a part may look, on both sides of the surface; see
+/// NormalCones.
 struct PlacedSides {
   PlacedCone outwards, inwards;
 
@@ -34,7 +35,7 @@ struct PlacedSides {
       : outwards(part.outwards, world_from_object), inwards(part.inwards, world_from_object) {}
 };
 
-/// Where a node or a face is, and where it may look.
+/// A node or a face: its place, and the directions in which it may look.
 struct PlacedPart {
   Vec3 centre;
   double radius;  // of a sphere that holds it

@@ -22,8 +22,8 @@ struct NormalCone {
 /// surface goes on, and is nearer. The sets of such directions are bounded exactly, not by the
 /// normals of faces, as neighbours of a vertex need not be convex.
 ///
-/// Where a surface is flat, nothing rises beside a feature on either side, and what is behind it
-/// touches it, too: through the body. So there are two cones, of either side of the surface.
+/// A flat surface has nothing that rises beside its features on either side, and what is behind
+/// them touches them, too: through the body. So there are two cones, of either side of the surface.
 ///
 /// They hold for a body whose coordinates are below kFarOfCones times its box's diagonal, and for
 /// feet outside faces by kSlackOfCones times that at most: all rounding is allowed for so far.
@@ -40,7 +40,7 @@ struct NormalCones {
 
 inline constexpr double kFarOfCones = 1e4, kSlackOfCones = 1e-4;
 
-/// Made when first asked for, and kept with the shape. Cost O(n log n).   Thread-safe.
+/// Made when first asked for, and kept with the shape. Cost O(n log n). Thread-safe.
 const NormalCones& normal_cones_of(const Shape& shape);
 bool has_normal_cones(const Shape& shape);
 

@@ -18,7 +18,6 @@
 #include "ops/mend/starts_in_place.h"
 #include "ops/operations/perform.h"
 #include "ops/placement/clearance.h"
-#include "ops/placement/depth.h"
 
 namespace trivet {
 namespace {

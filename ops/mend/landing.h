@@ -33,7 +33,7 @@ class LandingSearch {
     const bool is_dearer = start.cost > m_best.cost;
     if (m_best.as_meant && (m_best.cost < m_near || is_dearer || m_tries > kTriesAsMeant))
       return true;
-    // A place as meant is searched longer, as any start may find it.
+    // The search goes on longer while no place is as meant, as any start may find one.
     if (is_dearer && m_tries > m_most_tries / 2) return true;
     return m_tries - m_tries_of_best > (m_best.nearly ? kPatienceIfNearly : kPatience);
   }

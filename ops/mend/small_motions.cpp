@@ -104,7 +104,7 @@ class RowRelaxation {
       if (left_of(row.ways, block) <= 0) most = std::max(most, meet(row, block));
       least_left = std::min(least_left, left_of(row.ways, block));
     }
-    // Where no row pushes, no body has gone anywhere meanwhile.
+    // If no row pushes, no body has gone anywhere meanwhile.
     note_spare(block.ways, least_left, block);
     return most;
   }
