@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,6 +21,8 @@ constexpr int kMostThatLeave = 1;  // tries that end out of the container, befor
 /// PUTs, as of fine meshes in full boxes, that would go on for seconds.
 constexpr double kWorkOfTry = 100;    // for each that was asked for, in first contacts
 constexpr double kFacesOfOne = 8192;  // of an object whose first contact is one unit of work
+/// Milliseconds an object after which a copy of the scene costs little: it takes a twentieth.
+constexpr double kWorthCopy = 0.02;
 /// Others may move in the end, from the starts at which the fewest would.
 constexpr size_t kSecondLooks = 2;
 constexpr Budget kBudgetOfSecondLook{500};
@@ -48,12 +51,8 @@ Rest rest_from(const Scene& scene, ObjectId id, const Pose& start) {
 /// The starts after the first.
 class Tries {
  public:
-  Tries(Transaction& transaction, ObjectId id, const PutOperation& o, const PutSteps& put,
-        OperationRun& run)
-      : m_scene(transaction.scene()),
-        m_id(id),
-        m_operation(o),
-        m_trials(transaction, id, o, put, run) {}
+  Tries(const Scene& scene, ObjectId id, const PutOperation& o, StartTrials& trials)
+      : m_scene(scene), m_id(id), m_operation(o), m_trials(trials) {}
 
   /// @param first  refused, or taken back: at rest across a gap or beside its container.
   OperationResult go_on(SettledStart settled, OperationResult first, Rest rest, Budget budget) {
@@ -185,30 +184,79 @@ class Tries {
   const Scene& m_scene;
   const ObjectId m_id;
   const PutOperation& m_operation;
-  StartTrials m_trials;
+  StartTrials& m_trials;
   std::vector<WouldMove> m_would_move;
   std::unique_ptr<InHand> m_in_hand;
   double m_work = 0;  // of the starts after the first
+};
+
+/// The first start, beside which others are begun when it takes long.
+class LongRun {
+ public:
+  /// @param begin_others  called once it is known, before the end of commit().
+  LongRun(OperationRun& run, bool may_begin, std::function<void()> begin_others)
+      : m_run(run), m_may_begin(may_begin), m_began(run.stopwatch.milliseconds()) {
+    if (may_begin) run.interrupt.call_after(kShortPut, std::move(begin_others));
+  }
+  ~LongRun() { forget(); }
+  LongRun(const LongRun&) = delete;
+  LongRun& operator=(const LongRun&) = delete;
+
+  /// @param commit  says whether its changes stay.
+  bool commit(Transaction& transaction, const std::function<bool(Transaction&)>& commit) {
+    if (!is_worth_copy(transaction.scene())) {
+      forget();
+      return commit(transaction);
+    }
+    // Others are tried from the scene as it was.
+    Scene copy = transaction.scene();
+    Transaction on_copy(copy);
+    const bool stays = commit(on_copy);
+    forget();
+    if (stays)
+      for (const ObjectId id : on_copy.touched())
+        transaction.edit(id, [&](Object& object) { object = copy.at(id); });
+    return stays;
+  }
+
+ private:
+  bool is_worth_copy(const Scene& scene) const {
+    const double milliseconds = m_run.stopwatch.milliseconds() - m_began;
+    return m_may_begin && milliseconds > kWorthCopy * static_cast<double>(scene.num_objects());
+  }
+
+  void forget() {
+    if (m_may_begin) m_run.interrupt.call_after({}, nullptr);
+  }
+
+  OperationRun& m_run;
+  const bool m_may_begin;
+  const double m_began;
 };
 
 }  // namespace
 
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
                              const PutSteps& put, Budget budget, OperationRun& run) {
+  std::optional<StartTrials> others;
+  LongRun long_run(run, put.num_threads > 1, [&] {
+    others.emplace(transaction, id, o, put, run);
+    others->begin();
+  });
   SettledStart settled = settle_from(transaction.scene(), o, put, run, {1, 0, 0, o.start});
   OperationResult first;
   Rest rest = Rest::Touching;
-  {
-    Transaction inner(transaction);
+  const bool is_done = long_run.commit(transaction, [&](Transaction& there) {
+    Transaction inner(there);
     first = put.commit(inner, settled.plan, budget, run);
-    if (!first.ok() && !may_do_better_nearby(first)) return first;
     if (first.ok()) rest = rest_from(inner.scene(), id, o.start);
-    if (first.ok() && rest == Rest::Touching) {
-      inner.commit();
-      return first;
-    }
-  }
-  return Tries(transaction, id, o, put, run)
+    if (!first.ok() || rest != Rest::Touching) return false;
+    inner.commit();
+    return true;
+  });
+  if (is_done || (!first.ok() && !may_do_better_nearby(first))) return first;
+  if (!others) others.emplace(transaction, id, o, put, run);
+  return Tries(transaction.scene(), id, o, *others)
       .go_on(std::move(settled), std::move(first), rest, budget);
 }
 
