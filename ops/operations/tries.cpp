@@ -190,63 +190,79 @@ class Tries {
   double m_work = 0;  // of the starts after the first
 };
 
-/// The first start, beside which others are begun when it takes long.
-class LongRun {
+/// The others, which are begun when the first start takes long.
+class Others {
  public:
-  /// @param begin_others  called once it is known, before the end of commit().
-  LongRun(OperationRun& run, bool may_begin, std::function<void()> begin_others)
-      : m_run(run), m_may_begin(may_begin), m_began(run.stopwatch.milliseconds()) {
-    if (may_begin) run.interrupt.call_after(kShortPut, std::move(begin_others));
+  /// @param transaction, o, put, run  as of StartTrials; `run` is that of the first start, too.
+  Others(Transaction& transaction, ObjectId id, const PutOperation& o, const PutSteps& put,
+         OperationRun& run)
+      : m_transaction(transaction),
+        m_id(id),
+        m_operation(o),
+        m_put(put),
+        m_run(run),
+        m_began(run.stopwatch.milliseconds()) {
+    if (may_begin()) run.interrupt.call_after(kShortPut, [this] { trials().begin(); });
   }
-  ~LongRun() { forget(); }
-  LongRun(const LongRun&) = delete;
-  LongRun& operator=(const LongRun&) = delete;
+  ~Others() { begin_none(); }
+  Others(const Others&) = delete;
+  Others& operator=(const Others&) = delete;
 
+  StartTrials& trials() {
+    if (!m_trials) m_trials.emplace(m_transaction, m_id, m_operation, m_put, m_run);
+    return *m_trials;
+  }
+
+  /// Of the first start, beside others that are begun; then no more are.
   /// @param commit  says whether its changes stay.
-  bool commit(Transaction& transaction, const std::function<bool(Transaction&)>& commit) {
-    if (!is_worth_copy(transaction.scene())) {
-      forget();
-      return commit(transaction);
+  bool commit(const std::function<bool(Transaction&)>& commit) {
+    if (!is_worth_copy()) {
+      begin_none();
+      return commit(m_transaction);
     }
     // Others are tried from the scene as it was.
-    Scene copy = transaction.scene();
+    Scene copy = m_transaction.scene();
     Transaction on_copy(copy);
     const bool stays = commit(on_copy);
-    forget();
-    if (stays)
-      for (const ObjectId id : on_copy.touched())
-        transaction.edit(id, [&](Object& object) { object = copy.at(id); });
-    return stays;
+    begin_none();
+    if (!stays) return false;
+    m_trials.reset();  // stops them
+    for (const ObjectId id : on_copy.touched())
+      m_transaction.edit(id, [&](Object& object) { object = copy.at(id); });
+    return true;
   }
 
  private:
-  bool is_worth_copy(const Scene& scene) const {
+  bool may_begin() const { return m_put.num_threads > 1; }
+
+  bool is_worth_copy() const {
     const double milliseconds = m_run.stopwatch.milliseconds() - m_began;
-    return m_may_begin && milliseconds > kWorthCopy * static_cast<double>(scene.num_objects());
+    return may_begin() &&
+           milliseconds > kWorthCopy * static_cast<double>(m_transaction.scene().num_objects());
   }
 
-  void forget() {
-    if (m_may_begin) m_run.interrupt.call_after({}, nullptr);
+  void begin_none() {
+    if (may_begin()) m_run.interrupt.call_after({}, nullptr);
   }
 
+  Transaction& m_transaction;
+  const ObjectId m_id;
+  const PutOperation& m_operation;
+  const PutSteps& m_put;
   OperationRun& m_run;
-  const bool m_may_begin;
   const double m_began;
+  std::optional<StartTrials> m_trials;
 };
 
 }  // namespace
 
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
                              const PutSteps& put, Budget budget, OperationRun& run) {
-  std::optional<StartTrials> others;
-  LongRun long_run(run, put.num_threads > 1, [&] {
-    others.emplace(transaction, id, o, put, run);
-    others->begin();
-  });
+  Others others(transaction, id, o, put, run);
   SettledStart settled = settle_from(transaction.scene(), o, put, run, {1, 0, 0, o.start});
   OperationResult first;
   Rest rest = Rest::Touching;
-  const bool is_done = long_run.commit(transaction, [&](Transaction& there) {
+  const bool is_done = others.commit([&](Transaction& there) {
     Transaction inner(there);
     first = put.commit(inner, settled.plan, budget, run);
     if (first.ok()) rest = rest_from(inner.scene(), id, o.start);
@@ -255,8 +271,7 @@ OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOpe
     return true;
   });
   if (is_done || (!first.ok() && !may_do_better_nearby(first))) return first;
-  if (!others) others.emplace(transaction, id, o, put, run);
-  return Tries(transaction.scene(), id, o, *others)
+  return Tries(transaction.scene(), id, o, others.trials())
       .go_on(std::move(settled), std::move(first), rest, budget);
 }
 
