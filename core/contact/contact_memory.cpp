@@ -6,7 +6,7 @@
 namespace trivet {
 namespace {
 
-constexpr size_t kMost = 20'000;  // pairs: some 20 MB
+constexpr size_t kMostBytes = 24'000'000;  // about
 
 thread_local ContactMemory* first_living = nullptr;
 
@@ -51,8 +51,10 @@ const std::vector<ContactPoint>& ContactMemory::points(const Body& a, const Body
   const auto known = m_known.find(question);
   if (known != m_known.end()) return known->second;
   // Forgetting all at once bounds the memory without any order of age.
-  if (m_known.size() >= kMost) m_known.clear();
-  return m_known[question] = find();
+  if (m_bytes >= kMostBytes) m_known.clear(), m_bytes = 0;
+  std::vector<ContactPoint>& points = m_known[question] = find();
+  m_bytes += sizeof(Question) + sizeof points + points.size() * sizeof(ContactPoint);
+  return points;
 }
 
 }  // namespace trivet

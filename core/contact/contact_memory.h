@@ -46,6 +46,7 @@ class ContactMemory {
   };
 
   std::unordered_map<Question, std::vector<ContactPoint>, Hash> m_known;
+  size_t m_bytes = 0;
 };
 
 }  // namespace trivet

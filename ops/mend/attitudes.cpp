@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include "core/motion/motion.h"
-#include "ops/arrange/stable_poses.h"
 
 namespace trivet {
 namespace {
@@ -24,9 +23,9 @@ Rotation turn_to(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-std::vector<Vec3> downs_of(const Object& object) {
+std::vector<Vec3> downs_of(const Object& object, ShapeFacts& facts) {
   std::vector<Vec3> out;
-  for (const StablePose& pose : stable_poses(*object.shape, object.up, object.scale))
+  for (const StablePose& pose : facts.poses(object))
     out.push_back(pose.rotation.matrix().transpose() * -Vec3::UnitZ());
   return out;
 }

@@ -76,6 +76,7 @@ class IntentFinder {
   void level_all() {
     std::vector<double> small;
     std::map<std::uint32_t, std::vector<Vec3>> downs;
+    ShapeFacts facts;
     // Every object joins the scene; those that may move are looked at.
     for (const ObjectId id : m_scene.ids()) {
       const Object& object = m_scene.at(id);
@@ -84,7 +85,7 @@ class IntentFinder {
       if (object.fixed) continue;
       Looked looked;
       looked.intent.id = id;
-      downs[id.index] = downs_of(object);
+      downs[id.index] = downs_of(object, facts);
       // The tilt is that against the nearest stable pose.
       looked.intent.tilt_deg = nearest_down(downs[id.index], object.pose.rotation).second;
       if (looked.intent.tilt_deg < kSmallTilt) small.push_back(looked.intent.tilt_deg);
@@ -94,7 +95,9 @@ class IntentFinder {
     for (Looked& l : m_looked) {
       const Object& object = m_scene.at(l.intent.id);
       l.intent.is_level = l.intent.tilt_deg <= m_most_tilt;
-      l.intent.level = l.intent.is_level ? levelled(object, downs[l.intent.id.index]) : object.pose;
+      const std::vector<Vec3>& stable = downs[l.intent.id.index];
+      l.intent.upright = stable.empty() ? object.pose : levelled(object, stable);
+      l.intent.level = l.intent.is_level ? l.intent.upright : object.pose;
       l.level = {l.intent.id, l.intent.level};
     }
     // All columns see the level attitudes, of supports, too.

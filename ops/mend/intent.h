@@ -22,6 +22,7 @@ struct ObjectIntent {
   double gap = 0;                   // metres from its underside to its supports; negative: sunk
   Pose level;  // as it was meant to lie: turned to the nearest stable attitude, where that is near
   bool is_level = false;  // such an attitude was near
+  Pose upright;           // turned to that attitude, near or not
   double tilt_deg = 0;    // from it, as given
 };
 

@@ -1,9 +1,11 @@
 // The search for an object's place: what is tried, and when it ends. Private.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "core/base/types.h"
+#include "ops/mend/intent.h"
 #include "ops/mend/starts.h"
 
 namespace trivet {
@@ -18,6 +20,21 @@ struct Landing {
   Vec2 off = Vec2::Zero();  // metres from the nominal place
 };
 
+/// An object's place as it was meant.
+struct MeantPlace {
+  const ObjectIntent& object;
+  Pose nominal;
+  double tolerance, most_tilt_deg;   // of the scene's intent
+  std::set<std::uint32_t> leans_on;  // slots of those that may carry it, too
+};
+
+/// The cost of being `there`, put from `start`: the way from the nominal place, and parts of the
+/// object's size for supports, attitude or height that were not meant.
+Landing landing_at(const MeantPlace& meant, const Object& there, const Pose& start);
+
+/// True if its main support carries it.
+bool carried_as_meant(const ObjectIntent& meant, const Object& there);
+
 inline constexpr double kAimed = 0.1;  // tolerances: near enough
 
 /// The cheapest landing so far. It ends when that is as meant, and near enough or cheaper than what
@@ -31,8 +48,7 @@ class LandingSearch {
     if (m_tries >= m_most_tries) return true;
     if (m_best.cost == kInfinity) return false;
     const bool is_dearer = start.cost > m_best.cost;
-    if (m_best.as_meant && (m_best.cost < m_near || is_dearer || m_tries > kTriesAsMeant))
-      return true;
+    if (m_best.as_meant && (is_near_enough() || is_dearer || m_tries > kTriesAsMeant)) return true;
     // The search goes on longer while no place is as meant, as any start may find one.
     if (is_dearer && m_tries > m_most_tries / 2) return true;
     return m_tries - m_tries_of_best > (m_best.nearly ? kPatienceIfNearly : kPatience);
@@ -47,11 +63,12 @@ class LandingSearch {
     if (landing.cost < kClearlyCheaper * m_best.cost) m_tries_of_best = m_tries;
     if (landing.cost < m_best.cost) m_best = landing;
   }
+  bool is_near_enough() const { return m_best.as_meant && m_best.cost < m_near; }
   const Landing& best() const { return m_best; }
 
  private:
   static constexpr int kTriesAsMeant = 5;       // that look for a nearer place
-  static constexpr int kPatience = 36;          // tries without a cheaper place
+  static constexpr int kPatience = 20;          // tries without a cheaper place
   static constexpr int kPatienceIfNearly = 12;  // the same, where only a support is too many
   static constexpr double kClearlyCheaper = 0.9;
 

@@ -3,11 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "core/contact/contact_memory.h"
 #include "core/io/foreign/scene.h"
 #include "core/motion/compose.h"
 #include "ops/mend/attitudes.h"
@@ -20,16 +22,17 @@
 #include "ops/mend/starts.h"
 #include "ops/placement/clearance.h"
 #include "ops/placement/depth.h"
-#include "ops/stability/stability.h"
+#include "ops/settle/program_memory.h"
+#include "ops/stability/part.h"
 
 namespace trivet {
 namespace {
 
-// Parts of an object's size: a lost support, attitude or height, and a support too many.
-constexpr double kLostSupport = 1, kLostAttitude = 1, kLostTier = 0.7, kExtraSupport = 0.15;
+// Tolerances: a place near enough, and one that is far for a level object.
+constexpr double kNearEnough = 1, kFarForLevel = 1.5;
 constexpr int kAims = 3;           // tries to hit the place, from where it came to rest
 constexpr double kMayBeNoise = 2;  // times the tilt that is taken for level
-constexpr double kAttitudeDeg = 8, kLeaningDeg = 30;
+constexpr int kMaxProgramObjects = 200;
 
 class Mender {
  public:
@@ -79,7 +82,7 @@ class Mender {
     for (const ObjectId id : m_moving)
       if (const ObjectIntent& o = *m_meant.find(id); !o.is_level)
         for (const ObjectId on : intended_neighbours(m_scene, m_meant, o).leans_on)
-          m_leaning.insert({id.index, on.index});
+          m_leaning[id.index].insert(on.index);
   }
 
   // Supports come before what they carry, so that each object sees where its support is now.
@@ -139,7 +142,7 @@ class Mender {
       if (meant.on.empty() || meant.on[0].on != first.on[0].on || m_scene.at(id).placed) continue;
       // The row keeps room for one that leans by little more than noise: see stand_in_row().
       if (!meant.is_level && meant.tilt_deg > kMayBeNoise * m_meant.most_tilt_deg) continue;
-      if (!meant.is_level) meant.level = levelled(m_scene.at(id), downs_of(m_scene.at(id)));
+      if (!meant.is_level) meant.level = meant.upright;
       meant.is_level = true;
       row.push_back({id, pose_meant(scene, meant)});
     }
@@ -169,42 +172,87 @@ class Mender {
       return judged(id, there, nominal, nominal).as_meant;
     };
     if (m_object->is_level && scene.stand_still(id, nominal, as_meant)) return;
-    const std::optional<Pose> rest = lies_on_several() ? rest_as_given(scene) : std::nullopt;
-    const auto stands = [&](const Object& there) { return as_meant(there) && stands_as_whole(); };
-    if (rest && scene.stand_still(id, *rest, stands)) return;
-    Sentence why = "no place near is free";
-    std::vector<Start> starts =
-        starts_around(m_scene, *m_object, scene.given(id), nominal, m_meant.tolerance);
-    if (rest) starts.insert(starts.begin(), {0, *rest});
+    const double near = kNearEnough * m_meant.tolerance;
+    Search search{nominal,
+                  starts_around(m_scene, *m_object, scene.given(id), nominal, m_meant.tolerance),
+                  LandingSearch(near, m_options.most_tries)};
+    // An object that slides or rolls a little from its level attitude needs no other start.
+    if (m_object->is_level && try_starts(scene, search, {.most = 1}))
+      return put_best(scene, search);
+    if (stand_as_given(scene, search)) return;
+    try_starts(scene, search, {});
     // PUT's own starts are far from each other and turned: they count where all others fail.
-    Landing best = cheapest(scene, id, nominal, starts, 1, why);
-    if (best.cost == kInfinity) best = cheapest(scene, id, nominal, starts, kTriesOfPut, why);
-    if (!best.as_meant && !m_object->is_level && stand_in_row(scene, id)) return;
-    aim_again(scene, id, nominal, best);
-    if (best.cost == kInfinity || !scene.put(id, best.start, best.tries).ok())
-      scene.give_up(id, why);
+    if (search.landings.best().cost == kInfinity) {
+      search.landings = LandingSearch(near, m_options.most_tries);
+      try_starts(scene, search, {.of_put = kTriesOfPut});
+    }
+    if (!search.landings.best().as_meant && !m_object->is_level && stand_in_row(scene, id)) return;
+    put_best(scene, search);
   }
 
-  // The place of least cost among those to which it falls from these starts.
-  Landing cheapest(Rearrangement& scene, ObjectId id, const Pose& nominal,
-                   const std::vector<Start>& starts, int tries_of_put, Sentence& why) {
-    LandingSearch search(kAimed * m_meant.tolerance, m_options.most_tries);
-    for (const Start& start : starts) {
-      if (search.ends_before(start) || scene.is_out_of_time()) break;
+  /// Starts of the object that is being placed, and where it came to rest from these.
+  struct Search {
+    Pose nominal;
+    std::vector<Start> starts;
+    LandingSearch landings;
+    Sentence why = "no place near is free";
+  };
+  struct Tries {
+    int of_put = 1;
+    int most = std::numeric_limits<int>::max();
+  };
+
+  // At the pose nearest to the given one at which contacts hold it; else that is a start.
+  bool stand_as_given(Rearrangement& scene, Search& search) {
+    const ObjectId id = m_object->id;
+    // Where something is in the way of its level attitude it goes aside, as in a row.
+    const bool is_free = !refuse_interpenetration(m_scene, id, search.nominal, false);
+    if (!lies_on_several() && !is_free) return false;
+    const std::optional<Pose> rest = rest_as_given(scene);
+    if (!rest) return false;
+    // Places without a support that it gains here are farther, if there are any.
+    const auto accept = [&](const Object& there) {
+      const Landing landing = judged(id, there, search.nominal, *rest);
+      // A level object may find its place nearer if it goes aside.
+      if (landing.as_meant && m_object->is_level && landing.cost > kFarForLevel * m_meant.tolerance)
+        return false;
+      return landing.nearly && stands_as_whole();
+    };
+    if (scene.stand_still(id, *rest, accept)) return true;
+    search.starts.insert(search.starts.begin(), {0, *rest});
+    return false;
+  }
+
+  // Looks for the place of least cost among those to which it falls from the starts.
+  // @return true: it is near enough.
+  bool try_starts(Rearrangement& scene, Search& search, Tries tries) {
+    const ObjectId id = m_object->id;
+    for (const Start& start : search.starts) {
+      if (search.landings.ends_before(start) || scene.is_out_of_time() || tries.most == 0) break;
       // A start that interpenetrates would be refused by PUT, which costs more.
-      if (search.is_known(start) || refuse_interpenetration(m_scene, id, start.pose, false))
+      if (search.landings.is_known(start) ||
+          refuse_interpenetration(m_scene, id, start.pose, false))
         continue;
-      search.note_try(start);
+      search.landings.note_try(start);
+      --tries.most;
       // Each start is tried in a transaction that is taken back; the best is put at the end.
       const auto judge = [&](const Object& there) {
-        search.note(judged(id, there, nominal, start.pose));
+        Landing landing = judged(id, there, search.nominal, start.pose);
+        landing.tries = tries.of_put;
+        search.landings.note(landing);
       };
-      const OperationResult result = scene.try_put(id, start.pose, judge, tries_of_put);
-      if (result.refusal) why = sentence_of(*result.refusal);
+      const OperationResult result = scene.try_put(id, start.pose, judge, tries.of_put);
+      if (result.refusal) search.why = sentence_of(*result.refusal);
     }
-    Landing best = search.best();
-    best.tries = tries_of_put;
-    return best;
+    return search.landings.is_near_enough();
+  }
+
+  void put_best(Rearrangement& scene, const Search& search) {
+    const ObjectId id = m_object->id;
+    Landing best = search.landings.best();
+    aim_again(scene, id, search.nominal, best);
+    if (best.cost == kInfinity || !scene.put(id, best.start, best.tries).ok())
+      scene.give_up(id, search.why);
   }
 
   // It leans, or lies between others: then the given attitude says more than a stable one.
@@ -215,27 +263,32 @@ class Mender {
     ObjectIntent meant = *m_object;
     meant.level = scene.given(meant.id);
     const Pose given = at_gap(scene, meant, 0);
-    const PlacedBox here{meant.id, body_of(m_scene.at(meant.id), given).world_box};
-    return rest_near(m_scene, {meant.id, given}, m_meant.tolerance,
-                     clearance_near(m_scene, m_options.settle, here.box, {&here, 1}),
+    return rest_near(m_scene, {meant.id, given}, m_meant.tolerance, clearance_at(meant.id, given),
                      [&scene] { return scene.is_out_of_time(); });
   }
 
+  double clearance_at(ObjectId id, const Pose& pose) const {
+    // The object itself counts: with all taken out nothing else gives a clearance.
+    const PlacedBox here{id, body_of(m_scene.at(id), pose).world_box};
+    return clearance_near(m_scene, m_options.settle, here.box, {&here, 1});
+  }
   // The object that it leans on may give way to its push.
   bool stands_as_whole() const {
     if (!keeps_whole_at_rest(m_options.settle)) return true;
-    StabilityOptions by;
-    by.clearance = m_options.settle.clearance;
-    const std::vector<ObjectStability> all = stability(m_scene, by).objects;
-    return std::none_of(all.begin(), all.end(), [](const auto& o) { return o.topples; });
+    const ObjectId id = m_object->id;
+    return judge_parts(m_scene, connected_with(m_scene, {&id, 1}), {&id, 1},
+                       clearance_of(m_scene, m_options.settle), kMaxProgramObjects,
+                       {std::nullopt, friction_share(m_options.settle)}, Toppling::SomeWillDo)
+        .stands;
   }
 
   // One that seems to lean, and finds no place so, may have been tilted by noise.
   bool stand_in_row(Rearrangement& scene, ObjectId id) const {
     const auto in_row = m_in_row.find(id.index);
     return in_row != m_in_row.end() &&
-           scene.stand_still(id, in_row->second,
-                             [&](const Object& there) { return carried_as_meant(there); });
+           scene.stand_still(id, in_row->second, [&](const Object& there) {
+             return carried_as_meant(*m_object, there);
+           });
   }
 
   // A start from as far on the other side of the nominal place as it came to rest from that.
@@ -275,10 +328,7 @@ class Mender {
   // Level, in contact with its supports, and along with its main one.
   Pose pose_meant(const Rearrangement& scene, const ObjectIntent& meant) const {
     const Pose pose = at_gap(scene, meant, meant.gap);
-    // The object itself counts: with all taken out nothing else gives a clearance.
-    const PlacedBox here{meant.id, body_of(m_scene.at(meant.id), pose).world_box};
-    return in_contact(m_scene, meant, pose, m_meant.tolerance,
-                      clearance_near(m_scene, m_options.settle, here.box, {&here, 1}));
+    return in_contact(m_scene, meant, pose, m_meant.tolerance, clearance_at(meant.id, pose));
   }
 
   Pose at_gap(const Rearrangement& scene, const ObjectIntent& meant, double gap) const {
@@ -303,46 +353,11 @@ class Mender {
   }
 
   Landing judged(ObjectId id, const Object& there, const Pose& nominal, const Pose& start) const {
-    const double size = size_of(there), tol = m_meant.tolerance;
-    const Vec3 off = middle_of(id, there.pose) - middle_of(id, nominal);
-    const double turn = turn_between_deg(nominal.rotation, there.pose.rotation);
-    // The cost is the way that its points have gone; lost relations cost sizes of the object.
-    double penalty = 0;
-    if (!carried_as_meant(there)) penalty += kLostSupport;
-    penalty += kExtraSupport * extra_supports(there);
-    const bool tipped =
-        turn > (m_object->is_level ? std::max(kAttitudeDeg, m_meant.most_tilt_deg) : kLeaningDeg);
-    if (tipped)
-      penalty += kLostAttitude;
-    else if (std::abs(there.pose.translation.z() - nominal.translation.z()) > 2 * tol + 0.01)
-      penalty += kLostTier;
-    Landing out;
-    out.off = off.head<2>();
-    out.cost = off.norm() + 0.5 * size * turn * (3.14159265358979323846 / 180) +
-               penalty * std::max(size, 2 * tol);
-    out.start = start;
-    out.as_meant = penalty == 0;
-    out.nearly = penalty < kLostTier;
-    return out;
-  }
-
-  bool carried_as_meant(const Object& there) const {
-    if (m_object->on.empty()) return true;
-    const std::vector<Support> supports = carriers_of(there);
-    return std::find(supports.begin(), supports.end(), m_object->on[0].on) != supports.end();
-  }
-
-  bool leans_on(const Support& s) const {
-    return s.is_object() && m_leaning.count({m_object->id.index, s.object().index}) > 0;
-  }
-
-  int extra_supports(const Object& there) const {
-    int out = 0;
-    for (const Support& s : carriers_of(there))
-      out += std::none_of(m_object->on.begin(), m_object->on.end(),
-                          [&](const IntendedSupport& meant) { return meant.on == s; }) &&
-             !leans_on(s);
-    return out;
+    const auto leans_on = m_leaning.find(id.index);
+    const MeantPlace meant{
+        *m_object, nominal, m_meant.tolerance, m_meant.most_tilt_deg,
+        leans_on == m_leaning.end() ? std::set<std::uint32_t>{} : leans_on->second};
+    return landing_at(meant, there, start);
   }
 
   Scene& m_scene;
@@ -350,7 +365,7 @@ class Mender {
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;  // that is being placed
   std::vector<ObjectId> m_moving;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> m_leaning;  // slots: one on the other
+  std::map<std::uint32_t, std::set<std::uint32_t>> m_leaning;  // slots: on which it leans
   std::map<std::uint32_t, Pose> m_in_row;   // nominal poses of objects in rows, by slot
   std::set<std::uint32_t> m_nominal_given;  // slots of what was placed anew
 };
@@ -358,6 +373,8 @@ class Mender {
 }  // namespace
 
 MendedScene mend_scene(Scene& scene, const MendOptions& options) {
+  const ContactMemory contacts;  // what stays where it is, is judged again and again
+  const ProgramMemory programs;
   return Mender(scene, options).run();
 }
 

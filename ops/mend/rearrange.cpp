@@ -11,6 +11,7 @@
 #include "ops/placement/clearance.h"
 #include "ops/placement/contacts.h"
 #include "ops/stability/stability.h"
+#include "ops/stability/verdict.h"
 
 namespace trivet {
 namespace {
@@ -129,7 +130,9 @@ std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& 
   if (keeps_whole_at_rest(options.settle)) {
     StabilityOptions by;
     by.clearance = options.settle.clearance;
-    for (const ObjectStability& o : stability(scene, by).objects)
+    const Stability whole =
+        checked(scene, by, free_bodies(scene, {by.friction}), Wanted::ForcesAlone);
+    for (const ObjectStability& o : whole.objects)
       if (o.topples) found.push_back(o.object);
   }
   std::vector<ObjectId> out;

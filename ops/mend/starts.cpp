@@ -17,6 +17,7 @@ constexpr double kLeastAir = 2e-5;  // metres between an object and its place wh
 constexpr double kLiftsInTolerances[] = {0, 0.06, 0.25, 0.7, 1.5, 3, 8};
 constexpr double kContactLifts[] = {0, 0.06, 0.25, 0.7};  // from which its contact is looked for
 constexpr double kRings[] = {0.03, 0.1, 0.25, 0.5, 1, 2, 4};
+constexpr double kSmallRing = 0.2;
 constexpr double kRingLifts[] = {0, 0.7, 2};
 constexpr double kMayBeLevelDeg = 15;
 
@@ -35,8 +36,7 @@ std::vector<Pose> attitudes_of(const Object& object, const ObjectIntent& meant, 
     out.back().translation += middle_of_box(object, nominal) - middle_of_box(object, given);
   }
   // An object that leans a little may have been meant level all the same.
-  if (!meant.is_level && meant.tilt_deg <= kMayBeLevelDeg)
-    out.push_back(levelled(object, downs_of(object)));
+  if (!meant.is_level && meant.tilt_deg <= kMayBeLevelDeg) out.push_back(meant.upright);
   return out;
 }
 
@@ -82,7 +82,7 @@ std::vector<Start> starts_around(const Scene& scene, const ObjectIntent& meant, 
     for (const double lift : kLiftsInTolerances)
       add(out, shifted(base, 0, 0, kLeastAir + lift * tol), base, more);
     for (const double ring : kRings)
-      for (int k = 0; k < 8; ++k)
+      for (int k = 0; k < 8; k += ring < kSmallRing ? 2 : 1)
         for (const double lift : kRingLifts) {
           const Vec3 way = turn_about(Vec3::UnitZ(), 45.0 * k).matrix().col(0) * ring * tol;
           add(out, shifted(base, way.x(), way.y(), kLeastAir + lift * tol), base, more);
