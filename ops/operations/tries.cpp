@@ -213,7 +213,7 @@ class Others {
     return *m_trials;
   }
 
-  /// Of the first start, beside others that are begun; then no more are.
+  /// Commits the first start, beside others that are begun; then no more are.
   /// @param commit  says whether its changes stay.
   bool commit(const std::function<bool(Transaction&)>& commit) {
     if (!is_worth_copy()) {
