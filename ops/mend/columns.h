@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "ops/placement/neighbourhood.h"
-#include "raster/zlist/complete_zlists.h"
 
 namespace trivet {
 
@@ -30,24 +29,9 @@ struct Columns {
 /// An object and its pose, which need not be the one in the scene.
 using PosedObjects = std::vector<Placement>;
 
-/// Lines of sight down through an object, drawn once and read for any tolerance up to a largest
-/// one.
-class ColumnLists {
- public:
-  /// @param object  index into `all`. @param num  columns across the longer side of its box.
-  ColumnLists(const Scene& scene, const PosedObjects& all, size_t object, int num,
-              double most_tolerance);
-
-  double most_tolerance() const { return m_most_tolerance; }
-  /// @param tolerance  metres by which another may reach into it from below.
-  Columns read(double tolerance) const;
-
- private:
-  double m_most_tolerance;
-  std::vector<ObjectId> m_others;
-  std::vector<Body> m_bodies;  // the object, then the others
-  std::vector<bool> m_is_solid;
-  CompleteZLists m_lists;
-};
+/// @param object  index into `all`. @param num  columns across the longer side of its box.
+/// @param tolerance  metres by which another may reach into it from below.
+Columns columns_of(const Scene& scene, const PosedObjects& all, size_t object, int num,
+                   double tolerance);
 
 }  // namespace trivet

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <set>
 
 #include "core/base/logarithm.h"
@@ -13,7 +12,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kColumns = 28;
+constexpr int kColumns = 28, kFewColumns = 14;
 constexpr double kFirstTolerance = 0.02, kLeastTolerance = 0.002, kMostTolerance = 0.06;
 constexpr double kGapsToTolerance = 3.5;  // times the median gap
 constexpr double kLeastTilt = 2.5, kMostTilt = 18, kSmallTilt = 15, kTiltsToLimit = 5;
@@ -52,11 +51,11 @@ class IntentFinder {
   Intent find(std::optional<double> tolerance) {
     // Attitudes come first: columns are read through levelled objects.
     level_all();
-    // Without a given tolerance a first look measures the gaps; the noise of the scene is a few
+    // Without a given tolerance a coarse look measures the gaps; the noise of the scene is a few
     // times their median.
     if (!tolerance) {
       m_tolerance = kFirstTolerance;
-      look();
+      look(kFewColumns);
       std::vector<double> gaps;
       for (const Looked& l : m_looked)
         if (!l.intent.on.empty()) gaps.push_back(std::abs(l.intent.gap));
@@ -65,7 +64,7 @@ class IntentFinder {
                                             kMostTolerance);
     }
     m_tolerance = *tolerance;
-    look();
+    look(kColumns);
     look_deeper();
     Intent out;
     out.tolerance = m_tolerance, out.most_tilt_deg = m_most_tilt;
@@ -107,12 +106,12 @@ class IntentFinder {
         if (l.intent.id == p.id) p.pose = l.intent.level;
   }
 
-  void look() {
+  void look(int num) {
     // Each look starts anew, as the tolerance has changed.
     m_index.clear();
     for (size_t i = 0; i < m_looked.size(); ++i) {
       Looked& l = m_looked[i];
-      read_columns(l, m_tolerance);
+      read_columns(l, num, m_tolerance);
       m_index[l.intent.id.index] = i;
     }
     // Containers tell what may carry what, and order tells who lies on whom.
@@ -121,15 +120,10 @@ class IntentFinder {
     for (Looked& l : m_looked) find_supports(l);
   }
 
-  void read_columns(Looked& l, double tolerance) {
-    std::unique_ptr<const ColumnLists>& lists = m_lists[l.intent.id.index];
-    if (!lists || lists->most_tolerance() < tolerance) {
-      const auto at = std::find_if(m_all.begin(), m_all.end(),
-                                   [&](const Placement& p) { return p.id == l.intent.id; });
-      lists = std::make_unique<ColumnLists>(m_scene, m_all, static_cast<size_t>(at - m_all.begin()),
-                                            kColumns, tolerance);
-    }
-    l.columns = lists->read(tolerance);
+  void read_columns(Looked& l, int num, double tolerance) const {
+    const auto at = std::find_if(m_all.begin(), m_all.end(),
+                                 [&](const Placement& p) { return p.id == l.intent.id; });
+    l.columns = columns_of(m_scene, m_all, static_cast<size_t>(at - m_all.begin()), num, tolerance);
     l.above.clear(), l.unsure.clear();
   }
 
@@ -138,7 +132,7 @@ class IntentFinder {
     for (Looked& l : m_looked) {
       if (!l.intent.on.empty() && l.intent.gap <= kHangs * m_tolerance) continue;
       Looked deeper = l;
-      read_columns(deeper, kDeeper * m_tolerance);
+      read_columns(deeper, kColumns, kDeeper * m_tolerance);
       deeper.intent.inside = container_of(m_scene, deeper);
       find_below(deeper);
       find_supports(deeper);
@@ -330,8 +324,7 @@ class IntentFinder {
   const Scene& m_scene;
   PosedObjects m_all;  // level
   std::vector<Looked> m_looked;
-  std::map<std::uint32_t, size_t> m_index;                              // of m_looked, by slot
-  std::map<std::uint32_t, std::unique_ptr<const ColumnLists>> m_lists;  // by slot
+  std::map<std::uint32_t, size_t> m_index;  // of m_looked, by slot
   double m_tolerance = 0, m_most_tilt = 0;
 };
 
