@@ -18,7 +18,6 @@ constexpr int kStepsOfClosing = 14, kStepsNearGiven = 5, kCutsOfStep = 3;
 constexpr int kMostHarder = 3;         // times that steps which do not pay pull harder
 constexpr double kHarder = 2.5;        // times the pull before
 constexpr double kStepPays = 0.97;     // of the cost before
-constexpr double kReachOfMotion = 4;   // times the farthest motion of the step before
 constexpr double kLeastReach = 12;     // clearances
 constexpr double kGapClosed = 1.9;     // clearances: enough
 constexpr double kGapOpen = 100;       // clearances: coming to rest closes less
@@ -32,6 +31,7 @@ constexpr double kAirOfNearRest = 2e-5;        // metres between it and what it 
 constexpr double kReachOfNearRest = 2;         // tolerances, of gaps that may close
 constexpr double kMostReachOfNearRest = 0.04;  // metres
 constexpr double kMostStepOfNearRest = 0.006;  // metres, of closing them
+constexpr double kFirstShareOfNearRest = 0.25, kReachOfItsMotion = 2;
 
 class GapCloser {
  public:
@@ -43,7 +43,8 @@ class GapCloser {
 
   ClosedGaps run() {
     // If all are nearly closed, what is near does.
-    double reach = m_gaps.near_given ? m_gaps.reach : kLeastReach * m_gaps.clearance;
+    double reach =
+        m_gaps.near_given ? m_gaps.first_share * m_gaps.reach : kLeastReach * m_gaps.clearance;
     for (int step = 0;; ++step) {
       // Later steps end nearest to where they begin: linear motions converge sooner so.
       m_near_given = m_gaps.near_given && step < kStepsNearGiven;
@@ -54,7 +55,8 @@ class GapCloser {
       const bool is_last = step == kStepsOfClosing || (m_gaps.is_over && m_gaps.is_over());
       if (done || is_last || !pull_harder_if_stuck()) return {not_held(), missed(), m_longest};
       const double gone = go(reach);
-      reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
+      reach =
+          std::clamp(m_gaps.reach_of_motion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
     }
   }
 
@@ -242,9 +244,10 @@ std::optional<Pose> rest_near(Scene& scene, const Placement& given, double toler
   };
   place(parted[0].pose, true);
   const double reach = std::min(kReachOfNearRest * tolerance, kMostReachOfNearRest);
-  const bool is_held =
-      close_gaps(scene, members, {clearance, reach, kMostStepOfNearRest, true, is_over})
-          .not_held.empty();
+  const bool is_held = close_gaps(scene, members,
+                                  {clearance, reach, kMostStepOfNearRest, true, is_over,
+                                   kFirstShareOfNearRest, kReachOfItsMotion})
+                           .not_held.empty();
   const Pose rest = scene.at(given.id).pose;
   place(was, false);
   return is_held ? std::optional(rest) : std::nullopt;

@@ -67,9 +67,9 @@ class LandingSearch {
   const Landing& best() const { return m_best; }
 
  private:
-  static constexpr int kTriesAsMeant = 5;       // that look for a nearer place
-  static constexpr int kPatience = 20;          // tries without a cheaper place
-  static constexpr int kPatienceIfNearly = 12;  // the same, where only a support is too many
+  static constexpr int kTriesAsMeant = 5;      // that look for a nearer place
+  static constexpr int kPatience = 12;         // tries without a cheaper place
+  static constexpr int kPatienceIfNearly = 4;  // the same, where only a support is too many
   static constexpr double kClearlyCheaper = 0.9;
 
   double m_near;

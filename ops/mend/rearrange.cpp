@@ -126,7 +126,7 @@ std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& give
 
 std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& options,
                                   const std::vector<ObjectId>& ids) {
-  std::vector<ObjectId> found = unsettled_objects(scene, options);
+  std::vector<ObjectId> found = unsettled_by_links(scene, options);
   if (keeps_whole_at_rest(options.settle)) {
     StabilityOptions by;
     by.clearance = options.settle.clearance;

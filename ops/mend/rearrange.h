@@ -66,7 +66,8 @@ class Rearrangement {
 std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,
                                        const Scene& scene);
 
-/// Objects among these that do not rest where they are: alone, or as a whole, by the rules.
+/// Objects among these that do not rest where they are: alone, or as a whole, by the rules. The
+/// scene's contacts are those of its poses.
 std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& options,
                                   const std::vector<ObjectId>& ids);
 

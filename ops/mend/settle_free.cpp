@@ -87,6 +87,10 @@ std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOpt
   // The judgement is on a copy, as it renews contacts.
   Scene judged = scene;
   update_contacts(judged, options.settle.clearance, options.settle);
+  return unsettled_by_links(judged, options);
+}
+
+std::vector<ObjectId> unsettled_by_links(const Scene& judged, const SettleSceneOptions& options) {
   const std::set<std::string> names =
       names_of_findings(check_scene(judged, 0, options.settle.clearance, options.settle));
   const std::set<std::string> only(options.only.begin(), options.only.end());

@@ -28,6 +28,9 @@ SettledScene settle_scene(Scene& scene, const SettleSceneOptions& options);
 /// rest, or held by such; by `only`, in the scene's order.
 std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOptions& options);
 
+/// The same of a scene whose contacts are those of its poses, as after update_contacts().
+std::vector<ObjectId> unsettled_by_links(const Scene& scene, const SettleSceneOptions& options);
+
 /// Degrees of the shortest turn between two attitudes.
 double turn_between_deg(const Rotation& a, const Rotation& b);
 

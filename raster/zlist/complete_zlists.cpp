@@ -128,7 +128,7 @@ void draw_all(const Layer& layer, const View& view, int num_threads, Make make) 
     Sink sink = make();
     for (size_t f = first; f < last && !sink.full(); ++f) {
       sink.face = static_cast<std::uint32_t>(f);
-      raster.draw(layer.corners(sink.face), sink);
+      if (!sink.is_outside()) raster.draw(layer.corners(sink.face), sink);
     }
   });
 }
@@ -136,10 +136,13 @@ void draw_all(const Layer& layer, const View& view, int num_threads, Make make) 
 // Counts entries per pixel; gives up when there are too many.
 class CountSink final : public SpanSink {
  public:
-  CountSink(std::vector<std::uint64_t>& counts, int width, std::atomic<size_t>& total, size_t most)
-      : m_counts(counts), m_width(width), m_total(total), m_most(most) {}
+  CountSink(std::vector<std::uint64_t>& counts, std::vector<char>& is_inside, int width,
+            std::atomic<size_t>& total, size_t most)
+      : m_counts(counts), m_is_inside(is_inside), m_width(width), m_total(total), m_most(most) {}
   ~CountSink() { m_total += m_new; }
+  bool is_outside() const { return false; }  // that is not known yet
   void span(const Span& s) override {
+    m_is_inside[face] = 1;
     // Threads share the counters, and add to them without order: sums do not depend on it.
     std::uint64_t* count = &m_counts[size_t(s.row) * m_width + s.first];
     for (int i = 0; i < s.count; ++i)
@@ -154,6 +157,7 @@ class CountSink final : public SpanSink {
 
  private:
   std::vector<std::uint64_t>& m_counts;
+  std::vector<char>& m_is_inside;  // by face
   int m_width;
   std::atomic<size_t>& m_total;
   size_t m_most, m_new = 0;
@@ -162,9 +166,10 @@ class CountSink final : public SpanSink {
 // Stores entries in their places, unordered within a pixel.
 class StoreSink final : public SpanSink {
  public:
-  StoreSink(const Layer& layer, int width, std::vector<std::uint64_t>& next,
-            std::vector<ZListItem>& items)
-      : m_layer(layer), m_width(width), m_next(next), m_items(items) {}
+  StoreSink(const Layer& layer, const std::vector<char>& is_inside, int width,
+            std::vector<std::uint64_t>& next, std::vector<ZListItem>& items)
+      : m_layer(layer), m_is_inside(is_inside), m_width(width), m_next(next), m_items(items) {}
+  bool is_outside() const { return !m_is_inside[face]; }
   void span(const Span& s) override {
     const Layer::FaceId id = m_layer.id(face);
     // Each entry takes the next free place of its pixel.
@@ -180,6 +185,7 @@ class StoreSink final : public SpanSink {
 
  private:
   const Layer& m_layer;
+  const std::vector<char>& m_is_inside;
   int m_width;
   std::vector<std::uint64_t>& m_next;
   std::vector<ZListItem>& m_items;
@@ -246,9 +252,10 @@ void CompleteZLists::draw(size_t most_bytes, int num_threads) {
   const size_t most = (most_bytes - m_ends.size() * sizeof(m_ends[0])) / sizeof(ZListItem);
   std::atomic<size_t> total = 0;
   // Faces are drawn twice: once to count the entries of each pixel, once to store them in their
-  // places.
+  // places. Those outside of the region are left out of the second time.
+  std::vector<char> is_inside(layer.num_faces(), 0);
   draw_all<CountSink>(layer, view, num_threads,
-                      [&] { return CountSink(m_ends, view.width, total, most); });
+                      [&] { return CountSink(m_ends, is_inside, view.width, total, most); });
   require(total <= most, say("%1 have more than %2 entries, the most that fit into the %3 MiB "
                              "allowed; take fewer pixels or a smaller region",
                              size_text(), most, most_bytes >> 20));
@@ -258,7 +265,7 @@ void CompleteZLists::draw(size_t most_bytes, int num_threads) {
   for (std::uint64_t& next : m_ends) start += std::exchange(next, start);
   m_items.resize(total);
   draw_all<StoreSink>(layer, view, num_threads,
-                      [&] { return StoreSink(layer, view.width, m_ends, m_items); });
+                      [&] { return StoreSink(layer, is_inside, view.width, m_ends, m_items); });
 }
 
 std::string CompleteZLists::size_text() const {
