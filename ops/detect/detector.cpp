@@ -48,6 +48,19 @@ std::string Detector::lists() const {
   return m_stage ? m_stage->lists() : "";
 }
 
+void Detector::add_work(const DetectionWork& work) {
+  m_work.num_queries += work.num_queries;
+  m_work.early += work.early;
+  m_work.seconds += work.seconds;
+  m_work.node_pairs += work.node_pairs;
+  m_work.face_pairs += work.face_pairs;
+  m_work.stalled += work.stalled;
+  m_work.fallbacks += work.fallbacks;
+  m_work.places += work.places;
+  m_work.places_on_gpu += work.places_on_gpu;
+  add(work.zlist, m_work.zlist);
+}
+
 FirstContact Detector::first_contact(const FirstContactQuery& query) {
   const Stopwatch stopwatch;
   ++m_work.num_queries;

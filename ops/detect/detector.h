@@ -39,6 +39,12 @@ class Detector {
 
   FirstContact first_contact(const FirstContactQuery& query);
 
+  /// False if a stage was asked for by name: else other detectors may answer some queries by BVHs,
+  /// at the same time.
+  bool may_ask_bvhs() const { return !m_stage; }
+  /// Counts what such a detector has done.
+  void add_work(const DetectionWork& work);
+
   /// True if a GPU answers, which draws many queries at the cost of few.
   bool asks_together() const { return !method().empty(); }
   /// Answers to queries of which some may be used, see used_early().

@@ -4,6 +4,7 @@
 
 #include "core/base/arena.h"
 #include "core/contact/contact_memory.h"
+#include "ops/detect/detector.h"
 #include "ops/free_places/place_region.h"
 #include "ops/operations/carried_drapes.h"
 #include "ops/operations/commit.h"
@@ -64,8 +65,9 @@ std::optional<Refusal> refuse_to_stand(const Scene& scene, ObjectId id, const Pl
 constexpr size_t kMostObjectsToCopy = 2000;
 
 int threads_of_put(const Scene& scene, const OperationRun& run) {
-  // Detectors draw one query at a time.
-  return run.detector || scene.num_objects() > kMostObjectsToCopy ? 1 : num_threads_here();
+  // A stage that was asked for by name answers all queries, one at a time.
+  const bool is_bound = run.detector && !run.detector->may_ask_bvhs();
+  return is_bound || scene.num_objects() > kMostObjectsToCopy ? 1 : num_threads_here();
 }
 
 /// A PUT takes a place only where its commit would be accepted.

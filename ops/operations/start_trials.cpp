@@ -76,28 +76,34 @@ SettledStart settle_from(const Scene& scene, const PutOperation& o, const PutSte
 class StartTrials::AtOnce {
  public:
   /// @param scene  stays as it is until all work() is done.
-  AtOnce(const Scene& scene, const OperationRun& run, size_t count, TryOne try_one)
+  /// @param detectors  get one for each trial, if the run has one.
+  AtOnce(const Scene& scene, const OperationRun& run, size_t count, TryOne try_one,
+         std::deque<Detector>& detectors)
       : m_scene(scene),
         m_run(run),
         m_try_one(std::move(try_one)),
-        m_trials(count),
-        m_unneeded(count) {}
+        m_tried(count),
+        m_unneeded(count) {
+    if (run.detector)
+      for (Tried& tried : m_tried) tried.detector = &detectors.emplace_back();
+  }
 
   /// Tries those that no thread has begun. Each thread has a copy of the scene, and memory of what
   /// was computed, of its own.
   void work() {
     size_t k = m_num_begun++;
-    if (k >= m_trials.size()) return;
+    if (k >= m_tried.size()) return;
     const ContactMemory contacts;
     const ProgramMemory programs;
     Scene copy = m_scene;
     Transaction transaction(copy);
-    for (; k < m_trials.size(); k = m_num_begun++) {
+    for (; k < m_tried.size(); k = m_num_begun++) {
       if (m_unneeded[k]) continue;
       OperationRun run = m_run;
+      run.detector = m_tried[k].detector;
       run.interrupt.stop_on(m_unneeded[k]);
-      m_trials[k] = m_try_one(k, transaction, run);
-      if (is_last(m_trials[k])) stop_from(k + 1);
+      m_tried[k].trials = m_try_one(k, transaction, run);
+      if (is_last(m_tried[k].trials)) stop_from(k + 1);
     }
   }
 
@@ -106,17 +112,17 @@ class StartTrials::AtOnce {
   }
 
   /// Once all work() is done.
-  std::deque<Trials> take_needed() {
+  std::deque<Tried> take_needed() {
     const auto end = std::find(m_unneeded.begin(), m_unneeded.end(), true);
-    m_trials.resize(static_cast<size_t>(end - m_unneeded.begin()));
-    return std::move(m_trials);
+    m_tried.resize(static_cast<size_t>(end - m_unneeded.begin()));
+    return std::move(m_tried);
   }
 
  private:
   const Scene& m_scene;
   const OperationRun m_run;
   const TryOne m_try_one;
-  std::deque<Trials> m_trials;
+  std::deque<Tried> m_tried;
   std::vector<std::atomic<bool>> m_unneeded;
   std::atomic<size_t> m_num_begun = 0;
 };
@@ -126,8 +132,9 @@ struct StartTrials::Begun {
   AtOnce trials;
   std::vector<std::future<void>> threads = {};
 
-  Begun(const Scene& scene, const OperationRun& run, size_t count, TryOne try_one)
-      : trials(scene, run, count, std::move(try_one)) {}
+  Begun(const Scene& scene, const OperationRun& run, size_t count, TryOne try_one,
+        std::deque<Detector>& detectors)
+      : trials(scene, run, count, std::move(try_one), detectors) {}
   ~Begun() { trials.stop_from(0); }
 };
 
@@ -148,9 +155,9 @@ std::vector<StartTrial> StartTrials::next(int number) {
   if (m_ahead.empty())
     m_ahead = m_begun ? end_begun()
                       : try_each(static_cast<size_t>(num_ahead(number)), from_number(number));
-  Trials out = std::move(m_ahead.front());
+  Tried tried = std::move(m_ahead.front());
   m_ahead.pop_front();
-  return out;
+  return counted(std::move(tried));
 }
 
 StartTrials::TryOne StartTrials::from_number(int number) const {
@@ -162,7 +169,8 @@ StartTrials::TryOne StartTrials::from_number(int number) const {
 // Threads of the system: those of loops would have the caller wait for its own.
 void StartTrials::begin() {
   const size_t count = static_cast<size_t>(num_ahead(2));
-  m_begun = std::make_unique<Begun>(m_transaction.scene(), m_run, count, from_number(2));
+  m_begun =
+      std::make_unique<Begun>(m_transaction.scene(), m_run, count, from_number(2), m_detectors);
   const size_t num_threads = std::min(count, static_cast<size_t>(m_put.num_threads) - 1);
   const auto work = [&trials = m_begun->trials] { in_arena(1, [&] { trials.work(); }); };
   try {
@@ -173,7 +181,13 @@ void StartTrials::begin() {
   }
 }
 
-std::deque<StartTrials::Trials> StartTrials::end_begun() {
+// Work of trials that are not needed does not count: it depends on the number of threads.
+StartTrials::Trials StartTrials::counted(Tried tried) const {
+  if (tried.detector) m_run.detector->add_work(tried.detector->work());
+  return std::move(tried.trials);
+}
+
+std::deque<StartTrials::Tried> StartTrials::end_begun() {
   m_begun->trials.work();
   for (std::future<void>& thread : m_begun->threads) thread.get();
   const std::unique_ptr<Begun> begun = std::move(m_begun);
@@ -187,7 +201,8 @@ std::vector<StartTrial> StartTrials::all(std::vector<SettledStart> starts, Budge
     return one;
   };
   Trials out;
-  for (Trials& trials : try_each(starts.size(), try_one)) out.push_back(std::move(trials.front()));
+  for (Tried& tried : try_each(starts.size(), try_one))
+    out.push_back(std::move(counted(std::move(tried)).front()));
   return out;
 }
 
@@ -210,16 +225,16 @@ int StartTrials::num_ahead(int number) const {
 }
 
 // Up to the first that is the last one.
-std::deque<StartTrials::Trials> StartTrials::try_each(size_t count, const TryOne& try_one) {
+std::deque<StartTrials::Tried> StartTrials::try_each(size_t count, const TryOne& try_one) {
   if (m_put.num_threads > 1 && count > 1) {
-    AtOnce trials(m_transaction.scene(), m_run, count, try_one);
+    AtOnce trials(m_transaction.scene(), m_run, count, try_one, m_detectors);
     const size_t num_threads = std::min(count, static_cast<size_t>(m_put.num_threads));
     in_arena(m_put.num_threads, [&] { in_parallel(num_threads, [&](size_t) { trials.work(); }); });
     return trials.take_needed();
   }
-  std::deque<Trials> out;
-  for (size_t k = 0; k < count && !(k > 0 && is_last(out.back())); ++k)
-    out.push_back(try_one(k, m_transaction, m_run));
+  std::deque<Tried> out;
+  for (size_t k = 0; k < count && !(k > 0 && is_last(out.back().trials)); ++k)
+    out.push_back({try_one(k, m_transaction, m_run)});
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene/transaction.h"
+#include "ops/detect/detector.h"
 #include "ops/operations/container.h"
 #include "ops/operations/move_plan.h"
 #include "ops/operations/put.h"
@@ -101,13 +102,19 @@ class StartTrials {
  private:
   using Trials = std::vector<StartTrial>;
   using TryOne = std::function<Trials(size_t k, Transaction& transaction, OperationRun& run)>;
+  /// Of one start, by a detector of its own if there is one.
+  struct Tried {
+    Trials trials;
+    Detector* detector = nullptr;
+  };
   class AtOnce;
   struct Begun;
 
   int num_ahead(int number) const;
   TryOne from_number(int number) const;
-  std::deque<Trials> end_begun();
-  std::deque<Trials> try_each(size_t count, const TryOne& try_one);
+  std::deque<Tried> end_begun();
+  Trials counted(Tried tried) const;
+  std::deque<Tried> try_each(size_t count, const TryOne& try_one);
   Trials try_number(int number, Transaction& transaction, OperationRun& run) const;
   StartTrial try_from(SettledStart settled, Budget budget, Transaction& transaction,
                       OperationRun& run) const;
@@ -119,7 +126,8 @@ class StartTrials {
   OperationRun& m_run;
   const Container m_container;
   bool m_wants_all = false, m_accepts_gaps = false;
-  std::deque<Trials> m_ahead;
+  std::deque<Detector> m_detectors;  // plans refer to them
+  std::deque<Tried> m_ahead;
   std::unique_ptr<Begun> m_begun;
 };
 

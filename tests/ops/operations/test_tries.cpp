@@ -10,6 +10,7 @@
 
 #include "core/base/arena.h"
 #include "core/scene/transaction.h"
+#include "ops/detect/detector.h"
 #include "ops/operations/arrangements.h"
 #include "ops/operations/container.h"
 #include "ops/operations/perform.h"
@@ -139,7 +140,8 @@ TEST(Tries, StartAsStated) {
 }
 
 /// Balls let go over a bin, at 0.1 of its edge from the middle.
-int num_in_bin(int num, int tries, std::string& poses) {
+/// @param detector  null: BVHs.
+int num_in_bin(int num, int tries, std::string& poses, Detector* detector = nullptr) {
   Scene scene;
   add_at(scene, "bin", bin(0.3, 0.3, 0.01), {0, 0, 1e-4}, true);
   int done = 0;
@@ -149,7 +151,9 @@ int num_in_bin(int num, int tries, std::string& poses) {
     const Vec3 at(0.03 * (i % 3 - 1), 0.03 * (i / 3 % 3 - 1), 0.4 + 0.01 * i);
     PutOperation put{{name}, {{}, at}};
     put.tries = tries;
-    const OperationResult result = perform(scene, put);
+    RunContext context;
+    context.detector = detector;
+    const OperationResult result = perform(scene, put, {}, context);
     done += result.ok();
     EXPECT_TRUE(!result.tried || (2 <= result.tried->number && result.tried->number <= tries));
     if (!result.ok()) continue;
@@ -510,6 +514,20 @@ TEST(Tries, FillBinAlikeByAnyNumberOfThreads) {
   for (const int num_threads : {2, 4}) {
     in_arena(num_threads, [&] { EXPECT_EQ(num_in_bin(30, 12, poses), num); });
     EXPECT_EQ(poses, expected);
+  }
+}
+
+// Each thread has a detector of its own, whose work counts as if there were one thread.
+TEST(Tries, CountTheSameWorkByAnyNumberOfThreads) {
+  std::string expected, poses;
+  Detector alone;
+  in_arena(1, [&] { num_in_bin(30, 12, expected, &alone); });
+  for (const int num_threads : {2, 4}) {
+    Detector detector;
+    in_arena(num_threads, [&] { num_in_bin(30, 12, poses, &detector); });
+    EXPECT_EQ(poses, expected);
+    EXPECT_EQ(detector.work().num_queries, alone.work().num_queries);
+    EXPECT_EQ(detector.work().node_pairs, alone.work().node_pairs);
   }
 }
 
