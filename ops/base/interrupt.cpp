@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace trivet {
 namespace {
@@ -19,12 +20,19 @@ Interrupt::Interrupt(const RunContext& context)
   m_deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(budget);
 }
 
+void Interrupt::call_after(std::chrono::milliseconds time, std::function<void()> call) {
+  m_call_time = Clock::now() + time;
+  m_call = std::move(call);
+}
+
 std::optional<Interrupt::Reason> Interrupt::reason() {
   if (m_reason) return m_reason;
   if (is_set(m_cancel) || is_set(m_unneeded))
     m_reason = Reason::Cancelled;
   else if (m_deadline && Clock::now() >= *m_deadline)
     m_reason = Reason::OutOfTime;
+  else if (m_call && Clock::now() >= m_call_time)
+    std::exchange(m_call, nullptr)();
   return m_reason;
 }
 

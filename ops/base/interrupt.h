@@ -5,6 +5,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 
 #include "ops/base/context.h"
@@ -22,6 +23,10 @@ class Interrupt {
   /// Stops, as cancelled, when this becomes true, too. Not owned.
   void stop_on(const std::atomic<bool>& unneeded) { m_unneeded = &unneeded; }
 
+  /// Calls `call` once, in the first reason() from that time on that does not say stop.
+  /// @param call  may be empty: none. Copies made before would call it, too.
+  void call_after(std::chrono::milliseconds time, std::function<void()> call);
+
   /// Why to stop; nullopt: go on. Once it says stop it stays with that. Costs a look at the clock.
   std::optional<Reason> reason();
 
@@ -37,6 +42,8 @@ class Interrupt {
   double m_budget_s;
   std::optional<Clock::time_point> m_deadline;
   std::optional<Reason> m_reason;
+  Clock::time_point m_call_time;
+  std::function<void()> m_call;
 };
 
 }  // namespace trivet

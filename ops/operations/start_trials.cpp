@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <future>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "core/base/arena.h"
@@ -19,7 +21,6 @@ namespace {
 
 constexpr double kTurnDeg = 137.5;          // of a start from that before it: the golden angle
 constexpr double kWayDeg = 2.1 * kTurnDeg;  // of their shifts
-constexpr double kShort = 50;  // milliseconds in which most PUTs are done; no result depends on it
 constexpr double kPartsOfShift[] = {1, 0.5, 0.25, 0};  // where the farther ones cannot be taken
 
 // Between half a turn either way.
@@ -34,25 +35,6 @@ Rotation about_vertical(double deg) {
 bool is_last(const std::vector<StartTrial>& trials) {
   return !trials.empty() && trials.back().is_last();
 }
-
-/// Which trials at once are not needed any more: those after one that is the last.
-class Unneeded {
- public:
-  explicit Unneeded(size_t count) : m_flags(count) {}
-
-  const std::atomic<bool>& flag(size_t k) const { return m_flags[k]; }
-  bool is(size_t k) const { return m_flags[k]; }
-  void after(size_t k) {
-    for (++k; k < m_flags.size(); ++k) m_flags[k] = true;
-  }
-  /// When all have ended.
-  size_t num_needed() const {
-    return static_cast<size_t>(std::find(m_flags.begin(), m_flags.end(), true) - m_flags.begin());
-  }
-
- private:
-  std::vector<std::atomic<bool>> m_flags;
-};
 
 }  // namespace
 
@@ -89,6 +71,68 @@ SettledStart settle_from(const Scene& scene, const PutOperation& o, const PutSte
   return {start, put.plan(scene, from, run)};
 }
 
+/// Some trials, each by the first of several threads that is free. They stop after the last one
+/// that is needed.
+class StartTrials::AtOnce {
+ public:
+  /// @param scene  stays as it is until all work() is done.
+  AtOnce(const Scene& scene, const OperationRun& run, size_t count, TryOne try_one)
+      : m_scene(scene),
+        m_run(run),
+        m_try_one(std::move(try_one)),
+        m_trials(count),
+        m_unneeded(count) {}
+
+  /// Tries those that no thread has begun. Each thread has a copy of the scene, and memory of what
+  /// was computed, of its own.
+  void work() {
+    size_t k = m_num_begun++;
+    if (k >= m_trials.size()) return;
+    const ContactMemory contacts;
+    const ProgramMemory programs;
+    Scene copy = m_scene;
+    Transaction transaction(copy);
+    for (; k < m_trials.size(); k = m_num_begun++) {
+      if (m_unneeded[k]) continue;
+      OperationRun run = m_run;
+      run.interrupt.stop_on(m_unneeded[k]);
+      m_trials[k] = m_try_one(k, transaction, run);
+      if (is_last(m_trials[k])) stop_from(k + 1);
+    }
+  }
+
+  void stop_from(size_t k) {
+    for (; k < m_unneeded.size(); ++k) m_unneeded[k] = true;
+  }
+
+  /// Once all work() is done.
+  std::deque<Trials> take_needed() {
+    const auto end = std::find(m_unneeded.begin(), m_unneeded.end(), true);
+    m_trials.resize(static_cast<size_t>(end - m_unneeded.begin()));
+    return std::move(m_trials);
+  }
+
+ private:
+  const Scene& m_scene;
+  const OperationRun m_run;
+  const TryOne m_try_one;
+  std::deque<Trials> m_trials;
+  std::vector<std::atomic<bool>> m_unneeded;
+  std::atomic<size_t> m_num_begun = 0;
+};
+
+/// Stops and waits at its end.
+struct StartTrials::Begun {
+  AtOnce trials;
+  std::vector<std::future<void>> threads = {};
+
+  Begun(const Scene& scene, const OperationRun& run, size_t count, TryOne try_one)
+      : trials(scene, run, count, std::move(try_one)) {}
+  ~Begun() { trials.stop_from(0); }
+};
+
+StartTrials::~StartTrials() = default;
+
 StartTrials::StartTrials(Transaction& transaction, ObjectId id, const PutOperation& o,
                          const PutSteps& put, OperationRun& run)
     : m_transaction(transaction),
@@ -102,13 +146,38 @@ StartTrials::StartTrials(Transaction& transaction, ObjectId id, const PutOperati
 
 std::vector<StartTrial> StartTrials::next(int number) {
   if (m_ahead.empty())
-    m_ahead = try_each(static_cast<size_t>(num_ahead(number)),
-                       [&](size_t k, Transaction& transaction, OperationRun& run) {
-                         return try_number(number + static_cast<int>(k), transaction, run);
-                       });
+    m_ahead = m_begun ? end_begun()
+                      : try_each(static_cast<size_t>(num_ahead(number)), from_number(number));
   Trials out = std::move(m_ahead.front());
   m_ahead.pop_front();
   return out;
+}
+
+StartTrials::TryOne StartTrials::from_number(int number) const {
+  return [this, number](size_t k, Transaction& transaction, OperationRun& run) {
+    return try_number(number + static_cast<int>(k), transaction, run);
+  };
+}
+
+// Threads of the system: those of loops would have the caller wait for its own.
+void StartTrials::begin() {
+  const size_t count = static_cast<size_t>(num_ahead(2));
+  m_begun = std::make_unique<Begun>(m_transaction.scene(), m_run, count, from_number(2));
+  const size_t num_threads = std::min(count, static_cast<size_t>(m_put.num_threads) - 1);
+  const auto work = [&trials = m_begun->trials] { in_arena(1, [&] { trials.work(); }); };
+  try {
+    for (size_t k = 0; k < num_threads; ++k)
+      m_begun->threads.push_back(std::async(std::launch::async, work));
+  } catch (const std::system_error&) {
+    // There are no more threads: the caller tries them all in the end.
+  }
+}
+
+std::deque<StartTrials::Trials> StartTrials::end_begun() {
+  m_begun->trials.work();
+  for (std::future<void>& thread : m_begun->threads) thread.get();
+  const std::unique_ptr<Begun> begun = std::move(m_begun);
+  return begun->trials.take_needed();
 }
 
 std::vector<StartTrial> StartTrials::all(std::vector<SettledStart> starts, Budget budget) {
@@ -129,7 +198,8 @@ void StartTrials::take(StartTrial& trial) {
 
 // Twice the threads, as some starts take much longer than others.
 int StartTrials::num_ahead(int number) const {
-  const bool is_short = number <= kLeastStarts && m_run.stopwatch.milliseconds() < kShort;
+  const bool is_short =
+      number <= kLeastStarts && m_run.stopwatch.milliseconds() < kShortPut.count();
   if (m_put.num_threads <= 1 || is_short) return 1;
   // The others may never be tried: where these cost much, and in a second round.
   const int tries = m_operation.tries;
@@ -141,36 +211,15 @@ int StartTrials::num_ahead(int number) const {
 
 // Up to the first that is the last one.
 std::deque<StartTrials::Trials> StartTrials::try_each(size_t count, const TryOne& try_one) {
-  if (m_put.num_threads > 1 && count > 1) return try_at_once(count, try_one);
+  if (m_put.num_threads > 1 && count > 1) {
+    AtOnce trials(m_transaction.scene(), m_run, count, try_one);
+    const size_t num_threads = std::min(count, static_cast<size_t>(m_put.num_threads));
+    in_arena(m_put.num_threads, [&] { in_parallel(num_threads, [&](size_t) { trials.work(); }); });
+    return trials.take_needed();
+  }
   std::deque<Trials> out;
   for (size_t k = 0; k < count && !(k > 0 && is_last(out.back())); ++k)
     out.push_back(try_one(k, m_transaction, m_run));
-  return out;
-}
-
-// Each thread has its own copy of the scene, and memory of what was computed.
-std::deque<StartTrials::Trials> StartTrials::try_at_once(size_t count, const TryOne& try_one) {
-  std::deque<Trials> out(count);
-  std::atomic<size_t> num_begun = 0;
-  Unneeded unneeded(count);
-  const auto try_some = [&](size_t) {
-    size_t k = num_begun++;
-    if (k >= count) return;
-    const ContactMemory contacts;
-    const ProgramMemory programs;
-    Scene copy = m_transaction.scene();
-    Transaction transaction(copy);
-    for (; k < count; k = num_begun++) {
-      if (unneeded.is(k)) continue;
-      OperationRun run = m_run;
-      run.interrupt.stop_on(unneeded.flag(k));
-      out[k] = try_one(k, transaction, run);
-      if (is_last(out[k])) unneeded.after(k);
-    }
-  };
-  const size_t num_threads = std::min(count, static_cast<size_t>(m_put.num_threads));
-  in_arena(m_put.num_threads, [&] { in_parallel(num_threads, try_some); });
-  out.resize(unneeded.num_needed());
   return out;
 }
 

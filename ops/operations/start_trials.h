@@ -1,8 +1,10 @@
 // Starts of a PUT, and how it ends from each.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,8 @@ namespace trivet {
 inline constexpr int kStartsOfTry = 2;  // looked at for each try: some interpenetrate, most topple
 /// Tried whatever they cost: most PUTs are done by then.
 inline constexpr int kLeastStarts = 3;
+/// The time in which most PUTs are done; no result depends on it.
+inline constexpr std::chrono::milliseconds kShortPut{50};
 /// From other starts than the first the whole has to stand at once. A fifth of them do, which costs
 /// a fifth of what moving others does to place as many.
 inline constexpr Budget kBudgetToStand{40, 0};
@@ -67,12 +71,18 @@ class StartTrials {
   /// @param transaction, o, put, run  outlive it. Between calls the scene is the same.
   StartTrials(Transaction& transaction, ObjectId id, const PutOperation& o, const PutSteps& put,
               OperationRun& run);
+  ~StartTrials();
+  StartTrials(const StartTrials&) = delete;
+  StartTrials& operator=(const StartTrials&) = delete;
 
   /// The container of the first start.
   const Container& container() const { return m_container; }
 
   /// All starts are tried until one stands, whatever that costs.
   void want_all() { m_wants_all = true; }
+
+  /// Other threads begin with start 2 and the next ones while the caller goes on.
+  void begin();
 
   /// From now on a rest across a gap is as good as any.
   void accept_gaps() { m_accepts_gaps = true; }
@@ -91,10 +101,13 @@ class StartTrials {
  private:
   using Trials = std::vector<StartTrial>;
   using TryOne = std::function<Trials(size_t k, Transaction& transaction, OperationRun& run)>;
+  class AtOnce;
+  struct Begun;
 
   int num_ahead(int number) const;
+  TryOne from_number(int number) const;
+  std::deque<Trials> end_begun();
   std::deque<Trials> try_each(size_t count, const TryOne& try_one);
-  std::deque<Trials> try_at_once(size_t count, const TryOne& try_one);
   Trials try_number(int number, Transaction& transaction, OperationRun& run) const;
   StartTrial try_from(SettledStart settled, Budget budget, Transaction& transaction,
                       OperationRun& run) const;
@@ -107,6 +120,7 @@ class StartTrials {
   const Container m_container;
   bool m_wants_all = false, m_accepts_gaps = false;
   std::deque<Trials> m_ahead;
+  std::unique_ptr<Begun> m_begun;
 };
 
 SettledStart settle_from(const Scene& scene, const PutOperation& o, const PutSteps& put,

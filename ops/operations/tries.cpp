@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,9 +21,11 @@ constexpr int kMostThatLeave = 1;  // tries that end out of the container, befor
 /// PUTs, as of fine meshes in full boxes, that would go on for seconds.
 constexpr double kWorkOfTry = 100;    // for each that was asked for, in first contacts
 constexpr double kFacesOfOne = 8192;  // of an object whose first contact is one unit of work
+/// Milliseconds an object after which a copy of the scene costs little: it takes a twentieth.
+constexpr double kWorthCopy = 0.02;
 /// Others may move in the end, from the starts at which the fewest would.
 constexpr size_t kSecondLooks = 2;
-constexpr Budget kBudgetOfSecondLook{500};
+constexpr Budget kBudgetOfSecondLook{.first_contacts = 500, .while_sinking = 1500};
 
 bool may_do_better_nearby(const OperationResult& result) {
   return result.status == OperationResult::Status::Refused &&
@@ -48,12 +51,8 @@ Rest rest_from(const Scene& scene, ObjectId id, const Pose& start) {
 /// The starts after the first.
 class Tries {
  public:
-  Tries(Transaction& transaction, ObjectId id, const PutOperation& o, const PutSteps& put,
-        OperationRun& run)
-      : m_scene(transaction.scene()),
-        m_id(id),
-        m_operation(o),
-        m_trials(transaction, id, o, put, run) {}
+  Tries(const Scene& scene, ObjectId id, const PutOperation& o, StartTrials& trials)
+      : m_scene(scene), m_id(id), m_operation(o), m_trials(trials) {}
 
   /// @param first  refused, or taken back: at rest across a gap or beside its container.
   OperationResult go_on(SettledStart settled, OperationResult first, Rest rest, Budget budget) {
@@ -185,30 +184,94 @@ class Tries {
   const Scene& m_scene;
   const ObjectId m_id;
   const PutOperation& m_operation;
-  StartTrials m_trials;
+  StartTrials& m_trials;
   std::vector<WouldMove> m_would_move;
   std::unique_ptr<InHand> m_in_hand;
   double m_work = 0;  // of the starts after the first
+};
+
+/// The others, which are begun when the first start takes long.
+class Others {
+ public:
+  /// @param transaction, o, put, run  as of StartTrials; `run` is that of the first start, too.
+  Others(Transaction& transaction, ObjectId id, const PutOperation& o, const PutSteps& put,
+         OperationRun& run)
+      : m_transaction(transaction),
+        m_id(id),
+        m_operation(o),
+        m_put(put),
+        m_run(run),
+        m_began(run.stopwatch.milliseconds()) {
+    if (may_begin()) run.interrupt.call_after(kShortPut, [this] { trials().begin(); });
+  }
+  ~Others() { begin_none(); }
+  Others(const Others&) = delete;
+  Others& operator=(const Others&) = delete;
+
+  StartTrials& trials() {
+    if (!m_trials) m_trials.emplace(m_transaction, m_id, m_operation, m_put, m_run);
+    return *m_trials;
+  }
+
+  /// Commits the first start, beside others that are begun; then no more are.
+  /// @param commit  says whether its changes stay.
+  bool commit(const std::function<bool(Transaction&)>& commit) {
+    if (!is_worth_copy()) {
+      begin_none();
+      return commit(m_transaction);
+    }
+    // Others are tried from the scene as it was.
+    Scene copy = m_transaction.scene();
+    Transaction on_copy(copy);
+    const bool stays = commit(on_copy);
+    begin_none();
+    if (!stays) return false;
+    m_trials.reset();  // stops them
+    for (const ObjectId id : on_copy.touched())
+      m_transaction.edit(id, [&](Object& object) { object = copy.at(id); });
+    return true;
+  }
+
+ private:
+  bool may_begin() const { return m_put.num_threads > 1; }
+
+  bool is_worth_copy() const {
+    const double milliseconds = m_run.stopwatch.milliseconds() - m_began;
+    return may_begin() &&
+           milliseconds > kWorthCopy * static_cast<double>(m_transaction.scene().num_objects());
+  }
+
+  void begin_none() {
+    if (may_begin()) m_run.interrupt.call_after({}, nullptr);
+  }
+
+  Transaction& m_transaction;
+  const ObjectId m_id;
+  const PutOperation& m_operation;
+  const PutSteps& m_put;
+  OperationRun& m_run;
+  const double m_began;
+  std::optional<StartTrials> m_trials;
 };
 
 }  // namespace
 
 OperationResult put_by_tries(Transaction& transaction, ObjectId id, const PutOperation& o,
                              const PutSteps& put, Budget budget, OperationRun& run) {
+  Others others(transaction, id, o, put, run);
   SettledStart settled = settle_from(transaction.scene(), o, put, run, {1, 0, 0, o.start});
   OperationResult first;
   Rest rest = Rest::Touching;
-  {
-    Transaction inner(transaction);
+  const bool is_done = others.commit([&](Transaction& there) {
+    Transaction inner(there);
     first = put.commit(inner, settled.plan, budget, run);
-    if (!first.ok() && !may_do_better_nearby(first)) return first;
     if (first.ok()) rest = rest_from(inner.scene(), id, o.start);
-    if (first.ok() && rest == Rest::Touching) {
-      inner.commit();
-      return first;
-    }
-  }
-  return Tries(transaction, id, o, put, run)
+    if (!first.ok() || rest != Rest::Touching) return false;
+    inner.commit();
+    return true;
+  });
+  if (is_done || (!first.ok() && !may_do_better_nearby(first))) return first;
+  return Tries(transaction.scene(), id, o, others.trials())
       .go_on(std::move(settled), std::move(first), rest, budget);
 }
 

@@ -17,8 +17,9 @@
 //   first contacts of fine meshes
 //                            count more, by the root of the number of faces: where they add up to
 //                            seconds, no further start is tried, but for what got over a wall
-//   cores that are free      try several starts at once, before it is known whether all of them
-//                            are needed; what is done does not depend on it
+//   cores that are free      try several starts at once, also beside a first one that takes long,
+//                            before it is known whether all of them are needed; what is done does
+//                            not depend on it
 #pragma once
 
 #include "ops/operations/start_trials.h"

@@ -21,6 +21,7 @@ namespace {
 constexpr int kMaxRounds = 24;         // joint motions and judgements
 constexpr int kMaxMotionsOfAll = 120;  // of single objects with their loads, in one round
 constexpr int kMaxMotionsOfOne = 30;   // of these, of one object
+constexpr double kMuch = 0.2;          // of what all have sunk by so far, in one round
 constexpr double kLongestTurn = 0.1;   // of an object with loads, tan(angle / 2): loads slide then
 constexpr int kMaxProgramObjects = 200;
 
@@ -37,12 +38,13 @@ class Whole {
         m_rules(rest_rules(run.options, clearance)),
         m_queries_left(budget.first_contacts),
         m_most_movers(budget.most_movers),
+        m_while_sinking(budget.while_sinking),
         m_is_trial(purpose == Purpose::Trial) {}
 
   /// @param ids  what a hand has moved and still holds where it does not rest.
   void keep_in_hand(std::vector<ObjectId> ids) { m_in_hand = std::move(ids); }
 
-  Budget budget_left() const { return {m_queries_left, m_most_movers}; }
+  Budget budget_left() const { return {m_queries_left, m_most_movers, m_while_sinking}; }
 
   void settle() {
     for (const ObjectId id : m_scene.invalid_objects())
@@ -53,9 +55,12 @@ class Whole {
     // A hand holds what it has moved: it does not topple.
     if (!verdict.stands && hold(verdict.topples)) verdict = judge();
     for (int round = 0; !verdict.stands && round < kMaxRounds && may_go_on(verdict); ++round) {
-      [[maybe_unused]] const double before = energy_gained().sum;
+      const double before = energy_gained().sum;
+      const std::int64_t left = m_queries_left;
       if (stopped() || !give_way(verdict)) break;
-      assert(energy_gained().sum <= before + energy_gained().rounding);
+      const Energy now = energy_gained();
+      assert(now.sum <= before + now.rounding);
+      if (now.sum - before < kMuch * now.sum) give_back(left - m_queries_left);
       verdict = judge();
     }
     if (stopped()) return;
@@ -178,6 +183,12 @@ class Whole {
   }
 
   void count(std::int64_t queries) { m_queries_left -= queries; }
+
+  void give_back(std::int64_t queries) {
+    const std::int64_t back = std::min(queries, m_while_sinking);
+    m_queries_left += back;
+    m_while_sinking -= back;
+  }
 
   double height(ObjectId id) const { return m_scene.at(id).centre_of_mass().z(); }
 
@@ -311,6 +322,7 @@ class Whole {
   const ProgramMemory m_programs;
   std::int64_t m_queries_left;
   const size_t m_most_movers;
+  std::int64_t m_while_sinking;
   const bool m_is_trial;
   std::vector<ObjectId> m_in_hand;
   std::map<std::uint32_t, Placement> m_before;  // by slot

@@ -25,11 +25,14 @@ struct Budget {
   /// Objects that may be about to move at a time: where more are, it is refused at once, as their
   /// joint motion costs more than another start. 0: all have to stand as they are.
   size_t most_movers = std::numeric_limits<size_t>::max();
+  /// First contacts of rounds in which all together sink by much, that do not count: only creeping
+  /// takes long and ends nowhere.
+  std::int64_t while_sinking = 0;
 
   /// The smaller of both.
   Budget within(const Budget& other) const {
     return {std::min(first_contacts, other.first_contacts),
-            std::min(most_movers, other.most_movers)};
+            std::min(most_movers, other.most_movers), std::min(while_sinking, other.while_sinking)};
   }
 };
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/float32.h"
 #include "core/scene/scene.h"
 #include "support/random_shapes.h"
 
@@ -164,7 +165,7 @@ inline Triangles stick(double length) {
 /// An unplaced object. Coordinates are rounded to float32, as in files.
 inline Object object_of(const std::string& name, Triangles triangles, bool fixed = false) {
   for (Triangle& t : triangles)
-    for (Vec3& p : t) p = p.cast<float>().cast<double>();
+    for (Vec3& p : t) p = as_float32(p);
   auto model = std::make_shared<Model>();
   model->path = name;
   model->format = "made";

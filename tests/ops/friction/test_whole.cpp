@@ -30,14 +30,14 @@ bool stands(const Scene& scene) {
 }
 
 /// Lets the whole stage settle. Its end stands, is free of interpenetration and lower than it was.
-OperationResult let_go(Stage& stage) {
+OperationResult let_go(Stage& stage, Budget budget = {}) {
   update_contacts(stage.scene, kEps);
   Scene before = stage.scene;
   OperationRun run(options_of_whole(), {});
   OperationResult result;
   Transaction transaction(stage.scene);
   for (const ObjectId id : stage.scene.ids()) transaction.edit(id, [](Object&) {});
-  settle_whole(transaction, named(stage.scene, std::string("o0")), kEps, run, result);
+  settle_whole(transaction, named(stage.scene, std::string("o0")), kEps, run, result, budget);
   if (!result.ok()) return result;
   transaction.commit();
   EXPECT_TRUE(stands(stage.scene));
@@ -87,6 +87,16 @@ TEST(Stack, TopplesToRestOrIsRefused) {
   if (result.ok()) return;  // let_go() has seen that it stands
   EXPECT_EQ(result.refusal->cause, Refusal::Cause::Topples);
   EXPECT_EQ(difference(stage.scene, before), "");
+}
+
+TEST(Stack, TopplesByWorkThatDoesNotCountWhileItSinks) {
+  for (const std::int64_t while_sinking : {0, 400}) {
+    Stage stage(0.5);
+    add_stack(stage, 5, 0.082);
+    const OperationResult result =
+        let_go(stage, {.first_contacts = 80, .while_sinking = while_sinking});
+    EXPECT_EQ(result.ok(), while_sinking > 0);
+  }
 }
 
 TEST(Slope, LetsTwoBlocksSlideOff) {

@@ -1,6 +1,7 @@
 // Operations that are cancelled or time out.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <thread>
 
 #include "ops/base/interrupt.h"
@@ -38,6 +39,33 @@ TEST(Interrupt, TimedOutPutKeepsScene) {
   EXPECT_EQ(result.status, OperationResult::Status::OutOfTime);
   EXPECT_NE(result.reason().find("did not end within 1e-09 s"), std::string::npos)
       << result.reason();
+}
+
+TEST(Interrupt, CallsOnceAfterItsTime) {
+  int num_calls = 0;
+  Interrupt interrupt({});
+  interrupt.call_after(std::chrono::milliseconds(20), [&] { ++num_calls; });
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+  EXPECT_FALSE(interrupt.reason());
+  const bool was_early = std::chrono::steady_clock::now() < end;
+  EXPECT_LE(num_calls, was_early ? 0 : 1);
+  std::this_thread::sleep_until(end);
+  for (int k = 0; k < 3; ++k) EXPECT_FALSE(interrupt.reason());
+  EXPECT_EQ(num_calls, 1);
+}
+
+TEST(Interrupt, CallsNothingWhereItStopsOrForgets) {
+  int num_calls = 0;
+  const std::atomic<bool> cancel = true;
+  RunContext context;
+  context.cancel = &cancel;
+  Interrupt stopped(context), forgetful({});
+  for (Interrupt* interrupt : {&stopped, &forgetful})
+    interrupt->call_after({}, [&] { ++num_calls; });
+  forgetful.call_after({}, nullptr);
+  EXPECT_TRUE(stopped.reason());
+  EXPECT_FALSE(forgetful.reason());
+  EXPECT_EQ(num_calls, 0);
 }
 
 // Cancellation at any moment: the whole operation, or no change.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <random>
+#include <thread>
 
 #include "core/base/arena.h"
 #include "core/scene/transaction.h"
@@ -160,7 +161,7 @@ int num_in_bin(int num, int tries, std::string& poses) {
 
 TEST(Tries, FillBin) {
   std::string once, poses, again;
-  const int num = 12, exactly = num_in_bin(num, 1, once);
+  const int num = 20, exactly = num_in_bin(num, 1, once);
   EXPECT_EQ(num_in_bin(num, 12, poses), num);
   EXPECT_LT(exactly, num);
   num_in_bin(num, 12, again);
@@ -336,6 +337,8 @@ struct ToldByNumber {
   ObjectId id = scene.add(object_of("o", box_triangles({0.1, 0.1, 0.1})));
   PutOperation put{{"o"}, {{}, Vec3(0, 0, 1)}};
   std::function<End(int number)> end;
+  /// Called before either.
+  std::function<void(int number, Interrupt&)> settles = {}, comes_to_rest = {};
 
   int number_of(const Pose& start) const {
     for (int n = 1; n <= 2 * kTries; ++n)
@@ -376,8 +379,13 @@ struct ToldByNumber {
   /// All that a user sees, and the scene's bits.
   std::string run(int num_threads) {
     OperationRun run({}, {});
-    PutSteps steps{plan_at_start,
-                   [&](Transaction& inner, const MovePlan& plan, Budget, OperationRun&) {
+    PutSteps steps{[&](const Scene& there, const PutOperation& o, OperationRun& own) {
+                     if (settles) settles(number_of(o.start), own.interrupt);
+                     return plan_at_start(there, o, own);
+                   },
+                   [&](Transaction& inner, const MovePlan& plan, Budget, OperationRun& own) {
+                     const Pose start = plan.result.steps.back().pose_after;
+                     if (comes_to_rest) comes_to_rest(number_of(start), own.interrupt);
                      return commit(inner, plan);
                    },
                    num_threads};
@@ -428,6 +436,47 @@ TEST(Tries, EndAlikeHoweverManyAreTriedAtOnce) {
     }
   }
   EXPECT_GT(num_late, 100) << "of starts that are tried at once";
+}
+
+// The others begin on other threads while the first start still settles, or still comes to rest.
+TEST(Tries, BeginOthersWhileTheFirstTakesLong) {
+  using End = ToldByNumber::End;
+  std::mt19937 random(8);
+  for (int k = 0; k < 24; ++k) {
+    std::vector<End> ends{End::Topples};
+    const bool settles_long = k % 2 == 0;
+    const auto any = [&] {
+      constexpr End all[] = {End::Stands, End::AcrossGap, End::Leaves, End::Topples, End::Blocked};
+      return all[std::uniform_int_distribution(0, 4)(random)];
+    };
+    for (int n = 1; n <= 24; ++n) ends.push_back(any());
+    std::string expected;
+    for (const int num_threads : {1, 2, 3}) {
+      ToldByNumber told;
+      add_at(told.scene, "bin", bin(1.5, 0.9, 0.01), {0, 0, 1e-4}, true);
+      std::atomic<bool> is_second_begun = num_threads == 1;
+      const auto wait = [&](Interrupt& interrupt) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (!is_second_begun && std::chrono::steady_clock::now() < end) interrupt.reason();
+        EXPECT_TRUE(is_second_begun);
+      };
+      told.end = [&](int number) { return ends[static_cast<size_t>(number)]; };
+      told.settles = [&](int number, Interrupt& interrupt) {
+        if (number > 1) is_second_begun = true;
+        // Long enough for a copy of the scene.
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (number == 1 && settles_long) wait(interrupt);
+      };
+      told.comes_to_rest = [&](int number, Interrupt& interrupt) {
+        if (number == 1 && !settles_long) wait(interrupt);
+      };
+      const std::string is = told.run(num_threads);
+      if (num_threads == 1)
+        expected = is;
+      else
+        EXPECT_EQ(is, expected) << num_threads;
+    }
+  }
 }
 
 // A trial that runs beside the one that is taken is stopped, not waited for.

@@ -31,8 +31,8 @@ TEST(SheetWeights, AreThoseOfTheMaterialsSheets) {
 }
 
 TEST(SheetWeights, SmallOrUnnamedOnesKeepAHundredthOfTheirSize) {
-  const double wall = 0.01 * 0.05 * std::sqrt(2.0);
-  EXPECT_NEAR(kilograms(square(0.05, "ceramic")), 0.05 * 0.05 * wall * 2400, 1e-12);
+  const double edge = 0.0625, wall = 0.01 * edge * std::sqrt(2.0);  // a float32
+  EXPECT_NEAR(kilograms(square(edge, "ceramic")), edge * edge * wall * 2400, 1e-12);
   EXPECT_NEAR(kilograms(square(1, "")), 1000 * 0.01 * std::sqrt(2.0), 1e-9);
   EXPECT_FALSE(sheet_thickness(PhysicsMaterial{}));
 }
