@@ -102,7 +102,7 @@ class StartTrials {
  private:
   using Trials = std::vector<StartTrial>;
   using TryOne = std::function<Trials(size_t k, Transaction& transaction, OperationRun& run)>;
-  /// Of one start, by a detector of its own if there is one.
+  /// The trials of one start, by a detector of its own if there is one.
   struct Tried {
     Trials trials;
     Detector* detector = nullptr;
