@@ -53,7 +53,8 @@ const std::vector<ContactPoint>& ContactMemory::points(const Body& a, const Body
   // Forgetting all at once bounds the memory without any order of age.
   if (m_bytes >= kMostBytes) m_known.clear(), m_bytes = 0;
   std::vector<ContactPoint>& points = m_known[question] = find();
-  m_bytes += sizeof(Question) + sizeof points + points.size() * sizeof(ContactPoint);
+  m_bytes +=
+      sizeof(Question) + sizeof(std::vector<ContactPoint>) + points.size() * sizeof(ContactPoint);
   return points;
 }
 

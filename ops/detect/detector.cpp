@@ -66,7 +66,7 @@ FirstContact Detector::first_contact(const FirstContactQuery& query) {
   ++m_work.num_queries;
   // The chooser may take another source for each query; the answer does not depend on it.
   CandidateFinder* const stage = m_chooser ? m_chooser->stage_for(query) : m_stage.get();
-  const FirstContact found = stage ? ask_stage(query, *stage) : trivet::first_contact(query);
+  FirstContact found = stage ? ask_stage(query, *stage) : trivet::first_contact(query);
   m_work.node_pairs += found.work.node_pairs;
   m_work.face_pairs += found.work.face_pairs;
   m_work.stalled += found.stalled;
@@ -76,7 +76,7 @@ FirstContact Detector::first_contact(const FirstContactQuery& query) {
 
 FirstContact Detector::ask_stage(const FirstContactQuery& query, CandidateFinder& stage) {
   CandidatePairs proposal;
-  const FirstContact found = trivet::first_contact(query, stage, &proposal, m_confirmation);
+  FirstContact found = trivet::first_contact(query, stage, &proposal, m_confirmation);
   note(proposal);
   return found;
 }

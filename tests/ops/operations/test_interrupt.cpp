@@ -14,7 +14,7 @@ namespace {
 OperationResult interrupted_put(const RunContext& context) {
   Arrangement a = into_bowl(0);
   const Scene before = a.scene;
-  const OperationResult result = put(a.scene, a.object, a.start, {}, context);
+  OperationResult result = put(a.scene, a.object, a.start, {}, context);
   EXPECT_FALSE(result.ok());
   EXPECT_EQ(difference(before, a.scene), "");
   EXPECT_NE(result.reason().find("put of \"" + a.scene.at(a.object).name + "\""), std::string::npos)

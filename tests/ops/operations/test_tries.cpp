@@ -450,8 +450,8 @@ TEST(Tries, BeginOthersWhileTheFirstTakesLong) {
     std::vector<End> ends{End::Topples};
     const bool settles_long = k % 2 == 0;
     const auto any = [&] {
-      constexpr End all[] = {End::Stands, End::AcrossGap, End::Leaves, End::Topples, End::Blocked};
-      return all[std::uniform_int_distribution(0, 4)(random)];
+      constexpr End kAll[] = {End::Stands, End::AcrossGap, End::Leaves, End::Topples, End::Blocked};
+      return kAll[std::uniform_int_distribution(0, 4)(random)];
     };
     for (int n = 1; n <= 24; ++n) ends.push_back(any());
     std::string expected;
