@@ -205,7 +205,7 @@ class Mender {
   // At the pose nearest to the given one at which contacts hold it; else that is a start.
   bool stand_as_given(Rearrangement& scene, Search& search) {
     const ObjectId id = m_object->id;
-    // Where something is in the way of its level attitude it goes aside, as in a row.
+    // An object goes aside, as in a row, if something is in the way of its level attitude.
     const bool is_free = !refuse_interpenetration(m_scene, id, search.nominal, false);
     if (!lies_on_several() && !is_free) return false;
     const std::optional<Pose> rest = rest_as_given(scene);

@@ -76,9 +76,6 @@ class StartTrials {
   StartTrials(const StartTrials&) = delete;
   StartTrials& operator=(const StartTrials&) = delete;
 
-  /// The container of the first start.
-  const Container& container() const { return m_container; }
-
   /// All starts are tried until one stands, whatever that costs.
   void want_all() { m_wants_all = true; }
 
