@@ -5,8 +5,8 @@
 
 namespace trivet {
 
-/// Motion: where forces do not balance, a motion that proves it and comes within a tenth of the
-/// optimum's will do, which takes half of the steps. Slowly nearly all bodies take part in it.
+/// Motion: where forces do not balance, a motion that proves it and comes within a hundredth of the
+/// optimum's will do, which takes two thirds of the steps. Slowly nearly all bodies take part.
 enum class Sought { Optimum, Motion };
 
 /// The answer of contact_forces() to the same linear program over all contacts, `more` among them,
@@ -26,7 +26,7 @@ bool proves_lack_of_balance(const std::vector<VirtualMotion>& motions, const Fre
                             double clearance, double factor = 1);
 
 /// More than so many bodies, for which it takes a fifth of the time of the simplex method or less.
-inline constexpr size_t kManyBodies = 24;
+inline constexpr size_t kManyBodies = 8;
 
 /// forces_by_interior_point() of many bodies, and contact_forces() of few and of what that leaves
 /// open.
