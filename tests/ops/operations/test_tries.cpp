@@ -165,7 +165,7 @@ int num_in_bin(int num, int tries, std::string& poses, Detector* detector = null
 
 TEST(Tries, FillBin) {
   std::string once, poses, again;
-  const int num = 20, exactly = num_in_bin(num, 1, once);
+  const int num = 30, exactly = num_in_bin(num, 1, once);
   EXPECT_EQ(num_in_bin(num, 12, poses), num);
   EXPECT_LT(exactly, num);
   num_in_bin(num, 12, again);
