@@ -26,7 +26,7 @@ constexpr double kFacesOfOne = 8192;  // of an object whose first contact is one
 constexpr double kWorthCopy = 0.02;
 /// Others may move in the end, from the starts at which the fewest would.
 constexpr size_t kSecondLooks = 2;
-constexpr Budget kBudgetOfSecondLook{.first_contacts = 500, .while_sinking = 1500};
+constexpr Budget kBudgetOfSecondLook{.first_contacts = 500, .while_sinking = 500};
 
 bool may_do_better_nearby(const OperationResult& result) {
   return result.status == OperationResult::Status::Refused &&
