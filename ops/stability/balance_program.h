@@ -57,7 +57,7 @@ class BalanceProgram {
   static constexpr int kEdges = 8, kLocals = 15;
   static constexpr int kBeyond = 12, kPushes = 13, kLeft = 14;
   using Edges = Eigen::Matrix<double, kEdges, 1>;
-  /// What a force enters in a body's rows. All edges of a contact share it, so that products cost
+  /// Rows of a body, as a force enters them. All edges of a contact share it, so that products cost
   /// less than by a block of rows x edges.
   using Entering = Eigen::Matrix<double, BlockFactor::kRows, 3>;
 

@@ -40,7 +40,7 @@ FreeBodies among_ground(const FreeBodies& part, const std::vector<Index>& chosen
   return out;
 }
 
-// Those of them that move while the others stand still; none: these stand so.
+// Members that move while all others of the part stand still; none: these stand so.
 std::vector<Index> movers_among(const FreeBodies& part, const std::vector<Index>& chosen,
                                 double clearance) {
   FreeBodies alone = among_ground(part, chosen);
@@ -69,7 +69,7 @@ std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
     std::vector<Index> out = movers_among(part, few, clearance);
     if (!out.empty()) return out;
   }
-  // Of a motion that is not the optimum's nearly all bodies take part.
+  // Nearly all bodies take part in a motion that is not quite the optimum's.
   const std::vector<Index> out = movers_among(part, all, clearance);
   return out.empty() ? all : out;
 }

@@ -136,7 +136,7 @@ void expect_balance(const FreeBodies& pile, const PartForces& found) {
   }
 }
 
-// What is enough to know who topples says the same, with a proof.
+// A motion that is enough to know who topples says the same, with a proof.
 void expect_motion_as_simplex(const FreeBodies& pile, double factor, const PartForces& simplex) {
   const PartForces found = forces_by_interior_point(pile, kClearance, factor, Sought::Motion);
   if (!found.solved) return;
