@@ -57,7 +57,9 @@ TEST(PricedForces, CostAsLittleAsByAllTouchesAtOnce) {
       Vec3 sum(0, 0, -3);
       for (size_t k = 0; k < found.forces.size(); ++k)
         if (part.touches[k].from == BodyContact::kGround) sum += found.forces[k];
-      if (found.balanced()) EXPECT_LT(sum.norm(), 1e-3) << trial << ' ' << round;
+      if (found.balanced()) {
+        EXPECT_LT(sum.norm(), 1e-3) << trial << ' ' << round;
+      }
     }
     num_joined += forces.num_joined();
   }
