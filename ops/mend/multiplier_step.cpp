@@ -34,7 +34,7 @@ std::vector<double> MultiplierStep::changes(const std::vector<MotionRow>& rows,
   const std::vector<double> lacks = lacks_of(rows, motions, {});
   std::vector<double> out(rows.size(), 0.0), first;
   for (int round = 0; round < kRoundsOfStep; ++round) {
-    // Those that would fall below their least stop there, and the others are asked again.
+    // Multipliers that would fall below their least stop there, and the others are asked again.
     free_changes(rows, round == 0 ? lacks : lacks_of(rows, motions, out), out);
     if (round == 0) first = out;
     bool any = false;
@@ -57,7 +57,7 @@ std::vector<double> MultiplierStep::changes(const std::vector<MotionRow>& rows,
   return growth(rows, lacks, first) < 0 ? first : std::vector<double>{};
 }
 
-// Of free rows, after these changes of the others.
+// Metres that free rows lack after these changes of the others.
 std::vector<double> MultiplierStep::lacks_of(const std::vector<MotionRow>& rows,
                                              std::vector<SmallMotion> motions,
                                              const std::vector<double>& changes) const {
@@ -104,7 +104,7 @@ void MultiplierStep::free_changes(const std::vector<MotionRow>& rows,
   }
 }
 
-// Of the dual's objective: half the squared change of motions, and what multipliers do not gain.
+// The dual's objective grows by half the squared change of motions, less what multipliers gain.
 double MultiplierStep::growth(const std::vector<MotionRow>& rows, const std::vector<double>& lacks,
                               const std::vector<double>& changes) const {
   std::vector<SmallMotion> gone(m_num_bodies, SmallMotion::Zero());

@@ -19,7 +19,7 @@ struct Gone {
   Vec3 at(const Vec3& point) const { return shift + turn.cross(point - centre); }
 };
 
-// How far the point belongs to the first body; its normal belongs to the other one's face.
+// The point belongs to the first body so far; its normal belongs to the other one's face.
 double share_of_on(ContactFeatures features) {
   if (features == ContactFeatures::VertexFace) return 1;
   return features == ContactFeatures::FaceVertex ? 0 : 0.5;
