@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kTriesToTouch = 3;   // more of them, where it came to rest across a gap
 constexpr double kLeastWay = 0.1;  // that leads over a wall, in parts of the object's size
-constexpr int kMostThatLeave = 1;  // tries that end out of the container, before a second round
+/// Tries that end out of the container, before a second round and second looks: these mostly do so.
+constexpr int kMostThatLeave = 1;
 /// Work by which starts are tried: the same on every machine and for every backend. It stops few
 /// PUTs, as of fine meshes in full boxes, that would go on for seconds.
 constexpr double kWorkOfTry = 100;    // for each that was asked for, in first contacts
@@ -25,7 +26,7 @@ constexpr double kFacesOfOne = 8192;  // of an object whose first contact is one
 constexpr double kWorthCopy = 0.02;
 /// Others may move in the end, from the starts at which the fewest would.
 constexpr size_t kSecondLooks = 2;
-constexpr Budget kBudgetOfSecondLook{.first_contacts = 500, .while_sinking = 1500};
+constexpr Budget kBudgetOfSecondLook{.first_contacts = 500, .while_sinking = 500};
 
 bool may_do_better_nearby(const OperationResult& result) {
   return result.status == OperationResult::Status::Refused &&
@@ -81,7 +82,8 @@ class Tries {
       in_hand.push_back(std::move(m_in_hand->settled));
       return *take_first(std::move(in_hand), m_in_hand->budget);
     }
-    if (auto result = look_again()) return *result;
+    if (num_left <= kMostThatLeave)
+      if (auto result = look_again()) return *result;
     if (num_tries > 1) {
       first.refusal->numbers.push_back({"tries", static_cast<double>(num_tries)});
       first.refusal->numbers.push_back({"within", m_operation.within * size_of(object())});

@@ -11,9 +11,9 @@
 //   else                     an operation of its own, proved as any other; the first that is done
 //                            and ends in the container is taken. From starts after the first the
 //                            whole has to stand at once
-//   all were refused         as many starts more, the farthest, in other directions, unless several
-//                            left the container; then the two starts at which the fewest would
-//                            move, where others may move now
+//   all were refused         as many starts more, the farthest, in other directions; then the two
+//                            starts at which the fewest would move, where others may move now. Not
+//                            where several left the container
 //   first contacts of fine meshes
 //                            count more, by the root of the number of faces: where they add up to
 //                            seconds, no further start is tried, but for what got over a wall

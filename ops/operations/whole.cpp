@@ -22,6 +22,7 @@ constexpr int kMaxRounds = 24;         // joint motions and judgements
 constexpr int kMaxMotionsOfAll = 120;  // of single objects with their loads, in one round
 constexpr int kMaxMotionsOfOne = 30;   // of these, of one object
 constexpr double kMuch = 0.2;          // of what all have sunk by so far, in one round
+constexpr double kCreep = 1e-3;        // of the sizes of those that move: less ends nowhere
 constexpr double kLongestTurn = 0.1;   // of an object with loads, tan(angle / 2): loads slide then
 constexpr int kMaxProgramObjects = 200;
 
@@ -60,7 +61,9 @@ class Whole {
       if (stopped() || !give_way(verdict)) break;
       const Energy now = energy_gained();
       assert(now.sum <= before + now.rounding);
-      if (now.sum - before < kMuch * now.sum) give_back(left - m_queries_left);
+      const double sunk = before - now.sum;
+      if (sunk > -kMuch * now.sum && sunk > kCreep * weighted_sizes(verdict.topples))
+        give_back(left - m_queries_left);
       verdict = judge();
     }
     if (stopped()) return;
@@ -130,6 +133,13 @@ class Whole {
       out.sum += weight * (now - centre_before(before).z());
       out.rounding += 1e-12 * weight * std::abs(now);
     }
+    return out;
+  }
+
+  // Newtons times metres.
+  double weighted_sizes(const std::vector<ObjectId>& ids) const {
+    double out = 0;
+    for (const ObjectId id : ids) out += weight_of(m_scene.at(id)) * size_of(m_scene.at(id));
     return out;
   }
 

@@ -43,21 +43,22 @@ void BalanceProgram::add(const BodyContact& t, double factor) {
   const auto pyramid = friction_pyramid(t.contact.normal, factor * t.friction);
   for (int e = 0; e < kEdges; ++e) c.edges.col(e) = pyramid[static_cast<size_t>(e)];
   // The force pushes one body and, reversed, the other.
-  c.of_on = rows_of(t.on, t.contact.point, c, 1);
-  if (!on_ground) c.of_from = rows_of(t.from, t.contact.point, c, -1);
+  c.of_on = entering(t.on, t.contact.point, c, 1);
+  if (!on_ground) c.of_from = entering(t.from, t.contact.point, c, -1);
   m_contacts.push_back(c);
 }
 
-BlockFactor::Block BalanceProgram::rows_of(Index body, const Vec3& point, const Contact& c,
-                                           double sign) const {
-  BlockFactor::Block out = BlockFactor::Block::Zero();
+// The normal's part of each edge is one, so that pushes add up along the normal.
+BalanceProgram::Entering BalanceProgram::entering(Index body, const Vec3& point, const Contact& c,
+                                                  double sign) const {
+  Entering out = Entering::Zero();
   const double part = c.unit / m_carried[body];
   const Vec3 arm = (point - m_part.bodies[body].centre) / m_part.bodies[body].size;
-  for (int e = 0; e < kEdges; ++e) {
-    const Vec3 force = sign * part * c.edges.col(e);
-    out.col(e).segment<3>(kForceRow) = force;
-    out.col(e).segment<3>(kTorqueRow) = arm.cross(force);
-    out(kPushRow, e) = part;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 force = sign * part * Vec3::Unit(k);
+    out.col(k).segment<3>(kForceRow) = force;
+    out.col(k).segment<3>(kTorqueRow) = arm.cross(force);
+    out(kPushRow, k) = part * c.normal[k];
   }
   return out;
 }
@@ -90,9 +91,9 @@ void BalanceProgram::start(Vector& x, Vector& z, Vector& w) const {
 void BalanceProgram::add_product(const Vector& x, double sign, std::vector<BodyRows>& out) const {
   for (size_t k = 0; k < m_contacts.size(); ++k) {
     const Contact& c = m_contacts[k];
-    const Edges part = sign * x.segment<kEdges>(edges_of(k));
-    out[c.on] += c.of_on.lazyProduct(part);
-    if (c.from != BodyContact::kGround) out[c.from] += c.of_from.lazyProduct(part);
+    const Vec3 force = sign * c.force(x, edges_of(k));
+    out[c.on] += c.of_on.lazyProduct(force);
+    if (c.from != BodyContact::kGround) out[c.from] += c.of_from.lazyProduct(force);
   }
   for (size_t i = 0; i < num_bodies(); ++i) {
     const auto v = x.segment<kLocals>(local(i));
@@ -110,9 +111,9 @@ BalanceProgram::Vector BalanceProgram::transposed_product(const std::vector<Body
   Vector out(num_columns());
   for (size_t k = 0; k < m_contacts.size(); ++k) {
     const Contact& c = m_contacts[k];
-    Edges sum = c.of_on.transpose().lazyProduct(y[c.on]);
+    Vec3 sum = c.of_on.transpose().lazyProduct(y[c.on]);
     if (c.from != BodyContact::kGround) sum += c.of_from.transpose().lazyProduct(y[c.from]);
-    out.segment<kEdges>(edges_of(k)) = sum;
+    out.segment<kEdges>(edges_of(k)) = c.edges.transpose().lazyProduct(sum);
   }
   for (size_t i = 0; i < num_bodies(); ++i) {
     auto v = out.segment<kLocals>(local(i));
@@ -133,11 +134,13 @@ void BalanceProgram::add_normal_matrix(const Vector& d, BlockFactor& to) const {
   // Blocks are small: products by rows and columns spare the copies that those of matrices make.
   for (size_t k = 0; k < m_contacts.size(); ++k) {
     const Contact& c = m_contacts[k];
-    const auto part = d.segment<kEdges>(edges_of(k)).asDiagonal();
-    const Block on = c.of_on * part;
+    const Eigen::Matrix<double, 3, kEdges> part =
+        c.edges * d.segment<kEdges>(edges_of(k)).asDiagonal();
+    const Mat3 of_force = part.lazyProduct(c.edges.transpose());
+    const Entering on = c.of_on.lazyProduct(of_force);
     to.add(c.on, c.on, Block(on.lazyProduct(c.of_on.transpose())));
     if (c.from == BodyContact::kGround) continue;
-    const Block from = c.of_from * part;
+    const Entering from = c.of_from.lazyProduct(of_force);
     to.add(c.from, c.on, Block(from.lazyProduct(c.of_on.transpose())));
     to.add(c.from, c.from, Block(from.lazyProduct(c.of_from.transpose())));
   }
@@ -171,7 +174,7 @@ BalanceProgram::Sums BalanceProgram::sums(const Vector& x) const {
   const std::vector<Vec3> all = forces(x);
   for (size_t k = 0; k < m_contacts.size(); ++k) {
     const Contact& c = m_contacts[k];
-    const Edges part = x.segment<kEdges>(edges_of(k));
+    const Vec3 part = c.force(x, edges_of(k));
     const double push = c.normal.dot(all[k]);
     const double friction = (all[k] - push * c.normal).norm() / kPyramidInCone;
     for (const Index body : {c.on, c.from}) {
@@ -201,8 +204,7 @@ std::vector<Vec3> BalanceProgram::forces(const Vector& x) const {
   std::vector<Vec3> out;
   out.reserve(m_contacts.size());
   for (size_t k = 0; k < m_contacts.size(); ++k)
-    out.push_back(m_contacts[k].unit *
-                  (m_contacts[k].edges * x.segment<kEdges>(edges_of(k))).eval());
+    out.push_back(m_contacts[k].unit * m_contacts[k].force(x, edges_of(k)));
   return out;
 }
 

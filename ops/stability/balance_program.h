@@ -57,13 +57,21 @@ class BalanceProgram {
   static constexpr int kEdges = 8, kLocals = 15;
   static constexpr int kBeyond = 12, kPushes = 13, kLeft = 14;
   using Edges = Eigen::Matrix<double, kEdges, 1>;
+  /// What a force enters in a body's rows. All edges of a contact share it, so that products cost
+  /// less than by a block of rows x edges.
+  using Entering = Eigen::Matrix<double, BlockFactor::kRows, 3>;
 
   struct Contact {
     Index on, from;
     double unit;  // newtons
     Vec3 normal;
     Eigen::Matrix<double, 3, kEdges> edges;
-    BlockFactor::Block of_on = BlockFactor::Block::Zero(), of_from = of_on;  // rows x edges
+    Entering of_on = Entering::Zero(), of_from = of_on;
+
+    /// In units.
+    Vec3 force(const Vector& x, Eigen::Index first) const {
+      return edges.lazyProduct(x.segment<kEdges>(first));
+    }
   };
 
   Eigen::Index local(size_t body) const {
@@ -80,7 +88,7 @@ class BalanceProgram {
   Sums sums(const Vector& x) const;
   double own(size_t body) const { return m_part.bodies[body].weight / m_carried[body]; }
   void add(const BodyContact& t, double factor);
-  BlockFactor::Block rows_of(Index body, const Vec3& point, const Contact& c, double sign) const;
+  Entering entering(Index body, const Vec3& point, const Contact& c, double sign) const;
   BlockFactor::Block local_matrix(size_t body, const Vector& all) const;
 
   const FreeBodies& m_part;

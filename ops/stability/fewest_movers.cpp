@@ -40,6 +40,18 @@ FreeBodies among_ground(const FreeBodies& part, const std::vector<Index>& chosen
   return out;
 }
 
+// Those of them that move while the others stand still; none: these stand so.
+std::vector<Index> movers_among(const FreeBodies& part, const std::vector<Index>& chosen,
+                                double clearance) {
+  FreeBodies alone = among_ground(part, chosen);
+  const PartForces found = quickest_forces(alone, clearance);
+  std::vector<Index> out;
+  if (!found.solved || found.balanced()) return out;
+  for (size_t k = 0; k < chosen.size(); ++k)
+    if (found.moves[k]) out.push_back(chosen[k]);
+  return out;
+}
+
 }  // namespace
 
 std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
@@ -54,15 +66,12 @@ std::vector<Index> fewest_movers(const FreeBodies& part, double clearance,
     if (few.size() == all.size()) break;
     if (few.empty()) continue;
     // A body that falls among others that cannot move, falls among others that can.
-    FreeBodies alone = among_ground(part, few);
-    const PartForces found = quickest_forces(alone, clearance);
-    if (!found.solved || found.balanced()) continue;
-    std::vector<Index> out;
-    for (size_t k = 0; k < few.size(); ++k)
-      if (found.moves[k]) out.push_back(few[k]);
-    return out;
+    std::vector<Index> out = movers_among(part, few, clearance);
+    if (!out.empty()) return out;
   }
-  return all;
+  // Of a motion that is not the optimum's nearly all bodies take part.
+  const std::vector<Index> out = movers_among(part, all, clearance);
+  return out.empty() ? all : out;
 }
 
 PartForces disproof_by_few(const FreeBodies& part, std::span<const ObjectId> changed,

@@ -14,6 +14,7 @@ namespace {
 constexpr int kMostSteps = 100;
 constexpr double kPartOfWay = 0.995;  // to the nearest bound
 constexpr double kLeastGap = 1e-9;    // between both objectives, weights
+constexpr double kGapOfMotion = 0.01; // the same, in parts of the lower one
 constexpr double kPriceRounding = 1e-9;
 constexpr double kProvablyMissing = 1.1 * kMayBeMissing;  // of each body
 
@@ -179,6 +180,19 @@ PartForces balanced_forces(const BalanceProgram& program, const InteriorPoint& p
   return out;
 }
 
+PartForces forces_of_motion(const BalanceProgram& program, const ForceProgram& asked,
+                            const InteriorPoint& point) {
+  const LinearProgram::Solution prices = as_prices(point.y());
+  PartForces out;
+  out.solved = true;
+  out.motions = asked.motions_of(prices);
+  out.moves = asked.moves_of(prices);
+  out.missing = program.missing(point.x());
+  out.residual = std::accumulate(out.missing.begin(), out.missing.end(), 0.0);
+  out.forces = program.forces(point.x());
+  return out;
+}
+
 }  // namespace
 
 bool proves_lack_of_balance(const std::vector<VirtualMotion>& motions, const FreeBodies& part,
@@ -186,32 +200,29 @@ bool proves_lack_of_balance(const std::vector<VirtualMotion>& motions, const Fre
   return is_clearly_missing(ForceProgram(part, clearance, factor), motions);
 }
 
-PartForces forces_by_interior_point(const FreeBodies& part, double clearance, double factor) {
+PartForces forces_by_interior_point(const FreeBodies& part, double clearance, double factor,
+                                    Sought sought) {
   const BalanceProgram program(part, clearance, factor);
+  const ForceProgram asked(part, clearance, factor);
   InteriorPoint point(program);
   for (int n = 0; n < kMostSteps; ++n) {
     point.step();
     if (program.are_proof(point.x())) return balanced_forces(program, point);
-    if (!point.is_feasible() || point.missing() - point.proven() > kLeastGap) continue;
-    // The optimum's motion is the proof; it is asked again, as other programs' motions are.
-    const ForceProgram asked(part, clearance, factor);
-    const LinearProgram::Solution prices = as_prices(point.y());
-    PartForces out;
-    out.motions = asked.motions_of(prices);
-    if (!is_clearly_missing(asked, out.motions)) return {};
-    out.solved = true;
-    out.moves = asked.moves_of(prices);
-    out.missing = program.missing(point.x());
-    out.residual = std::accumulate(out.missing.begin(), out.missing.end(), 0.0);
-    out.forces = program.forces(point.x());
-    return out;
+    const double gap = point.missing() - point.proven();
+    const bool is_optimum = point.is_feasible() && gap <= kLeastGap;
+    const bool is_near = sought == Sought::Motion && gap <= kGapOfMotion * point.proven();
+    if (!is_optimum && !is_near) continue;
+    // The motion is the proof; it is asked again, as other programs' motions are.
+    PartForces out = forces_of_motion(program, asked, point);
+    if (is_clearly_missing(asked, out.motions) && !out.balanced()) return out;
+    if (is_optimum) return {};
   }
   return {};
 }
 
-PartForces quickest_forces(FreeBodies& part, double clearance, double factor) {
+PartForces quickest_forces(FreeBodies& part, double clearance, double factor, Sought sought) {
   if (part.bodies.size() > kManyBodies) {
-    PartForces out = forces_by_interior_point(part, clearance, factor);
+    PartForces out = forces_by_interior_point(part, clearance, factor, sought);
     if (out.solved) return out;
   }
   return contact_forces(part, clearance, factor);

@@ -1,6 +1,7 @@
 #include "ops/stability/part.h"
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 #include <set>
 #include <utility>
@@ -77,12 +78,8 @@ class Judgement {
   void judge(const Members& part) {
     const bool mostly_open = 2 * part.open.size() >= part.all.size();
     if (!mostly_open && stands_alone(part, {})) return;
-    if (part.all.size() <= m_limit) {
-      FreeBodies whole =
-          near_part(m_scene, ids_of(part.all), m_clearance, is_fixed_or_held, m_friction);
-      if (whole.bodies.size() <= m_limit)
-        return judge_together(part, std::move(whole), mostly_open);
-    }
+    if (part.all.size() <= m_limit)
+      if (Whole* const whole = whole_of(part)) return judge_together(part, *whole, mostly_open);
     if (mostly_open && stands_alone(part, {})) return;
     // A part that is too large is judged near the change alone, and the verdict says that it does
     // not know the rest.
@@ -94,12 +91,37 @@ class Judgement {
     note(chosen, quickest_forces(chosen, m_clearance));
   }
 
-  void judge_together(const Members& part, FreeBodies whole, bool may_stand_alone) {
-    const PartForces forces = forces_of(whole);
-    if (forces.solved && forces.balanced()) return;
-    const Larger larger{whole, forces};
+  /// A part with all that near contacts join to it.
+  struct Whole {
+    FreeBodies bodies;
+    PartForces forces;
+    bool is_noted = false;
+  };
+
+  // Near contacts mostly join several parts to one whole. @return null: too large.
+  Whole* whole_of(const Members& part) {
+    const std::vector<ObjectId> ids = ids_of(part.all);
+    for (Whole& whole : m_wholes)
+      if (holds_all(whole.bodies, ids)) return &whole;
+    FreeBodies bodies = near_part(m_scene, ids, m_clearance, is_fixed_or_held, m_friction);
+    if (bodies.bodies.size() > m_limit) return nullptr;
+    PartForces forces = forces_of(bodies);
+    return &m_wholes.emplace_back(Whole{std::move(bodies), std::move(forces)});
+  }
+
+  static bool holds_all(const FreeBodies& whole, const std::vector<ObjectId>& ids) {
+    return std::all_of(ids.begin(), ids.end(), [&](ObjectId id) {
+      return std::any_of(whole.bodies.begin(), whole.bodies.end(),
+                         [id](const FreeBody& body) { return body.id == id; });
+    });
+  }
+
+  void judge_together(const Members& part, Whole& whole, bool may_stand_alone) {
+    if (whole.is_noted || (whole.forces.solved && whole.forces.balanced())) return;
+    const Larger larger{whole.bodies, whole.forces};
     if (may_stand_alone && stands_alone(part, larger)) return;
-    note(whole, forces);
+    whole.is_noted = true;
+    note(whole.bodies, whole.forces);
   }
 
   PartForces forces_of(FreeBodies& whole) const {
@@ -107,7 +129,7 @@ class Judgement {
       PartForces disproof = disproof_by_few(whole, m_changed, m_clearance);
       if (disproof.solved) return disproof;
     }
-    return quickest_forces(whole, m_clearance);
+    return quickest_forces(whole, m_clearance, 1, Sought::Motion);
   }
 
   /// A part with others, which does not stand.
@@ -122,7 +144,7 @@ class Judgement {
     if (part.all.size() <= m_limit && !may_all_be_held_up(open)) return false;
     if (larger && clearly_unbalanced(open, m_clearance, larger->bodies, larger->forces))
       return false;
-    const PartForces forces = quickest_forces(open, m_clearance);
+    const PartForces forces = quickest_forces(open, m_clearance, 1, Sought::Motion);
     return forces.solved && forces.balanced();
   }
 
@@ -180,6 +202,7 @@ class Judgement {
   const Toppling m_toppling;
   const FreeBodies m_all;
   const Certificate m_certificate;
+  std::deque<Whole> m_wholes;
   PartVerdict m_out;
 };
 

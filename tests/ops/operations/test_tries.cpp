@@ -165,7 +165,7 @@ int num_in_bin(int num, int tries, std::string& poses, Detector* detector = null
 
 TEST(Tries, FillBin) {
   std::string once, poses, again;
-  const int num = 20, exactly = num_in_bin(num, 1, once);
+  const int num = 30, exactly = num_in_bin(num, 1, once);
   EXPECT_EQ(num_in_bin(num, 12, poses), num);
   EXPECT_LT(exactly, num);
   num_in_bin(num, 12, again);
@@ -320,6 +320,7 @@ TEST(Tries, EndBesideTheBinIfNoneEndsInIt) {
 }
 
 // No second round follows where several leave the container: its starts are no nearer.
+// Neither a second round nor second looks.
 TEST(Tries, HaveOneRoundWhereSeveralLeave) {
   for (const int num_left : {0, 1, 2, 11}) {
     Answers answers;
@@ -328,7 +329,7 @@ TEST(Tries, HaveOneRoundWhereSeveralLeave) {
         12, [&](int k) { return 1 < k && k <= 1 + num_left ? OperationResult() : topples(); }, 0.8);
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.refusal->number("tries"), num_left > 1 ? 12 : 24);
-    EXPECT_EQ(answers.starts.size(), num_left == 11 ? 13u : num_left > 1 ? 14u : 26u);
+    EXPECT_EQ(answers.starts.size(), num_left > 1 ? 12u : 26u);
   }
 }
 

@@ -136,6 +136,15 @@ void expect_balance(const FreeBodies& pile, const PartForces& found) {
   }
 }
 
+// What is enough to know who topples says the same, with a proof.
+void expect_motion_as_simplex(const FreeBodies& pile, double factor, const PartForces& simplex) {
+  const PartForces found = forces_by_interior_point(pile, kClearance, factor, Sought::Motion);
+  if (!found.solved) return;
+  EXPECT_EQ(found.balanced(), simplex.balanced());
+  if (found.balanced()) return expect_balance(pile, found);
+  EXPECT_TRUE(proves_lack_of_balance(found.motions, pile, kClearance, factor));
+}
+
 enum class Outcome { Stands, Topples, Open };
 
 /// As the simplex method finds it, with the same least sum of what is missing.
@@ -144,6 +153,7 @@ Outcome expect_as_simplex(const FreeBodies& pile, double factor = 1) {
   FreeBodies all = pile;
   const PartForces simplex = contact_forces(all, kClearance, factor);
   EXPECT_TRUE(simplex.solved);
+  expect_motion_as_simplex(pile, factor, simplex);
   if (!found.solved) {
     // Only what is on the verge is left open.
     EXPECT_LT(simplex.residual, 2 * kMayBeMissing * static_cast<double>(pile.bodies.size()));
@@ -291,6 +301,25 @@ TEST(FewestMovers, MoveInTheProofToo) {
   std::printf("fewer in %d of %d\n", num_fewer, num_asked);
   EXPECT_GT(num_asked, 5);
   EXPECT_GT(num_fewer, 0);
+}
+
+// A motion that is nearly the optimum's has the same bodies among the fastest.
+TEST(FewestMovers, AreMostlyTheSameByAnyProof) {
+  Random random(23);
+  int num_same = 0, num_asked = 0;
+  for (int k = 0; k < std::max(40, with_effort(100)); ++k) {
+    const FreeBodies pile =
+        pile_of_balls({random.uniform(0, 0.3), random.integer(0, 1) > 0, 0.9, 3}, random);
+    const PartForces optimum = forces_by_interior_point(pile, kClearance),
+                     motion = forces_by_interior_point(pile, kClearance, 1, Sought::Motion);
+    if (!optimum.solved || optimum.balanced()) continue;
+    EXPECT_TRUE(motion.solved);
+    num_same += fewest_movers(pile, kClearance, optimum) == fewest_movers(pile, kClearance, motion);
+    ++num_asked;
+  }
+  std::printf("the same in %d of %d\n", num_same, num_asked);
+  EXPECT_GT(num_asked, 10);
+  EXPECT_GE(num_same, num_asked * 2 / 3);
 }
 
 std::vector<ObjectId> numbered(FreeBodies& pile) {
