@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ops/stability/contact_forces.h"
+#include "ops/stability/priced_forces.h"
 
 namespace trivet {
 namespace {
@@ -20,6 +20,7 @@ constexpr int kRoundsAtFullPull = 2;
 constexpr double kClearlyBetter = 0.97;        // of a cost
 constexpr double kStillChoice = 0.03;          // clearances
 constexpr double kClosedByMotions = 0.1;       // clearances
+constexpr size_t kFirstOfPair = 4;             // nearest touches, that the forces begin with
 constexpr double kSamePlaceOfContact = 0.005;  // metres
 constexpr double kSameNormalOfContact = 0.95;  // cosine
 
@@ -35,7 +36,10 @@ class ContactChoice {
  public:
   ContactChoice(const FreeBodies& part, const std::vector<SmallMotion>& aims,
                 const ChoiceOfContacts& options)
-      : m_part(part), m_aims(aims), m_options(options) {
+      : m_part(part),
+        m_aims(aims),
+        m_options(options),
+        m_forces(part, options.clearance, nearest_of_pairs()) {
     for (const BodyContact& t : part.touches) {
       m_factors.push_back(is_among(options.stuck, t) ? kPriceOfStuck : 1);
       const double gap = std::max(0.0, t.contact.gap - kGapLeft * options.clearance);
@@ -70,6 +74,18 @@ class ContactChoice {
     return m_factors[k] * std::min(gap * gap / m_options.reach, kMostPrice * m_options.reach);
   }
 
+  // And those that were needed before.
+  std::vector<char> nearest_of_pairs() const {
+    std::vector<char> out(m_part.touches.size(), 0);
+    size_t num = 0;
+    for (size_t k = 0; k < out.size(); ++k) {
+      const BodyContact &t = m_part.touches[k], &last = m_part.touches[k > 0 ? k - 1 : 0];
+      num = t.on == last.on && t.partner == last.partner ? num + 1 : 1;
+      out[k] = num <= kFirstOfPair || is_among(m_options.kept, t);
+    }
+    return out;
+  }
+
   MotionRow row_of(const BodyContact& t) const {
     MotionRow out =
         MotionRow::apart(m_part.bodies, t.on, t.from, t.contact.point, t.contact.normal);
@@ -82,10 +98,9 @@ class ContactChoice {
   }
 
   void find_forces() {
-    FreeBodies priced = m_part;
-    for (size_t k = 0; k < m_prices.size(); ++k) priced.touches[k].contact.gap = m_prices[k];
-    const PartForces forces =
-        contact_forces(priced, m_options.clearance, 1, kPriceOfReach / m_options.reach);
+    std::vector<double> prices = m_prices;
+    for (double& p : prices) p *= kPriceOfReach / m_options.reach;
+    const PartForces forces = m_forces.find(prices);
     m_now.num_missing = 0;
     m_now.missing.assign(m_part.bodies.size(), 1);
     for (size_t i = 0; i < m_part.bodies.size(); ++i)
@@ -100,7 +115,8 @@ class ContactChoice {
   void find_motions(double pull) {
     for (size_t k = 0; k < m_prices.size(); ++k)
       m_now.rows[k].least_push = m_now.needed[k] ? -pull : 0;
-    m_now.motions = nearest_motions(m_now.rows, m_aims, kStillChoice * m_options.clearance);
+    m_now.motions =
+        nearest_motions(m_now.rows, m_aims, kStillChoice * m_options.clearance, m_options.soft);
     m_now.open = m_now.widest = 0;
     for (size_t k = 0; k < m_prices.size(); ++k) {
       if (!m_now.needed[k]) continue;
@@ -115,6 +131,7 @@ class ContactChoice {
   const FreeBodies& m_part;
   const std::vector<SmallMotion>& m_aims;
   const ChoiceOfContacts& m_options;
+  PricedForces m_forces;
   std::vector<double> m_factors, m_prices;  // of each touch; prices in metres
   ChosenContacts m_now;
 };

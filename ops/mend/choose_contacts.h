@@ -11,6 +11,7 @@ struct ChoiceOfContacts {
   double clearance = 0;                     // metres
   double reach = 0;                         // metres, of the widest gap that may be looked at
   double pull = 0;                          // metres: most multiplier of a contact that is to close
+  double soft = 0;                          // see nearest_motions()
   bool from_weak_pulls = false;             // the pull grows up to that: slower, and nearer
   std::span<const BodyContact> kept = {};   // needed before: their gaps count less
   std::span<const BodyContact> stuck = {};  // that could not be closed: dear

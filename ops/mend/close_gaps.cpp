@@ -8,6 +8,7 @@
 #include "core/scene/transaction.h"
 #include "ops/mend/choose_contacts.h"
 #include "ops/mend/part_by_turns.h"
+#include "ops/mend/wide_contacts.h"
 #include "ops/placement/contacts.h"
 #include "ops/stability/contact_forces.h"
 
@@ -15,11 +16,13 @@ namespace trivet {
 namespace {
 
 constexpr int kStepsOfClosing = 14, kStepsNearGiven = 5, kCutsOfStep = 3;
-constexpr int kMostHarder = 3;         // times that steps which do not pay pull harder
-constexpr double kHarder = 2.5;        // times the pull before
-constexpr double kStepPays = 0.97;     // of the cost before
-constexpr double kLeastReach = 12;     // clearances
-constexpr double kGapClosed = 1.9;     // clearances: enough
+constexpr int kMostHarder = 3;        // times that steps which do not pay pull harder
+constexpr double kHarder = 2.5;       // times the pull before
+constexpr double kStepPays = 0.97;    // of the cost before
+constexpr double kLeastReach = 12;    // clearances
+constexpr double kReachOfMotion = 2;  // times the farthest of the step before
+constexpr double kSoftContacts = 1e-3, kSoftIfAlone = 1e-6;  // see nearest_motions()
+constexpr double kGapClosed = 1.9;                           // clearances: enough
 constexpr double kGapOpen = 100;       // clearances: coming to rest closes less
 constexpr double kLeftByMotions = 10;  // clearances: what motions leave is stuck
 constexpr double kStillStep = 0.03;    // clearances
@@ -31,7 +34,7 @@ constexpr double kAirOfNearRest = 2e-5;        // metres between it and what it 
 constexpr double kReachOfNearRest = 2;         // tolerances, of gaps that may close
 constexpr double kMostReachOfNearRest = 0.04;  // metres
 constexpr double kMostStepOfNearRest = 0.006;  // metres, of closing them
-constexpr double kFirstShareOfNearRest = 0.25, kReachOfItsMotion = 2;
+constexpr double kFirstShareOfNearRest = 0.25;
 
 class GapCloser {
  public:
@@ -51,22 +54,26 @@ class GapCloser {
       choose(reach, step == 0);
       if (m_near_given)
         for (size_t i = 0; i < m_ids.size(); ++i) m_missed[i] |= m_choice.missing[i];
-      const bool done = widest_needed() <= kGapClosed * m_gaps.clearance;
       const bool is_last = step == kStepsOfClosing || (m_gaps.is_over && m_gaps.is_over());
-      if (done || is_last || !pull_harder_if_stuck()) return {not_held(), missed(), m_longest};
+      if (is_done() || is_last || !pull_harder_if_stuck()) return {not_held(), missed(), m_longest};
       const double gone = go(reach);
-      reach =
-          std::clamp(m_gaps.reach_of_motion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
+      reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
     }
   }
 
  private:
+  // Contacts of a heap that are nearly parallel, and whose gaps differ, ask for a large turn.
+  double soft() const { return m_ids.size() > 1 ? kSoftContacts : kSoftIfAlone; }
+
+  bool is_done() const { return widest_needed() <= kGapClosed * m_gaps.clearance; }
+
   // By near contacts, or by all where these do not do.
   void choose(double& reach, bool is_first) {
     while (true) {
       find_contacts(reach);
       m_choice = choose_contacts(
-          m_part, aims(), {m_gaps.clearance, m_gaps.reach, m_pull, is_first, m_kept, m_stuck});
+          m_part, aims(),
+          {m_gaps.clearance, m_gaps.reach, m_pull, soft(), is_first, m_kept, m_stuck});
       if (m_choice.num_missing == 0 || reach >= m_gaps.reach) break;
       reach = m_gaps.reach;
     }
@@ -85,6 +92,8 @@ class GapCloser {
                                                  kFootSlack * m_gaps.clearance))
         add(static_cast<Index>(i), c, reach);
     }
+    // One alone has few contacts, and is nearer where it sees them as they are.
+    if (m_ids.size() > 1) m_wide.join(reach, m_part.touches);
   }
 
   void add(Index on, const ContactsWith& c, double reach) {
@@ -149,7 +158,10 @@ class GapCloser {
     double farthest = 0;
     bool free = false;
     for (int cut = 0; cut < kCutsOfStep && !free; ++cut) {
-      if (cut > 0) motions = nearest_motions(m_choice.rows, to, kStillStep * m_gaps.clearance);
+      if (cut > 0) {
+        const double still = kStillStep * m_gaps.clearance;
+        motions = nearest_motions(m_choice.rows, to, still, soft());
+      }
       farthest = shorten(motions, reach);
       there = moved(motions);
       const std::vector<MemberCrossing> found = crossings_of(m_scene, there);
@@ -159,6 +171,7 @@ class GapCloser {
         m_choice.rows.push_back(row_out_of(x, m_part.bodies, motions, air));
     }
     if (!free) there = part_together(m_scene, std::move(there), air);
+    m_wide.move(m_part.bodies, motions_to(there));
     for (const Placement& p : there)
       edit_object(m_scene, p.id, [&](Object& o) {
         o.pose = p.pose;
@@ -176,6 +189,14 @@ class GapCloser {
     if (farthest <= most) return farthest;
     for (SmallMotion& m : motions) m *= most / farthest;
     return most;
+  }
+
+  std::vector<SmallMotion> motions_to(const std::vector<Placement>& there) const {
+    std::vector<SmallMotion> out;
+    out.reserve(m_ids.size());
+    for (size_t i = 0; i < m_ids.size(); ++i)
+      out.push_back(motion_to(m_part.bodies[i], m_scene.at(m_ids[i]).pose, there[i].pose));
+    return out;
   }
 
   std::vector<Placement> moved(const std::vector<SmallMotion>& motions) const {
@@ -219,6 +240,7 @@ class GapCloser {
   int m_num_harder = 0;
   bool m_near_given = true;
   FreeBodies m_part;  // all contacts within reach are touches
+  WideContacts m_wide;
   ChosenContacts m_choice;
   std::vector<BodyContact> m_kept, m_stuck;  // needed in the step before; that do not close
 };
@@ -244,10 +266,10 @@ std::optional<Pose> rest_near(Scene& scene, const Placement& given, double toler
   };
   place(parted[0].pose, true);
   const double reach = std::min(kReachOfNearRest * tolerance, kMostReachOfNearRest);
-  const bool is_held = close_gaps(scene, members,
-                                  {clearance, reach, kMostStepOfNearRest, true, is_over,
-                                   kFirstShareOfNearRest, kReachOfItsMotion})
-                           .not_held.empty();
+  const bool is_held =
+      close_gaps(scene, members,
+                 {clearance, reach, kMostStepOfNearRest, true, is_over, kFirstShareOfNearRest})
+          .not_held.empty();
   const Pose rest = scene.at(given.id).pose;
   place(was, false);
   return is_held ? std::optional(rest) : std::nullopt;

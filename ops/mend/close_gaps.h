@@ -16,7 +16,6 @@ struct GapsToClose {
   bool near_given = true;        // the first steps aim at the given poses, else at where all are
   std::function<bool()> is_over = {};  // asked before each step: it ends there
   double first_share = 1;  // of the reach, at first: less where a single object is near its rest
-  double reach_of_motion = 4;  // afterwards: times the farthest motion of the step before
 };
 
 struct ClosedGaps {

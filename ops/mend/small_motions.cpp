@@ -3,14 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/motion/compose.h"
+#include "ops/mend/multiplier_step.h"
 
 namespace trivet {
 namespace {
 
-constexpr double kSoftRows = 1e-6;  // bounds multipliers of rows that contradict each other
-constexpr int kSweepsOfRows = 3000;
+constexpr int kSweepsOfRows = 3000, kSweepsBetweenSteps = 8;
 constexpr double kSurelySpare = 0.999, kRoundingOfRows = 1e-12;  // a part, and metres
 
 SmallMotion motion_along(const FreeBody& body, const Vec3& point, const Vec3& way) {
@@ -29,8 +30,8 @@ void push_apart(const MotionRow& row, double push, std::vector<SmallMotion>& mot
 /// other, and are passed over together.
 class RowRelaxation {
  public:
-  RowRelaxation(std::vector<MotionRow>& rows, std::vector<SmallMotion> motions)
-      : m_motions(std::move(motions)), m_gone(m_motions.size() + 1, 0) {
+  RowRelaxation(std::vector<MotionRow>& rows, std::vector<SmallMotion> motions, double soft)
+      : m_all(rows), m_soft(soft), m_motions(std::move(motions)), m_gone(m_motions.size() + 1, 0) {
     m_rows.reserve(rows.size());
     for (MotionRow& row : rows) {
       row.push = std::max(row.least_push, row.push);
@@ -44,6 +45,7 @@ class RowRelaxation {
 
   std::vector<SmallMotion> run(double still) {
     for (int sweep = 0; sweep < kSweepsOfRows; ++sweep) {
+      if (sweep > 0 && sweep % kSweepsBetweenSteps == 0) step();
       double most = 0;
       for (Block& block : m_blocks)
         if (left_of(block.ways, block) <= 0) most = std::max(most, meet_all(block));
@@ -112,12 +114,11 @@ class RowRelaxation {
   // @return change of the multiplier.
   double meet(Row& r, const Block& block) {
     MotionRow& row = r.row;
-    const double lacks = row.least - row.of(m_motions) - kSoftRows * row.push;
+    const double lacks = row.least - row.of(m_motions) - m_soft * row.push;
     // A row that is met and pushes no more than it must stays as it is, without a division.
     const bool stays = lacks <= 0 && row.push == row.least_push;
     const double push =
-        stays ? row.push
-              : std::max(row.least_push, row.push + lacks / (r.squared_norm + kSoftRows));
+        stays ? row.push : std::max(row.least_push, row.push + lacks / (r.squared_norm + m_soft));
     const double change = push - row.push;
     row.push = push;
     if (change == 0) {
@@ -132,13 +133,31 @@ class RowRelaxation {
     return std::abs(change);
   }
 
+  // Sweeps find out which rows push, and a step how much.
+  void step() {
+    if (!m_step) m_step.emplace(m_all, m_motions.size(), m_soft);
+    const std::vector<double> changes = m_step->changes(m_all, m_motions);
+    const std::vector<SmallMotion> before = m_motions;
+    for (size_t k = 0; k < changes.size(); ++k) {
+      if (changes[k] == 0) continue;
+      MotionRow& row = m_all[k];
+      row.push = std::max(row.least_push, row.push + changes[k]);
+      push_apart(row, changes[k], m_motions);
+      m_rows[k].ways.spare = 0;
+    }
+    for (size_t i = 0; i < m_motions.size(); ++i) m_gone[i] += (m_motions[i] - before[i]).norm();
+  }
+
   void note_spare(Idle& ways, double metres, const Block& block) const {
     ways.spare = metres;
     ways.gone_on = m_gone[block.on], ways.gone_from = m_gone[block.from];
   }
 
+  std::vector<MotionRow>& m_all;
+  double m_soft;
   std::vector<Row> m_rows;
   std::vector<Block> m_blocks;
+  std::optional<MultiplierStep> m_step;
   std::vector<SmallMotion> m_motions;
   std::vector<double> m_gone;  // metres, of each body in all, and of what stays
 };
@@ -174,8 +193,8 @@ double MotionRow::of(const std::vector<SmallMotion>& motions) const {
 }
 
 std::vector<SmallMotion> nearest_motions(std::vector<MotionRow>& rows,
-                                         std::vector<SmallMotion> aims, double still) {
-  return RowRelaxation(rows, std::move(aims)).run(still);
+                                         std::vector<SmallMotion> aims, double still, double soft) {
+  return RowRelaxation(rows, std::move(aims), soft).run(still);
 }
 
 }  // namespace trivet

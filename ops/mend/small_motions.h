@@ -34,9 +34,12 @@ struct MotionRow {
 
 /// The motions nearest to `aims`, by the sum of squares, that meet all rows; where rows contradict
 /// each other, each gives way a little. By relaxation of their multipliers [Hildreth 1957], which
-/// start from those in the rows; cost O(rows) for each of some thousand sweeps.
-/// @param still  metres: smaller changes end it.
+/// start from those in the rows; every few sweeps all that push are solved for at once
+/// (multiplier_step.h). Cost O(rows) for each sweep, and of a sparse factor.
+/// @param still  metres: smaller changes end it. @param soft  by which part of its multiplier each
+/// row gives way: it bounds multipliers of rows that contradict each other.
 std::vector<SmallMotion> nearest_motions(std::vector<MotionRow>& rows,
-                                         std::vector<SmallMotion> aims, double still);
+                                         std::vector<SmallMotion> aims, double still,
+                                         double soft = 1e-6);
 
 }  // namespace trivet

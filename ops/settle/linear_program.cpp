@@ -105,8 +105,8 @@ LinearProgram::Solution LinearProgram::solve(bool scale, Basis* basis) const {
   return solve({scale, Method::Primal}, basis);
 }
 
-LinearProgram::Solution LinearProgram::solve_by_dual(bool scale, double most) const {
-  return solve({scale, Method::Dual, most}, nullptr);
+LinearProgram::Solution LinearProgram::solve_by_dual(bool scale, double most, Basis* basis) const {
+  return solve({scale, Method::Dual, most}, basis);
 }
 
 LinearProgram::Solution LinearProgram::solve(const Way& way, Basis* basis) const {

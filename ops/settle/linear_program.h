@@ -45,8 +45,8 @@ class LinearProgram {
   Solution solve(bool scale, Basis* basis = nullptr) const;
   /// The same by the dual simplex method, which starts at once where no cost is negative: another
   /// of several solutions may be found. @param most  objective beyond which there is none to be
-  /// found: it may end early.
-  Solution solve_by_dual(bool scale, double most = kInfinity) const;
+  /// found: it may end early. @param basis  see solve().
+  Solution solve_by_dual(bool scale, double most = kInfinity, Basis* basis = nullptr) const;
 
   /// A solution, and where it ended. @see ProgramMemory.
   struct Answer {

@@ -78,18 +78,17 @@ std::vector<double> carried_weights(const FreeBodies& part) {
   return out;
 }
 
-PartForces contact_forces(FreeBodies& part, double clearance, double factor, double price_of_gap) {
+PartForces contact_forces(FreeBodies& part, double clearance, double factor) {
   while (true) {
     // The program grows by contacts until the forces balance or no contact would help.
-    ForceProgram program(part, clearance, factor, {}, price_of_gap);
+    ForceProgram program(part, clearance, factor);
     program.add_missing(1, kInfinity);
     const LinearProgram::Solution solution = program.solve();
     if (!solution.optimal) return {};
     PartForces out = program.forces_of(solution);
     const auto gain = [&](const BodyContact& t) { return program.gain(t, solution); };
     // Without a contact that lowers what is missing, this is the optimum over all contacts.
-    const bool is_enough = price_of_gap == 0 && out.balanced();
-    if (is_enough || !join_best(part, gain)) return out;
+    if (out.balanced() || !join_best(part, gain)) return out;
   }
 }
 

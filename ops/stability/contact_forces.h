@@ -30,10 +30,8 @@ struct PartForces {
 /// @param part  one connected part, its bodies and touches alone; those of `more` that lower what
 /// is
 ///   missing join the touches (column generation). @param clearance  metres.
-/// @param factor  of all coefficients of friction. @param price_of_gap  of a push as heavy as what
-/// a body carries, for each metre of the contact's gap; a missing weight costs 1.
-PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1,
-                          double price_of_gap = 0);
+/// @param factor  of all coefficients of friction.
+PartForces contact_forces(FreeBodies& part, double clearance, double factor = 1);
 
 /// Each body's weight with all that lies on it by the touches, directly or not, in newtons. Limits
 /// of friction and pushes are in parts of it.

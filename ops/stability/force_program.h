@@ -1,5 +1,5 @@
-// The linear program of contact forces that balance free bodies. Private to contact_forces.cpp and
-// interior_point.cpp.
+// The linear program of contact forces that balance free bodies. Private to contact_forces.cpp,
+// priced_forces.cpp and interior_point.cpp.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,13 +19,15 @@ namespace trivet {
 class ForceProgram {
  public:
   /// @param price_of_gap  of a push as heavy as what its body carries, across a metre.
+  /// @param carried  if not empty: carried_weights() of more touches than these.
   ForceProgram(const FreeBodies& part, double clearance, double factor = 1,
-               std::span<const MayCarry> may = {}, double price_of_gap = 0)
+               std::span<const MayCarry> may = {}, double price_of_gap = 0,
+               std::vector<double> carried = {})
       : m_part(part),
         m_clearance(clearance),
         m_factor(factor),
         m_price_of_gap(price_of_gap),
-        m_carried(carried_weights(part)) {
+        m_carried(carried.empty() ? carried_weights(part) : std::move(carried)) {
     add_rows();
     for (size_t k = 0; k < m_part.touches.size(); ++k)
       add_touch(m_part.touches[k], may.empty() ? MayCarry{} : may[k]);
@@ -70,6 +72,12 @@ class ForceProgram {
   }
 
   LinearProgram::Solution solve() const { return m_program.solve(true); }
+  /// @param basis  where to start; the final one comes back. Empty: by the dual simplex method.
+  LinearProgram::Solution solve_from(LinearProgram::Basis& basis) const {
+    return basis.empty() ? m_program.solve_by_dual(true, kInfinity, &basis)
+                         : m_program.solve(true, &basis);
+  }
+  int num_touch_columns() const { return m_first_missing; }
   LinearProgram::Solution solve_by_dual(double most) const {
     return m_program.solve_by_dual(true, most);
   }

@@ -1,0 +1,76 @@
+#include "ops/stability/priced_forces.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ops/stability/force_program.h"
+
+namespace trivet {
+namespace {
+
+constexpr double kGainThatJoins = 1e-6;     // of a force that joins; CLP knows 1e-7
+constexpr size_t kMostThatJoin = 4;         // touches of a pair, at a time
+constexpr unsigned char kAtLowerBound = 3;  // in CLP's terms
+
+}  // namespace
+
+PricedForces::PricedForces(const FreeBodies& part, double clearance, const std::vector<char>& first)
+    : m_part(part), m_clearance(clearance), m_carried(carried_weights(part)), m_is_joined(first) {
+  for (size_t k = 0; k < first.size(); ++k)
+    if (first[k]) m_joined.push_back(k);
+}
+
+PartForces PricedForces::find(std::span<const double> prices) {
+  const auto priced = [&](size_t k) {
+    BodyContact out = m_part.touches[k];
+    out.contact.gap = prices[k];
+    return out;
+  };
+  FreeBodies part{m_part.bodies, {}, {}, {}};
+  while (true) {
+    for (size_t j = part.touches.size(); j < m_joined.size(); ++j)
+      part.touches.push_back(priced(m_joined[j]));
+    ForceProgram program(part, m_clearance, 1, {}, 1, m_carried);
+    program.add_missing(1, kInfinity);
+    // Columns that have joined since begin at zero.
+    const auto num_columns = static_cast<size_t>(program.num_touch_columns());
+    if (!m_basis.empty())
+      m_basis.insert(m_basis.begin() + static_cast<std::ptrdiff_t>(m_num_columns),
+                     num_columns - m_num_columns, kAtLowerBound);
+    m_num_columns = num_columns;
+    const LinearProgram::Solution solution = program.solve_from(m_basis);
+    if (!solution.optimal) return {};
+    std::vector<double> gains(prices.size(), 0.0);
+    for (size_t k = 0; k < prices.size(); ++k)
+      if (!m_is_joined[k]) gains[k] = program.gain(priced(k), solution);
+    // Without a touch that lowers the cost, this is the optimum over all touches.
+    if (!join_best(gains)) return of_all_touches(program.forces_of(solution));
+  }
+}
+
+bool PricedForces::join_best(std::span<const double> gains) {
+  const size_t before = m_joined.size();
+  for (size_t first = 0, end = 0; first < gains.size(); first = end) {
+    // Touches of one pair of bodies are neighbours in the list.
+    const BodyContact& t = m_part.touches[first];
+    std::vector<size_t> order;
+    for (; end < gains.size() && m_part.touches[end].on == t.on &&
+           m_part.touches[end].partner == t.partner;
+         ++end)
+      if (gains[end] > kGainThatJoins) order.push_back(end);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return gains[a] > gains[b]; });
+    order.resize(std::min(order.size(), kMostThatJoin));
+    for (const size_t k : order) m_joined.push_back(k), m_is_joined[k] = 1;
+  }
+  return m_joined.size() > before;
+}
+
+PartForces PricedForces::of_all_touches(PartForces forces) const {
+  std::vector<Vec3> all(m_is_joined.size(), Vec3::Zero());
+  for (size_t j = 0; j < m_joined.size(); ++j) all[m_joined[j]] = forces.forces[j];
+  forces.forces = std::move(all);
+  return forces;
+}
+
+}  // namespace trivet

@@ -1,0 +1,42 @@
+// Contact forces that balance bodies, where touches have prices that change from time to time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ops/settle/linear_program.h"
+#include "ops/stability/contact_forces.h"
+
+namespace trivet {
+
+/// The program of contact_forces(), in which pushes of each touch have their own price. Only
+/// touches that lower the cost take part (column generation), and each solution starts where the
+/// one before ended: of hundreds of touches in a heap few carry.
+class PricedForces {
+ public:
+  /// @param part  any bodies; it has to live as long. `more` does not count. @param clearance
+  /// metres. @param first  each touch: takes part from the beginning.
+  PricedForces(const FreeBodies& part, double clearance, const std::vector<char>& first);
+
+  /// The cheapest forces; residual is their price and that of what is missing.
+  /// @param prices  of each touch, >= 0: of a push as heavy as what its body `on` carries. A
+  /// missing weight costs 1.
+  PartForces find(std::span<const double> prices);
+
+  /// Touches that take part by now.
+  size_t num_joined() const { return m_joined.size(); }
+
+ private:
+  bool join_best(std::span<const double> gains);
+  PartForces of_all_touches(PartForces forces) const;
+
+  const FreeBodies& m_part;
+  const double m_clearance;
+  const std::vector<double> m_carried;
+  std::vector<size_t> m_joined;  // touches, in the order of their columns
+  std::vector<char> m_is_joined;
+  LinearProgram::Basis m_basis;  // where the last program ended
+  size_t m_num_columns = 0;      // of touches, in that
+};
+
+}  // namespace trivet
