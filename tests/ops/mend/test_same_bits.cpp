@@ -85,6 +85,7 @@ TEST(NearestMotions, AreFoundWhereRowsHoldEachOther) {
   // would need far more sweeps than there are.
   std::vector<FreeBody> bodies;
   std::vector<MotionRow> rows;
+  bodies.reserve(30);
   for (int i = 0; i < 30; ++i) bodies.push_back({ObjectId{}, Vec3(0, 0, 0.1 * i), 1, 0.2});
   for (int i = 0; i < 30; ++i)
     for (int k = 0; k < 4; ++k) {
