@@ -6,7 +6,7 @@
 namespace trivet {
 
 /// Motion: where forces do not balance, a motion that proves it and comes within a hundredth of the
-/// optimum's will do, which takes two thirds of the steps. Slowly nearly all bodies take part.
+/// optimum's will do, which takes two thirds of the steps. Nearly all bodies take part, most slowly.
 enum class Sought { Optimum, Motion };
 
 /// The answer of contact_forces() to the same linear program over all contacts, `more` among them,
@@ -25,7 +25,7 @@ PartForces forces_by_interior_point(const FreeBodies& part, double clearance, do
 bool proves_lack_of_balance(const std::vector<VirtualMotion>& motions, const FreeBodies& part,
                             double clearance, double factor = 1);
 
-/// More than so many bodies, for which it takes a fifth of the time of the simplex method or less.
+/// For more than so many bodies it takes less time than the simplex method: for 24 a fifth.
 inline constexpr size_t kManyBodies = 8;
 
 /// forces_by_interior_point() of many bodies, and contact_forces() of few and of what that leaves
