@@ -12,9 +12,9 @@ namespace trivet {
 namespace {
 
 constexpr int kMostSteps = 100;
-constexpr double kPartOfWay = 0.995;  // to the nearest bound
-constexpr double kLeastGap = 1e-9;    // between both objectives, weights
-constexpr double kGapOfMotion = 0.01; // the same, in parts of the lower one
+constexpr double kPartOfWay = 0.995;   // to the nearest bound
+constexpr double kLeastGap = 1e-9;     // between both objectives, weights
+constexpr double kGapOfMotion = 0.01;  // the same, in parts of the lower one
 constexpr double kPriceRounding = 1e-9;
 constexpr double kProvablyMissing = 1.1 * kMayBeMissing;  // of each body
 

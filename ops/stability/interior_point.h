@@ -6,7 +6,8 @@
 namespace trivet {
 
 /// Motion: where forces do not balance, a motion that proves it and comes within a hundredth of the
-/// optimum's will do, which takes two thirds of the steps. Nearly all bodies take part, most slowly.
+/// optimum's will do, which takes two thirds of the steps. Nearly all bodies take part, most
+/// slowly.
 enum class Sought { Optimum, Motion };
 
 /// The answer of contact_forces() to the same linear program over all contacts, `more` among them,
