@@ -31,7 +31,7 @@ void touch(FreeBodies& pile, Index on, Index from, const Vec3& point, const Vec3
            double friction) {
   BodyContact t;
   t.on = on, t.from = from, t.friction = friction;
-  t.contact.point = point, t.contact.normal = normal;
+  t.contact.point = point, t.contact.normal = normal, t.contact.gap = 0;
   pile.touches.push_back(t);
 }
 
