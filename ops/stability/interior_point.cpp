@@ -203,7 +203,6 @@ bool proves_lack_of_balance(const std::vector<VirtualMotion>& motions, const Fre
 PartForces forces_by_interior_point(const FreeBodies& part, double clearance, double factor,
                                     Sought sought) {
   const BalanceProgram program(part, clearance, factor);
-  const ForceProgram asked(part, clearance, factor);
   InteriorPoint point(program);
   for (int n = 0; n < kMostSteps; ++n) {
     point.step();
@@ -213,6 +212,7 @@ PartForces forces_by_interior_point(const FreeBodies& part, double clearance, do
     const bool is_near = sought == Sought::Motion && gap <= kGapOfMotion * point.proven();
     if (!is_optimum && !is_near) continue;
     // The motion is the proof; it is asked again, as other programs' motions are.
+    const ForceProgram asked(part, clearance, factor);
     PartForces out = forces_of_motion(program, asked, point);
     if (is_clearly_missing(asked, out.motions) && !out.balanced()) return out;
     if (is_optimum) return {};

@@ -319,8 +319,7 @@ TEST(Tries, EndBesideTheBinIfNoneEndsInIt) {
   EXPECT_FALSE(result.tried);
 }
 
-// No second round follows where several leave the container: its starts are no nearer.
-// Neither a second round nor second looks.
+// Neither a second round nor second looks follow where several leave the container.
 TEST(Tries, HaveOneRoundWhereSeveralLeave) {
   for (const int num_left : {0, 1, 2, 11}) {
     Answers answers;
