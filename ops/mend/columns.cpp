@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "raster/zlist/complete_zlists.h"
+#include "raster/zlist/line_faces.h"
 
 namespace trivet {
 namespace {
@@ -22,71 +22,75 @@ std::vector<size_t> near_ones(const std::vector<Body>& bodies, size_t object, do
   return out;
 }
 
+/// Takes the faces on every line of sight down through the object.
 class ColumnReader {
  public:
+  /// The body of index 0 is the object, and its faces come first.
   ColumnReader(const std::vector<Body>& bodies, const std::vector<bool>& is_solid,
-               const CompleteZLists& lists, double tolerance)
-      : m_bodies(bodies), m_is_solid(is_solid), m_lists(lists), m_tolerance(tolerance) {}
+               const Projection& projection, double tolerance)
+      : m_bodies(bodies),
+        m_is_solid(is_solid),
+        m_projection(projection),
+        m_tolerance(tolerance),
+        m_columns(size_t(projection.width) * projection.height,
+                  Column{Vec2::Zero(), kInfinity, kNoHeight, {}}) {}
 
-  /// The body of index 0 is the object.
-  std::vector<Column> read() const {
+  void meet(const FaceOnLine& f) {
+    Column& column = m_columns[f.pixel];
+    const double z = -m_projection.depth(f.depth);
+    if (f.body == 0)
+      column.low = std::min(column.low, z), column.high = std::max(column.high, z);
+    else if (column.high > kNoHeight)
+      meet(f, z, column);
+  }
+
+  // A column that misses the object says nothing about it.
+  std::vector<Column> take() {
     std::vector<Column> out;
-    const Projection& p = m_lists.projection();
-    // Every line of sight down through the object is a column.
-    for (int row = 0; row < p.height; ++row)
-      for (int x = 0; x < p.width; ++x) {
-        Column column{at(p, x, row), kInfinity, kNoHeight, {}};
-        const auto list = m_lists.list(x, row);
-        for (const ZListItem& item : list)
-          if (item.body == 0 && std::isfinite(item.centre)) {
-            const double z = height(item);
-            column.low = std::min(column.low, z), column.high = std::max(column.high, z);
-          }
-        // A column that misses the object says nothing about it.
-        if (column.high == kNoHeight) continue;
-        column.others.resize(m_bodies.size() - 1);
-        for (const ZListItem& item : list)
-          if (item.body != 0 && std::isfinite(item.centre)) meet(item, column);
-        out.push_back(std::move(column));
-      }
+    for (size_t i = 0; i < m_columns.size(); ++i) {
+      if (m_columns[i].high == kNoHeight) continue;
+      m_columns[i].at = at(static_cast<int>(i));
+      m_columns[i].others.resize(m_bodies.size() - 1);
+      out.push_back(std::move(m_columns[i]));
+    }
     return out;
   }
 
  private:
-  static Vec2 at(const Projection& p, int x, int row) {
-    const Vec3 point = p.right * (p.corner.x() + (x + 0.5) * p.pixel) +
-                       p.up * (p.corner.y() + (row + 0.5) * p.pixel);
+  Vec2 at(int pixel) const {
+    const Projection& p = m_projection;
+    const Vec3 point = p.right * (p.corner.x() + (pixel % p.width + 0.5) * p.pixel) +
+                       p.up * (p.corner.y() + (pixel / p.width + 0.5) * p.pixel);
     return point.head<2>();
   }
 
-  double height(const ZListItem& item) const { return -m_lists.projection().depth(item.centre); }
-
   // Meshes that are no solids have no outside: all their faces carry.
-  bool looks_up(const ZListItem& item) const {
-    if (!m_is_solid[item.body]) return true;
+  bool looks_up(const FaceOnLine& f) const {
+    if (!m_is_solid[f.body]) return true;
     // The face's normal in the world tells, as poses may turn the mesh over.
-    const Body& body = m_bodies[item.body];
-    const Triangle t = body.shape->mesh.triangle(static_cast<Index>(item.face));
+    const Body& body = m_bodies[f.body];
+    const Triangle t = body.shape->mesh.triangle(static_cast<Index>(f.face));
     const Affine& world = body.world_from_object;
     const Vec3 a = world.apply(t[0]), b = world.apply(t[1]), c = world.apply(t[2]);
     return (b - a).cross(c - a).z() > 0;
   }
 
-  void meet(const ZListItem& item, Column& column) const {
-    MetObject& met = column.others[item.body - 1];
-    const double z = height(item);
+  void meet(const FaceOnLine& f, double z, Column& column) const {
+    column.others.resize(m_bodies.size() - 1);
+    MetObject& met = column.others[f.body - 1];
     met.low = std::min(met.low, z), met.high = std::max(met.high, z);
     // A support is below the column's middle and no higher than its lowest point, within the
     // tolerance.
     const bool under =
         z <= column.low + m_tolerance && z < 0.5 * (column.low + column.high) + m_tolerance;
-    if (under && z > met.highest_under && looks_up(item)) met.highest_under = z;
+    if (under && z > met.highest_under && looks_up(f)) met.highest_under = z;
   }
 
   const std::vector<Body>& m_bodies;
   const std::vector<bool>& m_is_solid;
-  const CompleteZLists& m_lists;
+  const Projection& m_projection;
   double m_tolerance;
+  std::vector<Column> m_columns;  // of all pixels
 };
 
 }  // namespace
@@ -108,9 +112,11 @@ Columns columns_of(const Scene& scene, const PosedObjects& all, size_t object, i
   options.resolution = num;
   options.region =
       ImageRegion{bodies[0].world_box.lower.head<2>(), bodies[0].world_box.upper.head<2>()};
-  const CompleteZLists lists(bodies, options);
-  out.width = lists.projection().pixel;
-  out.columns = ColumnReader(bodies, is_solid, lists, tolerance).read();
+  const Projection projection = projection_of(bodies, options);
+  out.width = projection.pixel;
+  ColumnReader reader(bodies, is_solid, projection, tolerance);
+  for_each_face_on_lines(bodies, projection, [&](const FaceOnLine& f) { reader.meet(f); });
+  out.columns = reader.take();
   return out;
 }
 

@@ -287,7 +287,7 @@ class HeapInPlace {
         const double way = way_to(id, there.pose), all = way + way_of_others(id) - others;
         if (way < farthest && all < least) least = all, best = start;
       };
-      const OperationResult result = m_out.try_put(id, start, judge, 1);
+      const OperationResult result = m_out.try_put(id, start, judge, 1).result;
       if (result.refusal && m_gives_way.empty()) note_who_gives_way(*result.refusal);
       if (least <= kNearInPlace * tolerance()) break;
     }

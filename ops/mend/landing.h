@@ -6,6 +6,7 @@
 
 #include "core/base/types.h"
 #include "ops/mend/intent.h"
+#include "ops/mend/rearrange.h"
 #include "ops/mend/starts.h"
 
 namespace trivet {
@@ -14,9 +15,10 @@ namespace trivet {
 struct Landing {
   double cost = kInfinity;
   Pose start;
-  bool as_meant = false;    // supports and attitude
-  bool nearly = false;      // but for supports that are too many
-  int tries = 1;            // of the PUT
+  bool as_meant = false;  // supports and attitude
+  bool nearly = false;    // but for supports that are too many
+  int tries = 1;          // of the PUT
+  Rearrangement::Trial trial;
   Vec2 off = Vec2::Zero();  // metres from the nominal place
 };
 

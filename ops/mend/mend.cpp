@@ -235,24 +235,28 @@ class Mender {
         continue;
       search.landings.note_try(start);
       --tries.most;
-      // Each start is tried in a transaction that is taken back; the best is put at the end.
-      const auto judge = [&](const Object& there) {
-        Landing landing = judged(id, there, search.nominal, start.pose);
-        landing.tries = tries.of_put;
-        search.landings.note(landing);
-      };
-      const OperationResult result = scene.try_put(id, start.pose, judge, tries.of_put);
-      if (result.refusal) search.why = sentence_of(*result.refusal);
+      const Landing landing = landing_from(scene, start.pose, search.nominal, tries.of_put);
+      search.landings.note(landing);
+      if (landing.trial.result.refusal) search.why = sentence_of(*landing.trial.result.refusal);
     }
     return search.landings.is_near_enough();
   }
 
-  void put_best(Rearrangement& scene, const Search& search) {
+  // Where it comes to rest from there, in a transaction that is taken back.
+  Landing landing_from(Rearrangement& scene, const Pose& start, const Pose& nominal, int tries) {
     const ObjectId id = m_object->id;
+    Landing out;
+    const auto judge = [&](const Object& there) { out = judged(id, there, nominal, start); };
+    out.trial = scene.try_put(id, start, judge, tries);
+    out.tries = tries;
+    return out;
+  }
+
+  void put_best(Rearrangement& scene, const Search& search) {
     Landing best = search.landings.best();
-    aim_again(scene, id, search.nominal, best);
-    if (best.cost == kInfinity || !scene.put(id, best.start, best.tries).ok())
-      scene.give_up(id, search.why);
+    aim_again(scene, search.nominal, best);
+    if (best.cost == kInfinity) return scene.give_up(m_object->id, search.why);
+    scene.redo(best.trial);
   }
 
   // It leans, or lies between others: then the given attitude says more than a stable one.
@@ -292,17 +296,14 @@ class Mender {
   }
 
   // A start from as far on the other side of the nominal place as it came to rest from that.
-  void aim_again(Rearrangement& scene, ObjectId id, const Pose& nominal, Landing& best) {
-    const int tries = best.tries;
+  void aim_again(Rearrangement& scene, const Pose& nominal, Landing& best) {
     for (int k = 0; k < kAims && best.off.norm() > kAimed * m_meant.tolerance; ++k) {
       const Pose start = shifted(best.start, -best.off.x(), -best.off.y(), 0);
-      if (scene.is_out_of_time() || refuse_interpenetration(m_scene, id, start, false)) return;
-      Landing landing;
-      const auto judge = [&](const Object& there) { landing = judged(id, there, nominal, start); };
-      scene.try_put(id, start, judge, tries);
+      if (scene.is_out_of_time() || refuse_interpenetration(m_scene, m_object->id, start, false))
+        return;
+      const Landing landing = landing_from(scene, start, nominal, best.tries);
       if (landing.cost >= best.cost) return;
       best = landing;
-      best.tries = tries;
     }
   }
 

@@ -29,9 +29,7 @@ OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& s
   RunContext context = m_options.context;
   if (m_options.seconds > 0)  // one that takes long ends with the whole
     context.time_budget_s = std::max(m_options.seconds - 1e-3 * m_watch.milliseconds(), 1e-3);
-  OperationResult out = perform(target, Operation(put), m_options.settle, context);
-  m_num_queries += out.num_queries;
-  return out;
+  return perform(target, Operation(put), m_options.settle, context);
 }
 template OperationResult Rearrangement::put_in(Scene&, ObjectId, const Pose&, int);
 template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pose&, int);
@@ -67,8 +65,7 @@ std::vector<ObjectId> Rearrangement::rest_together(const std::vector<ObjectId>& 
   const Budget budget{kContactsOfEach * static_cast<std::int64_t>(ids.size())};
   OperationResult result;
   const Named name = named(m_scene, Support(ids.front()));
-  const Budget left = settle_whole(transaction, name, clearance, run, result, budget);
-  m_num_queries += budget.first_contacts - left.first_contacts;
+  settle_whole(transaction, name, clearance, run, result, budget);
   rate_again(transaction, ids, rules);
   transaction.commit();
   std::vector<ObjectId> out;

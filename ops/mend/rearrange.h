@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 
 #include "core/scene/transaction.h"
 #include "ops/base/outcome.h"
@@ -32,15 +33,24 @@ class Rearrangement {
   OperationResult put(ObjectId id, const Pose& start, int tries = kTriesOfPut) {
     return put_in(m_scene, id, start, tries);
   }
-  /// The same, taken back after `judge` has seen the scene.
+  /// A PUT that was done and taken back.
+  struct Trial {
+    OperationResult result;
+    std::shared_ptr<SceneChange> change;  // see redo(); null: refused
+  };
+  /// @param judge  sees the object where it was put.
   template <class Judge>
-  OperationResult try_put(ObjectId id, const Pose& start, const Judge& judge,
-                          int tries = kTriesOfPut) {
+  Trial try_put(ObjectId id, const Pose& start, const Judge& judge, int tries = kTriesOfPut) {
     Transaction transaction(m_scene);
-    OperationResult result = put_in(transaction, id, start, tries);
-    if (result.ok()) judge(m_scene.at(id));
-    return result;
+    Trial out{put_in(transaction, id, start, tries), nullptr};
+    if (!out.result.ok()) return out;
+    judge(m_scene.at(id));
+    out.change = std::make_shared<SceneChange>(transaction.commit());
+    m_scene.exchange(*out.change);
+    return out;
   }
+  /// Does the trial again, without its cost. The scene is as it was before it.
+  void redo(const Trial& trial) { m_scene.exchange(*trial.change); }
   /// These, where they stand, come to rest as a whole. @return those that do not.
   std::vector<ObjectId> rest_together(const std::vector<ObjectId>& ids);
   void give_up(ObjectId id, Sentence why) {
@@ -58,7 +68,6 @@ class Rearrangement {
   const SettleSceneOptions& m_options;
   std::map<std::uint32_t, Pose> m_given;  // by slot, of all: some give way
   Stopwatch m_watch;
-  std::int64_t m_num_queries = 0;  // of first contacts
   SettledScene m_out;
 };
 

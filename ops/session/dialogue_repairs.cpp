@@ -1,5 +1,6 @@
 // Requests of a dialogue that move many objects, or judge: mend, settle, move_joint, check, joints.
 #include "core/base/quoted.h"
+#include "core/contact/contact_memory.h"
 #include "core/io/json.h"
 #include "ops/files/foreign/joint_moves.h"
 #include "ops/files/foreign/own_joints.h"
@@ -101,6 +102,7 @@ OrderedJson Dialogue::mend(const JsonPlace& how) {
   MendOptions options = repair_options(how, "tolerance", tolerance, 1);
   options.tolerance = tolerance;
   begin(options);
+  const ContactMemory contacts;  // the step that is kept asks for what mending found
   Scene scene = m_session.scene();
   const MendedScene mended = mend_scene(scene, options);
   return repaired("mend", mended, mended_json(mended));
@@ -111,6 +113,7 @@ OrderedJson Dialogue::settle(const JsonPlace& how) {
   MendOptions options = repair_options(how, "lift", lift, 1);
   options.most_lift = lift;
   begin(options);
+  const ContactMemory contacts;
   Scene scene = m_session.scene();
   const SettledScene settled = settle_scene(scene, options);
   return repaired("settle", settled, settled_json(settled));

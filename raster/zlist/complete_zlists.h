@@ -1,43 +1,15 @@
 // Complete z-lists of static bodies: per pixel, every face on its lines of sight.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/contact/body.h"
+#include "raster/zlist/projection.h"
 
 namespace trivet {
-
-/// A rectangle of the image, metres along Projection::right and Projection::up from the world's
-/// origin.
-struct ImageRegion {
-  Vec2 lower, upper;
-};
-
-struct ProjectionOptions {
-  Vec3 direction = -Vec3::UnitZ();                // of sight, away from the eye; any length but 0
-  int resolution = 256;                           // pixels along the longer side, 1 to 8192
-  std::optional<ImageRegion> region;              // nullopt: everything the bodies cover
-  std::size_t most_bytes = std::size_t{1} << 30;  // of the lists
-  int num_threads = 1;                            // 0: all cores; results do not depend on it
-};
-
-/// Placement of pixels. Orthogonal; pixel (i, j), j from the bottom, is the square starting at
-/// corner + pixel (i, j).
-struct Projection {
-  Vec3 right, up, direction;   // unit; up is as close to the world's z as possible, else its y
-  Vec2 corner = Vec2::Zero();  // metres, as of ImageRegion
-  double nearest = 0;          // depth of ZListItem 0, metres
-  double pixel = 0;            // metres
-  int width = 0, height = 0;
-
-  /// Distance along `direction` from the plane through the world's origin; metres.
-  double depth(float of_item) const { return nearest + pixel * of_item; }
-};
 
 /// A face in a pixel. Depths in pixels from Projection::nearest.
 struct ZListItem {
