@@ -46,7 +46,7 @@ double most_tilt_by_noise(std::vector<double> tilts) {
 
 class IntentFinder {
  public:
-  explicit IntentFinder(const Scene& scene) : m_scene(scene) {}
+  IntentFinder(const Scene& scene, ShapeFacts& facts) : m_scene(scene), m_facts(facts) {}
 
   Intent find(std::optional<double> tolerance) {
     // Attitudes come first: columns are read through levelled objects.
@@ -76,7 +76,6 @@ class IntentFinder {
   void level_all() {
     std::vector<double> small;
     std::map<std::uint32_t, std::vector<Vec3>> downs;
-    ShapeFacts facts;
     // Every object joins the scene; those that may move are looked at.
     for (const ObjectId id : m_scene.ids()) {
       const Object& object = m_scene.at(id);
@@ -85,7 +84,7 @@ class IntentFinder {
       if (object.fixed) continue;
       Looked looked;
       looked.intent.id = id;
-      downs[id.index] = downs_of(object, facts);
+      downs[id.index] = downs_of(object, m_facts);
       // The tilt is that against the nearest stable pose.
       looked.intent.tilt_deg = nearest_down(downs[id.index], object.pose.rotation).second;
       if (looked.intent.tilt_deg < kSmallTilt) small.push_back(looked.intent.tilt_deg);
@@ -322,6 +321,7 @@ class IntentFinder {
   }
 
   const Scene& m_scene;
+  ShapeFacts& m_facts;
   PosedObjects m_all;  // level
   std::vector<Looked> m_looked;
   std::map<std::uint32_t, size_t> m_index;  // of m_looked, by slot
@@ -337,7 +337,12 @@ const ObjectIntent* Intent::find(ObjectId id) const {
 }
 
 Intent infer_intent(const Scene& scene, std::optional<double> tolerance) {
-  return IntentFinder(scene).find(tolerance);
+  ShapeFacts facts;
+  return infer_intent(scene, tolerance, facts);
+}
+
+Intent infer_intent(const Scene& scene, std::optional<double> tolerance, ShapeFacts& facts) {
+  return IntentFinder(scene, facts).find(tolerance);
 }
 
 }  // namespace trivet

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "ops/arrange/shape_facts.h"
 #include "ops/mend/columns.h"
 
 namespace trivet {
@@ -36,5 +37,7 @@ struct Intent {
 /// From shapes, poses and what is fixed alone; nothing moves. Columns along gravity tell.
 /// @param tolerance  metres; nothing: found from the gaps.
 Intent infer_intent(const Scene& scene, std::optional<double> tolerance = {});
+/// The same, for who asks for more of the shapes.
+Intent infer_intent(const Scene& scene, std::optional<double> tolerance, ShapeFacts& facts);
 
 }  // namespace trivet

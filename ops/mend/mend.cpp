@@ -40,7 +40,8 @@ class Mender {
       : m_scene(scene),
         m_options(options),
         m_meant(infer_intent(
-            scene, options.tolerance > 0 ? std::optional(options.tolerance) : std::nullopt)) {}
+            scene, options.tolerance > 0 ? std::optional(options.tolerance) : std::nullopt,
+            m_facts)) {}
 
   MendedScene run() {
     // Objects without findings stay; only the others leave the scene, and come back.
@@ -147,7 +148,7 @@ class Mender {
       row.push_back({id, pose_meant(scene, meant)});
     }
     for (const Placement& p : spread_row(m_scene, std::move(row), first.on[0].on, m_meant.tolerance,
-                                         m_meant.most_tilt_deg))
+                                         m_meant.most_tilt_deg, m_facts))
       m_in_row[p.id.index] = p.pose;
   }
 
@@ -363,6 +364,7 @@ class Mender {
 
   Scene& m_scene;
   const MendOptions& m_options;
+  ShapeFacts m_facts;
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;  // that is being placed
   std::vector<ObjectId> m_moving;

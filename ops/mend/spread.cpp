@@ -26,7 +26,8 @@ using Pair = std::pair<size_t, size_t>;
 
 class Spreader {
  public:
-  Spreader(const Scene& scene, const std::vector<Placement>& members, double most)
+  Spreader(const Scene& scene, const std::vector<Placement>& members, double most,
+           ShapeFacts& facts)
       : m_scene(scene),
         m_given(members),
         m_most(most),
@@ -36,7 +37,7 @@ class Spreader {
     for (const Placement& p : m_given) {
       const Object& object = scene.at(p.id);
       m_worlds.push_back(in_world(object, p.pose, m_origin));
-      m_outlines.push_back(outline_of(hull_points(*object.shape), object, p.pose, Vec3::UnitX()));
+      m_outlines.push_back(outline_of(facts.hull(object), object, p.pose, Vec3::UnitX()));
       const Vec3 extent = m_worlds.back().box.upper - m_worlds.back().box.lower;
       m_step = std::min(m_step, kStepShare * std::min(extent.x(), extent.y()));
     }
@@ -229,8 +230,9 @@ Side side_of(const std::vector<Vec2>& hull) {
 
 }  // namespace
 
-Spread spread_out(const Scene& scene, const std::vector<Placement>& members, double most) {
-  return Spreader(scene, members, most).run();
+Spread spread_out(const Scene& scene, const std::vector<Placement>& members, double most,
+                  ShapeFacts& facts) {
+  return Spreader(scene, members, most, facts).run();
 }
 
 std::optional<Rotation> turn_to_parallel(const std::vector<Vec2>& outline,

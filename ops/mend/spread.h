@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "ops/arrange/shape_facts.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet {
@@ -22,7 +23,8 @@ struct Spread {
 /// sides of a line; others leave each other by their exact depths, again and again. The least
 /// shifts for all of these are gone in steps, so that nothing gets through a wall.
 /// @param members  none of them in the scene.
-Spread spread_out(const Scene& scene, const std::vector<Placement>& members, double most);
+Spread spread_out(const Scene& scene, const std::vector<Placement>& members, double most,
+                  ShapeFacts& facts);
 
 /// The turn about z after which a rectangle, seen from above, is parallel to another; nothing if
 /// either is none to some percent, or more degrees than `most_deg` are between them.

@@ -10,7 +10,8 @@ namespace trivet {
 namespace {
 
 constexpr double kTouch = 1e-12;    // of the size: shorter ways are none
-constexpr double kFactor = 8;       // between ways that are tried
+constexpr double kFirst = 1e-5;     // of the size: the length that is tried first
+constexpr double kFactor = 8;       // between lengths that are tried
 constexpr double kAccuracy = 1e-3;  // of the depth
 
 class PairDepth {
@@ -22,10 +23,9 @@ class PairDepth {
   }
 
   Depth run() {
-    // Six axes are tried, and the normals of the first two faces that cross.
+    // The normals of the first two faces that cross are tried, and six axes. Normals come first:
+    // the sooner a short way is known, the less the others cost.
     std::vector<Vec3> ways;
-    for (int k = 0; k < 3; ++k)
-      for (const double sign : {1.0, -1.0}) ways.push_back(sign * Vec3::Unit(k));
     Depth best{kInfinity, {}, middle(m_box_a)};
     std::optional<CrossingPair> first;
     if (count_crossings(m_a, m_b, 64, &first) && first) {
@@ -35,10 +35,13 @@ class PairDepth {
         if (const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]).normalized(); n.norm() > 0.5)
           ways.push_back(n), ways.push_back(-n);
     }
+    for (int k = 0; k < 3; ++k)
+      for (const double sign : {1.0, -1.0}) ways.push_back(sign * Vec3::Unit(k));
     for (const Vec3& way : ways) {
       // A way along which the best length so far is not enough cannot be shorter.
-      if (best.metres < kInfinity && !is_free(best.metres / (1 + kAccuracy) * way)) continue;
-      const double metres = least_along(way);
+      const double shorter = best.metres / (1 + kAccuracy);
+      if (best.metres < kInfinity && !is_free(shorter * way)) continue;
+      const double metres = least_along(way, shorter);
       if (metres < best.metres) best.metres = metres, best.way = way;
     }
     return best;
@@ -82,13 +85,24 @@ class PairDepth {
     return out + kTouch * m_size;
   }
 
-  double least_along(const Vec3& way) {
-    const double most = most_along(way);
-    // The length is bracketed by steps that grow, and halved then.
-    double held = 0, free = kTouch * m_size;
-    while (free < most && !is_free(free * way)) held = free, free *= kFactor;
-    if (held == 0) return 0;
+  // @param free  metres after which it is free; infinite: not known.
+  double least_along(const Vec3& way, double free) {
+    const double most = most_along(way), touch = kTouch * m_size;
+    double held = 0;
+    if (free == kInfinity) {
+      free = kFirst * m_size;
+      while (free < most && !is_free(free * way)) held = free, free *= kFactor;
+    }
     free = std::min(free, most);
+    while (held == 0) {
+      const double below = std::max(free / kFactor, touch);
+      if (!is_free(below * way))
+        held = below;
+      else if (below == touch)
+        return 0;
+      else
+        free = below;
+    }
     while (free - held > kAccuracy * free) {
       const double between = 0.5 * (held + free);
       (is_free(between * way) ? free : held) = between;

@@ -173,9 +173,10 @@ TEST(Mend, ARowThatIsTooLongIsNotCalledFree) {
     row.back().pose.translation.z() += 2e-5;
     edit_object(s.scene, id, [](Object& o) { o.placed = false; });
   }
-  EXPECT_FALSE(spread_out(s.scene, row, 0.02).free);
+  ShapeFacts facts;
+  EXPECT_FALSE(spread_out(s.scene, row, 0.02, facts).free);
   row.pop_back();
-  const Spread fits = spread_out(s.scene, row, 0.02);
+  const Spread fits = spread_out(s.scene, row, 0.02, facts);
   EXPECT_TRUE(fits.free);
   EXPECT_LT(fits.farthest, 0.02);
 }
