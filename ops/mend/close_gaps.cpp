@@ -16,6 +16,7 @@ namespace trivet {
 namespace {
 
 constexpr int kStepsOfClosing = 14, kStepsNearGiven = 5, kCutsOfStep = 3;
+constexpr int kMostMissed = 2;        // steps at which nothing holds one alone
 constexpr int kMostHarder = 3;        // times that steps which do not pay pull harder
 constexpr double kHarder = 2.5;       // times the pull before
 constexpr double kStepPays = 0.97;    // of the cost before
@@ -54,7 +55,8 @@ class GapCloser {
       choose(reach, step == 0);
       if (m_near_given)
         for (size_t i = 0; i < m_ids.size(); ++i) m_missed[i] |= m_choice.missing[i];
-      const bool is_last = step == kStepsOfClosing || (m_gaps.is_over && m_gaps.is_over());
+      const bool is_last =
+          step == kStepsOfClosing || is_hopeless() || (m_gaps.is_over && m_gaps.is_over());
       if (is_done() || is_last || !pull_harder_if_stuck()) return {not_held(), missed(), m_longest};
       const double gone = go(reach);
       reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
@@ -64,6 +66,12 @@ class GapCloser {
  private:
   // Contacts of a heap that are nearly parallel, and whose gaps differ, ask for a large turn.
   double soft() const { return m_ids.size() > 1 ? kSoftContacts : kSoftIfAlone; }
+
+  // One alone that nothing within reach holds, again, is hardly ever held later.
+  bool is_hopeless() {
+    if (m_ids.size() == 1) m_num_missed += m_choice.num_missing;
+    return m_num_missed >= kMostMissed;
+  }
 
   bool is_done() const { return widest_needed() <= kGapClosed * m_gaps.clearance; }
 
@@ -237,7 +245,7 @@ class GapCloser {
   std::vector<char> m_missed;  // each: by a step that aims at the given poses
   double m_pull, m_least_cost = kInfinity;
   double m_longest = 0;  // metres, that a step would have gone without a bound
-  int m_num_harder = 0;
+  int m_num_harder = 0, m_num_missed = 0;
   bool m_near_given = true;
   FreeBodies m_part;  // all contacts within reach are touches
   WideContacts m_wide;
