@@ -13,7 +13,8 @@
 namespace trivet {
 namespace {
 
-constexpr double kParallelSine = 1e-6;  // edges closer to parallel than this do not cross
+constexpr double kParallelSine = 1e-6;   // edges closer to parallel than this do not cross
+constexpr double kClearlyBeyond = 1e-6;  // of an edge: more than rounding
 
 /// One side of a plane, or both.
 struct NormalsToTry {
@@ -128,6 +129,13 @@ bool FeatureContacts::past_end(double s, const Vec3& edge, double height) const 
   return s < -slack || s > 1 + slack;
 }
 
+// Only if past_end(along / squared, edge, any height).
+bool FeatureContacts::clearly_past_end(double along, double squared, const Vec3& edge) const {
+  const double beyond = std::max(-along, along - squared);
+  return beyond > kClearlyBeyond * squared &&
+         beyond * beyond * edge.squaredNorm() > 1.001 * m_slack * m_slack * squared * squared;
+}
+
 void FeatureContacts::try_edges(const ContactFace& a, int i, Index edge_a, const ContactFace& b,
                                 int j, Index edge_b) {
   const Vec3 &u = a.edge[i], &v = b.edge[j];
@@ -135,15 +143,18 @@ void FeatureContacts::try_edges(const ContactFace& a, int i, Index edge_a, const
   const Vec3 n = u.cross(v), r = b.corners[j] - a.corners[i];
   const double squared = n.squaredNorm(), along = n.dot(r);
   if (along * along > 1.001 * m_tolerance * m_tolerance * squared) return;  // too far, no root
+  // Most feet are clearly past an end, which takes no root either.
+  const Vec3 r_v = r.cross(v), r_u = r.cross(u);
+  if (clearly_past_end(r_v.dot(n), squared, u) || clearly_past_end(r_u.dot(n), squared, v)) return;
   const double length_n = std::sqrt(squared);
   if (length_n <= kParallelSine * u.norm() * v.norm()) return;
   const Vec3 unit = n / length_n;
   const double height = -unit.dot(r);  // of a over b
   if (std::abs(height) > m_tolerance) return;
   // The feet of the common perpendicular have to lie on both edges.
-  const double s = r.cross(v).dot(unit) / length_n;
+  const double s = r_v.dot(unit) / length_n;
   if (past_end(s, u, std::abs(height))) return;
-  const double t = r.cross(u).dot(unit) / length_n;
+  const double t = r_u.dot(unit) / length_n;
   if (past_end(t, v, std::abs(height))) return;
   const Vec3 pa = a.corners[i] + s * u, pb = b.corners[j] + t * v;
   for (const Vec3& normal : normals_at(height, unit, pa, b.normal - a.normal)) {

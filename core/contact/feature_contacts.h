@@ -47,6 +47,7 @@ class FeatureContacts {
   bool try_vertex_face(const Vec3& p, Index vertex, const ContactFace& b, Index face);
   bool try_face_vertex(const Vec3& q, Index vertex, const ContactFace& a, Index face);
   bool past_end(double s, const Vec3& edge, double height) const;
+  bool clearly_past_end(double along, double squared, const Vec3& edge) const;
   void try_edges(const ContactFace& a, int i, Index edge_a, const ContactFace& b, int j,
                  Index edge_b);
 

@@ -101,7 +101,7 @@ bool falls_as_another(const Pose& start, const std::vector<Pose>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Pose& other) {
     return is_same_pose({start.rotation, other.translation}, other) &&
            start.translation.head<2>() == other.translation.head<2>() &&
-           start.translation.z() > other.translation.z();
+           start.translation.z() >= other.translation.z();
   });
 }
 

@@ -27,8 +27,8 @@ Pose in_contact(const Scene& scene, const ObjectIntent& meant, const Pose& pose,
 std::vector<Start> starts_around(const Scene& scene, const ObjectIntent& meant, const Pose& given,
                                  const Pose& nominal, double tolerance);
 
-/// True if it is straight above another one, with the same attitude: it falls to the same place,
-/// unless something lies between them.
+/// True if it is another one, or straight above it with the same attitude: it falls to the same
+/// place, unless something lies between them.
 bool falls_as_another(const Pose& start, const std::vector<Pose>& others);
 
 }  // namespace trivet
