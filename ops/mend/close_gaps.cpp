@@ -32,10 +32,10 @@ constexpr size_t kNearestOfPair = 24;
 constexpr double kShareOfFriction = 0.95;  // that contacts may use, so that others hold, too
 // One alone, that is near its rest.
 constexpr double kAirOfNearRest = 2e-5;        // metres between it and what it is parted from
-constexpr double kReachOfNearRest = 2;         // tolerances, of gaps that may close
+constexpr double kReachOfNearRest = 1;         // tolerances, of gaps that may close
 constexpr double kMostReachOfNearRest = 0.04;  // metres
 constexpr double kMostStepOfNearRest = 0.006;  // metres, of closing them
-constexpr double kFirstShareOfNearRest = 0.25;
+constexpr double kFirstShareOfNearRest = 0.5;
 
 class GapCloser {
  public:

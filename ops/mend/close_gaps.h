@@ -37,7 +37,7 @@ ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const G
 
 /// The pose near the given one at which contacts can hold the object as it lies, leaning or between
 /// others: parted from what it is in, then moved until these are closed (close_gaps.h). Nothing: no
-/// contacts within two tolerances would hold it.
+/// contacts within the tolerance would hold it.
 /// @param given  not placed; it is not placed afterwards, either. @param tolerance, clearance
 /// metres. @param is_over  see GapsToClose.
 std::optional<Pose> rest_near(Scene& scene, const Placement& given, double tolerance,
