@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/candidates/pair_numbers.h"
 #include "core/contact/decide.h"
 #include "core/contact/motion_boxes.h"
-#include "core/contact/pair_numbers.h"
 #include "core/index/box_pairs.h"
 
 namespace trivet {

@@ -17,22 +17,27 @@ auto features_of_end(const auto& end) { return std::tie(end.kind, end.on_object,
 }  // namespace
 
 void ContactEnds::add_vertex(const Vec3& p, Index vertex, Index face_a, const ContactFace& b,
-                             const Index3& corners, const Index3& edges, Index face_b) {
+                             const Index3& corners, const Index3& edges, Index face_b,
+                             const FacingFeatures::OfFace& tried) {
   // Ends at the object's own edges are left to add_support_vertex(), so that no pair of vertices is
   // found twice.
   for (int k = 0; k < 3; ++k) {
-    if ((p - b.corners[k]).squaredNorm() <= m_tolerance * m_tolerance)
+    if (tried.vertices[k] && (p - b.corners[k]).squaredNorm() <= m_tolerance * m_tolerance)
       m_ends.push_back({End::Kind::Vertices, vertex, corners[k], face_a, face_b, p, b.corners[k]});
-    if (const auto q = foot(p, b, k); q && edges[k] >= 0)
+    if (!tried.edges[k]) continue;
+    if (const auto q = foot(p, b, k))
       m_ends.push_back({End::Kind::VertexEdge, vertex, edges[k], face_a, face_b, p, *q});
   }
 }
 
 void ContactEnds::add_support_vertex(const ContactFace& a, const Index3& edges, Index face_a,
-                                     const Vec3& q, Index vertex, Index face_b) {
-  for (int k = 0; k < 3; ++k)
-    if (const auto p = foot(q, a, k); p && edges[k] >= 0)
+                                     const FacingFeatures::OfFace& tried, const Vec3& q,
+                                     Index vertex, Index face_b) {
+  for (int k = 0; k < 3; ++k) {
+    if (!tried.edges[k]) continue;
+    if (const auto p = foot(q, a, k))
       m_ends.push_back({End::Kind::EdgeVertex, edges[k], vertex, face_a, face_b, *p, q});
+  }
 }
 
 // The foot of x on the inside of an edge that is near.

@@ -7,6 +7,7 @@
 #include "core/contact/body.h"
 #include "core/contact/contact.h"
 #include "core/contact/contact_face.h"
+#include "core/contact/opposed_parts.h"
 
 namespace trivet {
 
@@ -23,11 +24,14 @@ class ContactEnds {
         m_slack(slack) {}
 
   /// A vertex of the object beside a face of the support: near an edge of it, or a corner.
+  /// @param tried  the others are left out.
   void add_vertex(const Vec3& p, Index vertex, Index face_a, const ContactFace& b,
-                  const Index3& corners, const Index3& edges, Index face_b);
+                  const Index3& corners, const Index3& edges, Index face_b,
+                  const FacingFeatures::OfFace& tried);
   /// A vertex of the support beside a face of the object: near an edge of it.
-  void add_support_vertex(const ContactFace& a, const Index3& edges, Index face_a, const Vec3& q,
-                          Index vertex, Index face_b);
+  void add_support_vertex(const ContactFace& a, const Index3& edges, Index face_a,
+                          const FacingFeatures::OfFace& tried, const Vec3& q, Index vertex,
+                          Index face_b);
 
   /// Points where neither surface comes nearer beside, each once.
   std::vector<ContactPoint> points();

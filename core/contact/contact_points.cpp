@@ -81,6 +81,13 @@ void append_elsewhere(const std::vector<ContactPoint>& more, double distance,
             [](const ContactPoint& a, const ContactPoint& b) { return order_of(a) < order_of(b); });
 }
 
+struct OwningFace : ContactFace {
+  FacingFeatures::OfFace own;
+
+  OwningFace(const PlainFace& face, const FacingFeatures::OfFace& features)
+      : ContactFace(face), own(features) {}
+};
+
 /// Faces of a leaf with their boxes, world.
 struct BoxedFaces : LeafFaces {
   std::array<Aabb, kMaxLeafFaces> boxes;
@@ -89,13 +96,14 @@ struct BoxedFaces : LeafFaces {
     for (size_t i = 0; i < num; ++i) boxes[i] = box_of(corners[i]);
   }
   /// Prepared when it is asked for first: most faces are too far.
-  const ContactFace& prepared(size_t i) const {
-    if (!m_prepared[i]) m_prepared[i].emplace(PlainFace(corners[i]));
+  const OwningFace& prepared(const Body& body, size_t i) const {
+    if (!m_prepared[i])
+      m_prepared[i].emplace(PlainFace(corners[i]), own_features(*body.shape, face[i]));
     return *m_prepared[i];
   }
 
  private:
-  mutable std::array<std::optional<ContactFace>, kMaxLeafFaces> m_prepared;
+  mutable std::array<std::optional<OwningFace>, kMaxLeafFaces> m_prepared;
 };
 
 /// Nodes and leaves that were met last.
@@ -192,8 +200,9 @@ class ContactSearch {
           facing = *found;
         }
         // The cheap test with the faces' own planes rejects most pairs whose boxes overlap.
-        const ContactFace &fa = a.prepared(i), &fb = b.prepared(j);
+        const OwningFace &fa = a.prepared(m_object, i), &fb = b.prepared(m_support, j);
         if (is_separated_by(fb, a.corners[i]) || is_separated_by(fa, b.corners[j])) continue;
+        if (!m_parts) facing = {fa.own, fb.own};
         m_features.add(fa, a.face[i], fb, b.face[j], facing);
         ++m_num_pairs;
       }

@@ -52,15 +52,14 @@ void FeatureContacts::add(const ContactFace& a, Index face_a, const ContactFace&
                &eb = m_support.shape->adjacency.face_edges[face_b];
   for (int k = 0; k < 3; ++k) {
     if (facing.a.vertices[k] && (!b.valid || !try_vertex_face(a.corners[k], va[k], b, face_b)))
-      m_ends.add_vertex(a.corners[k], va[k], face_a, b, vb, eb, face_b);
+      m_ends.add_vertex(a.corners[k], va[k], face_a, b, vb, eb, face_b, facing.b);
     if (facing.b.vertices[k] && (!a.valid || !try_face_vertex(b.corners[k], vb[k], a, face_a)))
-      m_ends.add_support_vertex(a, ea, face_a, b.corners[k], vb[k], face_b);
+      m_ends.add_support_vertex(a, ea, face_a, facing.a, b.corners[k], vb[k], face_b);
   }
   // Nine pairs of edges are left, of which most are told apart by their boxes.
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      if (facing.a.edges[i] && facing.b.edges[j] && ea[i] >= 0 && eb[j] >= 0 &&
-          overlaps(a.edge_box[i], b.edge_box[j], m_reach))
+      if (facing.a.edges[i] && facing.b.edges[j] && overlaps(a.edge_box[i], b.edge_box[j], m_reach))
         try_edges(a, i, ea[i], b, j, eb[j]);
   // Flat overlaps, which rounding hides from vertices and edges, are collected apart.
   m_flush.add(a, face_a, b, face_b);
@@ -91,12 +90,11 @@ bool FeatureContacts::rim_dips(const Body& body, Index face, const ContactFace& 
   return false;
 }
 
-// @return whether the foot is on the face, or was.
+// @return whether the foot is on the face, or too far.
 bool FeatureContacts::try_vertex_face(const Vec3& p, Index vertex, const ContactFace& b,
                                       Index face) {
   const double height = b.normal.dot(p - b.corners[0]);
-  // A vertex belongs to several faces, and is tried once against each face of the other body.
-  if (std::abs(height) > m_tolerance || !m_tried_vertices.insert(vertex, face)) return true;
+  if (std::abs(height) > m_tolerance) return true;
   if (!b.is_below(p, slack_at(std::abs(height)))) return false;
   // A vertex from which its own body goes on downwards is not the one that rests.
   for (const Vec3& normal : normals_at(height, b.normal, p, b.normal)) {
@@ -111,7 +109,7 @@ bool FeatureContacts::try_vertex_face(const Vec3& p, Index vertex, const Contact
 bool FeatureContacts::try_face_vertex(const Vec3& q, Index vertex, const ContactFace& a,
                                       Index face) {
   const double height = a.normal.dot(q - a.corners[0]);
-  if (std::abs(height) > m_tolerance || !m_tried_faces.insert(face, vertex)) return true;
+  if (std::abs(height) > m_tolerance) return true;
   if (!a.is_below(q, slack_at(std::abs(height)))) return false;
   for (const Vec3& up : normals_at(height, a.normal, q, a.normal)) {
     if (vertex_dips(m_support, vertex, q, up)) continue;

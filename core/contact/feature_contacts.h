@@ -11,7 +11,6 @@
 #include "core/contact/contact_face.h"
 #include "core/contact/flush_faces.h"
 #include "core/contact/opposed_parts.h"
-#include "core/contact/pair_numbers.h"
 
 namespace trivet {
 
@@ -29,7 +28,7 @@ class FeatureContacts {
         m_flush(object, support, tolerance, slack),
         m_ends(object, support, tolerance, reach, slack) {}
 
-  /// @param facing  other features are left out.
+  /// @param facing  other features are left out; each pair of them is to come once.
   void add(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b,
            const FacingFeatures& facing);
 
@@ -56,8 +55,7 @@ class FeatureContacts {
   FlushFaces m_flush;
   ContactEnds m_ends;
   std::vector<ContactPoint> m_found;
-  std::vector<std::array<Index, 2>> m_near;     // faces that no plane of either has told apart
-  PairNumbers m_tried_vertices, m_tried_faces;  // of the object and the support, one of them a face
+  std::vector<std::array<Index, 2>> m_near;  // faces that no plane of either has told apart
 };
 
 }  // namespace trivet

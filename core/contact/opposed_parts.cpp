@@ -28,6 +28,17 @@ bool cones_meet_either_way(const PlacedCone& a, const PlacedCone& b) {
 
 }  // namespace
 
+FacingFeatures::OfFace own_features(const Shape& shape, Index face) {
+  const Adjacency& adjacency = shape.adjacency;
+  FacingFeatures::OfFace out;
+  for (size_t k = 0; k < 3; ++k) {
+    out.vertices[k] = adjacency.vertex_faces[shape.mesh.triangles[face][k]].front() == face;
+    const Index edge = adjacency.face_edges[face][k];
+    out.edges[k] = edge >= 0 && adjacency.edge_faces[edge].front().face == face;
+  }
+  return out;
+}
+
 OpposedParts::Side::Side(const Body& b)
     : body(b),
       cones(normal_cones_of(*b.shape)),
@@ -35,12 +46,12 @@ OpposedParts::Side::Side(const Body& b)
       scale(b.scale()) {}
 
 std::array<PlacedSides, 3> OpposedParts::Side::features(const std::vector<NormalCones::Part>& all,
-                                                        const Index3& ids) const {
-  // A face with two equal corners has no edge between them.
-  const auto one = [&](Index id) {
-    return PlacedSides(id < 0 ? NormalCones::Part{} : all[id], turn);
+                                                        const Index3& ids,
+                                                        const std::array<bool, 3>& own) const {
+  const auto one = [&](size_t k) {
+    return PlacedSides(own[k] ? all[ids[k]] : NormalCones::Part{}, turn);
   };
-  return {one(ids[0]), one(ids[1]), one(ids[2])};
+  return {one(0), one(1), one(2)};
 }
 
 OpposedParts::NodePart::NodePart(const Side& side, Index node)
@@ -55,8 +66,11 @@ OpposedParts::FacePart::FacePart(const Side& side, Index face)
                  0,
                  {side.cones.faces[face], side.turn},
                  {side.cones.faces[face].normals, side.turn}},
-      vertices(side.features(side.cones.vertices, side.body.shape->mesh.triangles[face])),
-      edges(side.features(side.cones.edges, side.body.shape->adjacency.face_edges[face])) {
+      own(own_features(*side.body.shape, face)),
+      vertices(
+          side.features(side.cones.vertices, side.body.shape->mesh.triangles[face], own.vertices)),
+      edges(
+          side.features(side.cones.edges, side.body.shape->adjacency.face_edges[face], own.edges)) {
   const Triangle t = side.body.triangle(face);
   const Vec3 lower = t[0].cwiseMin(t[1]).cwiseMin(t[2]), upper = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
   centre = 0.5 * (lower + upper);
@@ -118,12 +132,12 @@ std::optional<FacingFeatures> OpposedParts::facing(Index face_a, Index face_b) {
   const auto looks = [&](const PlacedSides& of, double sign) {
     return cones_meet(ways, of.outwards, sign) || cones_meet(ways, of.inwards, sign);
   };
-  FacingFeatures out;
+  FacingFeatures out{a.own, b.own};
   for (int k = 0; k < 3; ++k) {
-    out.a.vertices[k] = looks(a.vertices[k], -1);
-    out.a.edges[k] = looks(a.edges[k], -1);
-    out.b.vertices[k] = looks(b.vertices[k], 1);
-    out.b.edges[k] = looks(b.edges[k], 1);
+    out.a.vertices[k] = out.a.vertices[k] && looks(a.vertices[k], -1);
+    out.a.edges[k] = out.a.edges[k] && looks(a.edges[k], -1);
+    out.b.vertices[k] = out.b.vertices[k] && looks(b.vertices[k], 1);
+    out.b.edges[k] = out.b.edges[k] && looks(b.edges[k], 1);
   }
   return out;
 }

@@ -51,6 +51,10 @@ struct FacingFeatures {
   OfFace a, b;
 };
 
+/// The features that belong to a face: each one of a mesh belongs to the first of its faces, so that
+/// a pair of features is tried by one pair of faces. Each holds the place where they touch.
+FacingFeatures::OfFace own_features(const Shape& shape, Index face);
+
 /// Tells parts of two bodies apart between which contact_points() finds nothing: the direction of
 /// a contact is that between its places, and has to be in the cones of both of its features.
 class OpposedParts {
@@ -65,7 +69,7 @@ class OpposedParts {
     return may_touch(m_memory.nodes_a.get(m_search, node_a, m_a, node_a),
                      m_memory.nodes_b.get(m_search, node_b, m_b, node_b));
   }
-  /// No value: no features of them are in contact.
+  /// Features of their own; no value: nothing of the faces is in contact.
   std::optional<FacingFeatures> facing(Index face_a, Index face_b);
 
  private:
@@ -77,13 +81,14 @@ class OpposedParts {
 
     explicit Side(const Body& b);
     std::array<PlacedSides, 3> features(const std::vector<NormalCones::Part>& all,
-                                        const Index3& ids) const;
+                                        const Index3& ids, const std::array<bool, 3>& own) const;
   };
   struct NodePart : PlacedPart {
     NodePart(const Side& side, Index node);
   };
   struct FacePart : PlacedPart {
-    std::array<PlacedSides, 3> vertices, edges;
+    FacingFeatures::OfFace own;
+    std::array<PlacedSides, 3> vertices, edges;  // its own
 
     FacePart(const Side& side, Index face);
   };

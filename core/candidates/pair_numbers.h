@@ -20,12 +20,6 @@ class PairNumbers {
     ++m_count;
     return next;
   }
-  /// True if it is new; for those who need no numbers.
-  bool insert(Index a, Index b) {
-    const size_t before = m_count;
-    find_or_add(a, b, 0);
-    return m_count > before;
-  }
 
  private:
   static constexpr size_t kFirstSize = 64;  // a power of two, as all sizes
