@@ -51,8 +51,8 @@ struct FacingFeatures {
   OfFace a, b;
 };
 
-/// The features that belong to a face: each one of a mesh belongs to the first of its faces, so that
-/// a pair of features is tried by one pair of faces. Each holds the place where they touch.
+/// The features that belong to a face: each one of a mesh belongs to the first of its faces, so
+/// that a pair of features is tried by one pair of faces. Each holds the place where they touch.
 FacingFeatures::OfFace own_features(const Shape& shape, Index face);
 
 /// Tells parts of two bodies apart between which contact_points() finds nothing: the direction of
