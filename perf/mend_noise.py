@@ -81,19 +81,18 @@ def make_heap(program, size, folder):
 
 
 def perturb(agent, free, noise, generator):
-    # Moves take loads along. So all go into the air first, where none lies on another, and come back one by one:
+    # Moves take loads along. So all go into the air first, to heights at which none touches another, and come back one by one:
     # each is moved by its own noise alone.
-    for name in free:
-        agent.call("translate", object=name, by=[0, 0, IN_THE_AIR], free=True, settle_left=False)
+    heights = random.Random(0)
     for k, name in enumerate(free):
-        agent.call("translate", object=name, by=[0, 0, IN_THE_AIR * (k + 1)], free=True, settle_left=False)
+        agent.call("translate", object=name, by=[0, 0, IN_THE_AIR * (k + 1 + heights.random())], free=True, settle_left=False)
     high = agent.objects()
     for name, one in free.items():
         back = [a - b + generator.gauss(0, noise / 1000) for a, b in zip(one["lower"], high[name]["lower"])]
-        agent.call("translate", object=name, by=back, free=True, settle_left=False)
-        axis, middle = [generator.gauss(0, 1) for _ in range(3)], middle_of(high[name])
+        axis = [generator.gauss(0, 1) for _ in range(3)]
         agent.call("rotate", object=name, axis=axis, angle_deg=generator.gauss(0, DEGREES.get(noise, noise / 2)),
-                   centre=[a + b for a, b in zip(middle, back)], free=True, settle_left=False)
+                   centre=middle_of(high[name]), free=True, settle_left=False)
+        agent.call("translate", object=name, by=back, free=True, settle_left=False)
 
 
 def middle_of(one):
