@@ -42,7 +42,7 @@ SettlingBody::SettlingBody(const SettleProblem& problem) : m_problem(problem) {
 
 void SettlingBody::update() {
   // Answers that were asked in advance hold at one pose only.
-  m_foreseen.clear();
+  m_answers.clear();
   m_bodies = {Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale))};
   for (size_t i = 0; i < m_problem.carried.size(); ++i) {
     const CarriedShape& c = m_problem.carried[i];
@@ -164,12 +164,14 @@ std::vector<TouchedPoint> SettlingBody::touched(double num_clearances) const {
 ObstacleContact SettlingBody::query(const Motion& motion) {
   Clearance keep;
   keep.distance = clearance();
-  // A question that was asked together with others is answered already, to the same bits.
-  const std::optional<ObstacleContact> known = foreseen(motion);
-  if (known) m_problem.detector->used_early();
-  ObstacleContact found = known ? *known
+  // A question that was asked before from here, alone or together with others, is answered already,
+  // to the same bits.
+  const Answer* const known = answer_to(motion);
+  if (known && known->early) m_problem.detector->used_early();
+  ObstacleContact found = known ? known->found
                                 : first_contact(m_bodies, *m_problem.others, motion, keep,
                                                 m_problem.detector, &m_planes);
+  if (!known) m_answers.push_back({motion, found, false});
   ++m_out.num_queries;
   m_out.num_face_pairs += found.work.face_pairs;
   return found;
@@ -181,21 +183,21 @@ void SettlingBody::foresee(std::span<const Motion> motions) {
   if (!detector || !detector->asks_together()) return;
   std::vector<Motion> unknown;
   for (const Motion& motion : motions)
-    if (!foreseen(motion)) unknown.push_back(motion);
+    if (!answer_to(motion)) unknown.push_back(motion);
   if (unknown.size() < 2) return;
   Clearance keep;
   keep.distance = clearance();
   const auto found =
       first_contacts_early(m_bodies, *m_problem.others, unknown, keep, *detector, &m_planes);
-  for (size_t i = 0; i < unknown.size(); ++i) m_foreseen.emplace_back(unknown[i], found[i]);
+  for (size_t i = 0; i < unknown.size(); ++i) m_answers.push_back({unknown[i], found[i], true});
 }
 
-std::optional<ObstacleContact> SettlingBody::foreseen(const Motion& motion) const {
-  for (const auto& [known, found] : m_foreseen)
-    if (known.kind == motion.kind && known.axis == motion.axis && known.centre == motion.centre &&
-        known.limit == motion.limit)
-      return found;
-  return std::nullopt;
+const SettlingBody::Answer* SettlingBody::answer_to(const Motion& motion) const {
+  for (const Answer& a : m_answers)
+    if (a.motion.kind == motion.kind && a.motion.axis == motion.axis &&
+        a.motion.centre == motion.centre && a.motion.limit == motion.limit)
+      return &a;
+  return nullptr;
 }
 
 double SettlingBody::fall_limit() const {
@@ -237,7 +239,7 @@ bool SettlingBody::any_can_sink(std::span<const Candidate> candidates, double dr
 }
 
 void SettlingBody::execute(SettleStep::Kind kind, const Motion& motion, double time, double drop) {
-  m_foreseen.clear();
+  m_answers.clear();
   m_out.pose = moved_pose(m_out.pose, motion, time);
   for (Pose& pose : m_out.carried) pose = moved_pose(pose, motion, time);
   m_out.steps.push_back({kind, m_out.pose, drop});
@@ -263,7 +265,7 @@ bool SettlingBody::separate_if_needed(const std::vector<ContactPoint>& points) {
 }
 
 void SettlingBody::go_back(const Place& place) {
-  m_foreseen.clear();
+  m_answers.clear();
   m_out.pose = place.pose;
   m_out.carried = place.carried;
   m_out.steps.resize(place.num_steps, {});

@@ -68,8 +68,14 @@ class SettlingBody {
   SettleOutcome finish(SettleOutcome::Status status);
 
  private:
+  struct Answer {
+    Motion motion;
+    ObstacleContact found;
+    bool early;  // see foresee()
+  };
+
   std::optional<Motion> part_that_sinks(const Motion& motion, double drop) const;
-  std::optional<ObstacleContact> foreseen(const Motion& motion) const;
+  const Answer* answer_to(const Motion& motion) const;  // null: not asked from here
   std::vector<ContactsWith> contacts_of(size_t body, double num_clearances) const;
   bool is_lower_than_seen() const;
   const Surface& surface_of_body(Index body) const;
@@ -81,8 +87,8 @@ class SettlingBody {
   SeparatingPlanes m_planes;  // every motion meets faces of the one before
   SettleOutcome m_out;
   SettlingObject m_object;
-  std::vector<Body> m_bodies;                                  // the object, then what it carries
-  std::vector<std::pair<Motion, ObstacleContact>> m_foreseen;  // from here
+  std::vector<Body> m_bodies;     // the object, then what it carries
+  std::vector<Answer> m_answers;  // from here
   bool m_loads_weigh = false;
   int m_num_separating_motions = 0;
   // When it last looked around: the height of its centre, and the number of its steps.
