@@ -182,7 +182,7 @@ def row(arguments, demo, noise, runs):
     total = {key: sum(one[key] for one in runs) for key in runs[0] if not key.endswith("ways")}
     cells = [demo, noise, total["free"], "%d of %d" % (total["kept"], total["edges"]), "%.3f" % (total["kept"] / total["edges"]),
              total["unable"], total["tipped"], "%d of %d" % (total["true"], len(runs)),
-             text_of_ways([way for one in runs for way in one["ways"]]), "%.2f" % (1 - total["far"] / total["free"]), "%.2f" % (total["seconds"] / total["free"])]
+             text_of_ways([way for one in runs for way in one["ways"]]), "%.2f" % (1 - total["far"] / total["free"]), "%.3f" % (total["seconds"] / total["free"])]
     if arguments.node:
         cells += ["%.3f" % (total["mj kept"] / total["edges"]), total["mj tipped"],
                   text_of_ways([way for one in runs for way in one["mj ways"]])]
