@@ -20,7 +20,6 @@ constexpr int kRoundsAtFullPull = 2;
 constexpr double kClearlyBetter = 0.97;        // of a cost
 constexpr double kStillChoice = 0.03;          // clearances
 constexpr double kClosedByMotions = 0.1;       // clearances
-constexpr size_t kFirstOfPair = 4;             // nearest touches, that the forces begin with
 constexpr double kSamePlaceOfContact = 0.005;  // metres
 constexpr double kSameNormalOfContact = 0.95;  // cosine
 
@@ -39,7 +38,8 @@ class ContactChoice {
       : m_part(part),
         m_aims(aims),
         m_options(options),
-        m_forces(part, options.clearance, nearest_of_pairs()) {
+        m_forces(part, options.clearance, first_touches(),
+                 options.forces ? *options.forces : PricedForces::End{}) {
     for (const BodyContact& t : part.touches) {
       m_factors.push_back(is_among(options.stuck, t) ? kPriceOfStuck : 1);
       const double gap = std::max(0.0, t.contact.gap - kGapLeft * options.clearance);
@@ -68,20 +68,22 @@ class ContactChoice {
     }
   }
 
+  PricedForces::End end_of_forces() const { return m_forces.end(); }
+
  private:
   // Metres: squared gaps count, so that many small ones are preferred to a wide one.
   double price(size_t k, double gap) const {
     return m_factors[k] * std::min(gap * gap / m_options.reach, kMostPrice * m_options.reach);
   }
 
-  // And those that were needed before.
-  std::vector<char> nearest_of_pairs() const {
+  // At the very first, the nearest of each pair; then the ones that were needed before.
+  std::vector<char> first_touches() const {
     std::vector<char> out(m_part.touches.size(), 0);
-    size_t num = 0;
+    const bool is_first = !m_options.forces || m_options.forces->rest.empty();
     for (size_t k = 0; k < out.size(); ++k) {
       const BodyContact &t = m_part.touches[k], &last = m_part.touches[k > 0 ? k - 1 : 0];
-      num = t.on == last.on && t.partner == last.partner ? num + 1 : 1;
-      out[k] = num <= kFirstOfPair || is_among(m_options.kept, t);
+      const bool is_nearest = k == 0 || t.on != last.on || t.partner != last.partner;
+      out[k] = (is_first && is_nearest) || is_among(m_options.kept, t);
     }
     return out;
   }
@@ -146,7 +148,10 @@ bool ChosenContacts::is_better_than(const ChosenContacts& other) const {
 
 ChosenContacts choose_contacts(const FreeBodies& part, const std::vector<SmallMotion>& aims,
                                const ChoiceOfContacts& options) {
-  return ContactChoice(part, aims, options).run();
+  ContactChoice choice(part, aims, options);
+  ChosenContacts out = choice.run();
+  if (options.forces) *options.forces = choice.end_of_forces();
+  return out;
 }
 
 }  // namespace trivet

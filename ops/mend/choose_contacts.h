@@ -4,6 +4,7 @@
 #include <span>
 
 #include "ops/mend/small_motions.h"
+#include "ops/stability/priced_forces.h"
 
 namespace trivet {
 
@@ -15,6 +16,7 @@ struct ChoiceOfContacts {
   bool from_weak_pulls = false;             // the pull grows up to that: slower, and nearer
   std::span<const BodyContact> kept = {};   // needed before: their gaps count less
   std::span<const BodyContact> stuck = {};  // that could not be closed: dear
+  PricedForces::End* forces = nullptr;      // where those of the step before ended; then these
 };
 
 struct ChosenContacts {

@@ -7,8 +7,8 @@
 #include "core/contact/contact_points.h"
 #include "core/scene/transaction.h"
 #include "ops/mend/choose_contacts.h"
+#include "ops/mend/known_contacts.h"
 #include "ops/mend/part_by_turns.h"
-#include "ops/mend/wide_contacts.h"
 #include "ops/placement/contacts.h"
 #include "ops/stability/contact_forces.h"
 
@@ -16,20 +16,18 @@ namespace trivet {
 namespace {
 
 constexpr int kStepsOfClosing = 14, kStepsNearGiven = 5, kCutsOfStep = 3;
-constexpr int kMostMissed = 2;        // steps at which nothing holds one alone
-constexpr int kMostHarder = 3;        // times that steps which do not pay pull harder
-constexpr double kHarder = 2.5;       // times the pull before
-constexpr double kStepPays = 0.97;    // of the cost before
-constexpr double kLeastReach = 12;    // clearances
-constexpr double kReachOfMotion = 2;  // times the farthest of the step before
+constexpr int kMostMissed = 2;              // steps at which nothing holds one alone
+constexpr int kMostHarder = 3;              // times that steps which do not pay pull harder
+constexpr double kHarder = 2.5;             // times the pull before
+constexpr double kStepPays = 0.97;          // of the cost before
+constexpr double kLeastReach = 12;          // clearances
+constexpr double kReachOfMotion = 2;        // times the farthest of the step before
+constexpr double kMostReachInHeap = 0.003;  // metres: wider gaps are known
 constexpr double kSoftContacts = 1e-3, kSoftIfAlone = 1e-6;  // see nearest_motions()
 constexpr double kGapClosed = 1.9;                           // clearances: enough
 constexpr double kGapOpen = 100;       // clearances: coming to rest closes less
 constexpr double kLeftByMotions = 10;  // clearances: what motions leave is stuck
 constexpr double kStillStep = 0.03;    // clearances
-constexpr double kPointsApart = 5e-4;  // metres between contact points of a pair
-constexpr size_t kNearestOfPair = 24;
-constexpr double kShareOfFriction = 0.95;  // that contacts may use, so that others hold, too
 // One alone, that is near its rest.
 constexpr double kAirOfNearRest = 2e-5;        // metres between it and what it is parted from
 constexpr double kReachOfNearRest = 1;         // tolerances, of gaps that may close
@@ -40,7 +38,11 @@ constexpr double kFirstShareOfNearRest = 0.5;
 class GapCloser {
  public:
   GapCloser(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps)
-      : m_scene(scene), m_given(given), m_gaps(gaps), m_pull(gaps.reach) {
+      : m_scene(scene),
+        m_given(given),
+        m_gaps(gaps),
+        m_pull(gaps.reach),
+        m_known(gaps.reach, gaps.clearance) {
     for (const Placement& p : given) m_ids.push_back(p.id);
     m_missed.assign(m_ids.size(), 0);
   }
@@ -59,30 +61,33 @@ class GapCloser {
           step == kStepsOfClosing || is_hopeless() || (m_gaps.is_over && m_gaps.is_over());
       if (is_done() || is_last || !pull_harder_if_stuck()) return {not_held(), missed(), m_longest};
       const double gone = go(reach);
-      reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, m_gaps.reach);
+      const double most = is_alone() ? m_gaps.reach : std::min(kMostReachInHeap, m_gaps.reach);
+      reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, most);
     }
   }
 
  private:
   // Contacts of a heap that are nearly parallel, and whose gaps differ, ask for a large turn.
-  double soft() const { return m_ids.size() > 1 ? kSoftContacts : kSoftIfAlone; }
+  double soft() const { return is_alone() ? kSoftIfAlone : kSoftContacts; }
+  bool is_alone() const { return m_ids.size() == 1; }
+  KnownContacts& known() { return m_gaps.known ? *m_gaps.known : m_known; }
 
   // One alone that nothing within reach holds, again, is hardly ever held later.
   bool is_hopeless() {
-    if (m_ids.size() == 1) m_num_missed += m_choice.num_missing;
+    if (is_alone()) m_num_missed += m_choice.num_missing;
     return m_num_missed >= kMostMissed;
   }
 
   bool is_done() const { return widest_needed() <= kGapClosed * m_gaps.clearance; }
 
-  // By near contacts, or by all where these do not do.
+  // One alone: by near contacts, or by all where these do not do. A heap knows them all.
   void choose(double& reach, bool is_first) {
     while (true) {
       find_contacts(reach);
       m_choice = choose_contacts(
           m_part, aims(),
-          {m_gaps.clearance, m_gaps.reach, m_pull, soft(), is_first, m_kept, m_stuck});
-      if (m_choice.num_missing == 0 || reach >= m_gaps.reach) break;
+          {m_gaps.clearance, m_gaps.reach, m_pull, soft(), is_first, m_kept, m_stuck, &m_forces});
+      if (m_choice.num_missing == 0 || !is_alone() || reach >= m_gaps.reach) break;
       reach = m_gaps.reach;
     }
     m_kept.clear();
@@ -92,32 +97,9 @@ class GapCloser {
 
   void find_contacts(double reach) {
     m_part = linked_bodies(m_scene, m_ids, {});
-    m_part.touches.clear();
-    for (size_t i = 0; i < m_ids.size(); ++i) {
-      // Earlier bodies have seen their contacts with this one already.
-      const Neighbourhood later(m_scene, std::span(m_ids).first(i + 1));
-      for (const ContactsWith& c : contacts_with(body_of(m_scene.at(m_ids[i])), later, reach,
-                                                 kFootSlack * m_gaps.clearance))
-        add(static_cast<Index>(i), c, reach);
-    }
     // One alone has few contacts, and is nearer where it sees them as they are.
-    if (m_ids.size() > 1) m_wide.join(reach, m_part.touches);
-  }
-
-  void add(Index on, const ContactsWith& c, double reach) {
-    std::vector<ContactPoint> points = merged(c.points, std::min(reach, kPointsApart));
-    std::stable_sort(points.begin(), points.end(),
-                     [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
-    points.resize(std::min(points.size(), kNearestOfPair));
-    const double friction = ContactFriction{{}, kShareOfFriction}.of(m_scene, m_ids[on], c.with);
-    for (const ContactPoint& p : points)
-      m_part.touches.push_back({on, index_of(c.with), c.with, friction, p});
-  }
-
-  Index index_of(const Support& with) const {
-    if (with.is_floor()) return BodyContact::kGround;
-    const auto at = std::find(m_ids.begin(), m_ids.end(), with.object());
-    return at == m_ids.end() ? BodyContact::kGround : static_cast<Index>(at - m_ids.begin());
+    KnownContacts now(reach, m_gaps.clearance);
+    m_part.touches = (is_alone() ? now : known()).find(m_scene, m_part.bodies, reach);
   }
 
   std::vector<SmallMotion> aims() const {
@@ -172,20 +154,26 @@ class GapCloser {
       }
       farthest = shorten(motions, reach);
       there = moved(motions);
-      const std::vector<MemberCrossing> found = crossings_of(m_scene, there);
+      const std::vector<MemberCrossing> found = crossings_of(m_scene, there, may_meet());
       free = found.empty();
       // Each crossing that is left there is another condition.
       for (const MemberCrossing& x : found)
         m_choice.rows.push_back(row_out_of(x, m_part.bodies, motions, air));
     }
     if (!free) there = part_together(m_scene, std::move(there), air);
-    m_wide.move(m_part.bodies, motions_to(there));
     for (const Placement& p : there)
       edit_object(m_scene, p.id, [&](Object& o) {
         o.pose = p.pose;
         o.placed = true;
       });
     return farthest;
+  }
+
+  MayMeet may_meet() {
+    if (is_alone()) return {};
+    return [this](const Placement& a, const Placement& b) {
+      return known().may_meet(a.id, a.pose, b.id, b.pose);
+    };
   }
 
   double shorten(std::vector<SmallMotion>& motions, double reach) {
@@ -197,14 +185,6 @@ class GapCloser {
     if (farthest <= most) return farthest;
     for (SmallMotion& m : motions) m *= most / farthest;
     return most;
-  }
-
-  std::vector<SmallMotion> motions_to(const std::vector<Placement>& there) const {
-    std::vector<SmallMotion> out;
-    out.reserve(m_ids.size());
-    for (size_t i = 0; i < m_ids.size(); ++i)
-      out.push_back(motion_to(m_part.bodies[i], m_scene.at(m_ids[i]).pose, there[i].pose));
-    return out;
   }
 
   std::vector<Placement> moved(const std::vector<SmallMotion>& motions) const {
@@ -248,9 +228,10 @@ class GapCloser {
   int m_num_harder = 0, m_num_missed = 0;
   bool m_near_given = true;
   FreeBodies m_part;  // all contacts within reach are touches
-  WideContacts m_wide;
+  KnownContacts m_known;
   ChosenContacts m_choice;
   std::vector<BodyContact> m_kept, m_stuck;  // needed in the step before; that do not close
+  PricedForces::End m_forces;                // of the step before
 };
 
 }  // namespace
@@ -274,10 +255,10 @@ std::optional<Pose> rest_near(Scene& scene, const Placement& given, double toler
   };
   place(parted[0].pose, true);
   const double reach = std::min(kReachOfNearRest * tolerance, kMostReachOfNearRest);
-  const bool is_held =
-      close_gaps(scene, members,
-                 {clearance, reach, kMostStepOfNearRest, true, is_over, kFirstShareOfNearRest})
-          .not_held.empty();
+  const bool is_held = close_gaps(scene, members,
+                                  {clearance, reach, kMostStepOfNearRest, true, is_over, nullptr,
+                                   kFirstShareOfNearRest})
+                           .not_held.empty();
   const Pose rest = scene.at(given.id).pose;
   place(was, false);
   return is_held ? std::optional(rest) : std::nullopt;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "ops/mend/known_contacts.h"
 #include "ops/placement/neighbourhood.h"
 
 namespace trivet {
@@ -15,6 +16,7 @@ struct GapsToClose {
   double most_step = kInfinity;  // metres: turns of longer ones are not linear
   bool near_given = true;        // the first steps aim at the given poses, else at where all are
   std::function<bool()> is_over = {};  // asked before each step: it ends there
+  KnownContacts* known = nullptr;      // if not null: of the same reach and clearance; it goes on
   double first_share = 1;  // of the reach, at first: less where a single object is near its rest
 };
 

@@ -32,6 +32,7 @@ constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
 constexpr double kTiltedShareOfHeap = 0.2;
 constexpr double kNearInPlace = 0.7;  // tolerances: near enough to look no further
+constexpr double kNearAtRest = 2;     // the same of what contacts hold as it lies
 constexpr double kRadiansOfDegree = 3.14159265358979323846 / 180;
 
 class HeapInPlace {
@@ -42,8 +43,10 @@ class HeapInPlace {
 
   SettledScene run() {
     hold_parted();
+    m_is_attempt = true;
     close_all();
     come_to_rest();
+    m_is_attempt = false;
     // The others are let go one by one, at first only where they come to rest near.
     for (const double farthest : kFarthestInPlace)
       for (const ObjectId id : m_order)
@@ -144,10 +147,11 @@ class HeapInPlace {
       const auto aim = m_aims.find(id.index);
       given.push_back({id, aim == m_aims.end() ? m_out.given(id) : aim->second});
     }
+    if (!m_known) m_known.emplace(reach, clearance);
     for (const ObjectId id : m_order) release(id);
     const auto is_over = [this] { return m_out.is_out_of_time(); };
     ClosedGaps closed =
-        close_gaps(m_scene, given, {clearance, reach, most_step, near_given, is_over});
+        close_gaps(m_scene, given, {clearance, reach, most_step, near_given, is_over, &*m_known});
     m_longest_step = std::max(m_longest_step, closed.longest_step);
     if (near_given)
       for (const ObjectId id : closed.missed)
@@ -278,7 +282,8 @@ class HeapInPlace {
     m_gives_way.clear();
     const double others = way_of_others(id);
     std::vector<Pose> tried;
-    for (const Pose& start : starts_in_place(m_scene, *m_meant.find(id), free, tolerance())) {
+    const std::optional<Pose> rest = rest_as_given(id);
+    for (const Pose& start : starts_from(id, rest, free)) {
       if (m_out.is_out_of_time()) break;
       if (falls_as_another(start, tried) || refuse_interpenetration(m_scene, id, start, false))
         continue;
@@ -289,9 +294,24 @@ class HeapInPlace {
       };
       const OperationResult result = m_out.try_put(id, start, judge, 1).result;
       if (result.refusal && m_gives_way.empty()) note_who_gives_way(*result.refusal);
-      if (least <= kNearInPlace * tolerance()) break;
+      // Where contacts hold it as it lies, other starts seldom lead nearer.
+      const double near = rest && tried.size() == 1 ? kNearAtRest : kNearInPlace;
+      if (least <= near * tolerance()) break;
     }
     return best;
+  }
+
+  std::optional<Pose> rest_as_given(ObjectId id) {
+    return rest_near(m_scene, {id, m_out.given(id)}, tolerance(),
+                     clearance_of(m_scene, m_out.options().settle),
+                     [this] { return m_out.is_out_of_time(); });
+  }
+  std::vector<Pose> starts_from(ObjectId id, const std::optional<Pose>& rest,
+                                const Pose& free) const {
+    std::vector<Pose> out =
+        starts_in_place(m_scene, *m_meant.find(id), free, tolerance(), m_is_attempt);
+    if (rest) out.insert(out.begin(), *rest);
+    return out;
   }
 
   void note_who_gives_way(const Refusal& why) {
@@ -327,6 +347,8 @@ class HeapInPlace {
   std::vector<ObjectId> m_missed;        // by the first steps of an attempt
   std::map<std::uint32_t, Pose> m_aims;  // by slot, other than the given poses
   double m_longest_step = 0;             // metres, of an attempt, had it no bound
+  std::optional<KnownContacts> m_known;  // of all attempts
+  bool m_is_attempt = false;             // what is let go needs few starts
   std::set<std::uint32_t> m_gives_way;   // slots, at the first start that was refused
 };
 

@@ -89,12 +89,13 @@ class HeapParting {
 
 std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
                                          const std::vector<ObjectInWorld>& worlds,
-                                         const Vec3& origin) {
+                                         const Vec3& origin, const MayMeet& may_meet) {
   std::vector<MemberCrossing> out;
   for (size_t i = 0; i < worlds.size(); ++i) {
     for (size_t j = i + 1; j < worlds.size(); ++j) {
       const ObjectInWorld &a = worlds[i], &b = worlds[j];
-      if (overlaps(a.box, b.box) && !verify_pair(a, b, false, 1).clear())
+      if (overlaps(a.box, b.box) && (!may_meet || may_meet(members[i], members[j])) &&
+          !verify_pair(a, b, false, 1).clear())
         out.push_back({i, j, Support(members[j].id), depth_of(a, b)});
     }
     for (const Interpenetration& x : interpenetrations(scene, members.subspan(i, 1), false, 8)) {
@@ -109,12 +110,13 @@ std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Pla
   return out;
 }
 
-std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members) {
+std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
+                                         const MayMeet& may_meet) {
   const Vec3 origin = origin_with(scene, members);
   std::vector<ObjectInWorld> worlds;
   worlds.reserve(members.size());
   for (const Placement& p : members) worlds.push_back(in_world(scene.at(p.id), p.pose, origin));
-  return crossings_of(scene, members, worlds, origin);
+  return crossings_of(scene, members, worlds, origin, may_meet);
 }
 
 std::vector<Placement> part_together(const Scene& scene, std::vector<Placement> members,

@@ -1,6 +1,7 @@
 // Objects in each other parted where they are, all at once. Private.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,10 +25,14 @@ struct MemberCrossing {
   Depth depth;              // of `a`
 };
 
+/// False of two members that are known to be apart.
+using MayMeet = std::function<bool(const Placement&, const Placement&)>;
+
 /// All of them, by members. @param worlds  of the members, about `origin`.
 std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
                                          const std::vector<ObjectInWorld>& worlds,
-                                         const Vec3& origin);
-std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members);
+                                         const Vec3& origin, const MayMeet& may_meet = {});
+std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
+                                         const MayMeet& may_meet = {});
 
 }  // namespace trivet

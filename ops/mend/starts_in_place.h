@@ -14,8 +14,9 @@ inline constexpr double kAirOfParted = 2e-5;  // metres between an object and wh
 Pose parted(const Scene& scene, const ObjectIntent& meant, Pose pose);
 
 /// The free pose, the same level if that was meant, then above it, beside it, and turned about
-/// level axes. @param tolerance  metres: lifts and rings are parts of it.
+/// level axes. @param tolerance  metres: lifts and rings are parts of it. @param few  a third of
+/// them, where another attempt may follow.
 std::vector<Pose> starts_in_place(const Scene& scene, const ObjectIntent& meant, const Pose& free,
-                                  double tolerance);
+                                  double tolerance, bool few = false);
 
 }  // namespace trivet

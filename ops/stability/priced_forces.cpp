@@ -8,16 +8,70 @@
 namespace trivet {
 namespace {
 
-constexpr double kGainThatJoins = 1e-6;     // of a force that joins; CLP knows 1e-7
-constexpr size_t kMostThatJoin = 4;         // touches of a pair, at a time
-constexpr unsigned char kAtLowerBound = 3;  // in CLP's terms
+constexpr double kGainThatJoins = 1e-6;                   // of a force that joins; CLP knows 1e-7
+constexpr size_t kMostThatJoin = 4;                       // touches of a pair, at a time
+constexpr unsigned char kBasic = 1, kAtLowerBound = 3;    // in CLP's terms
+constexpr double kSamePlace = 0.005, kSameNormal = 0.95;  // metres, and a cosine
+constexpr std::ptrdiff_t kColumnsWithFriction = 9;        // of a touch, without it one
 
 }  // namespace
 
-PricedForces::PricedForces(const FreeBodies& part, double clearance, const std::vector<char>& first)
-    : m_part(part), m_clearance(clearance), m_carried(carried_weights(part)), m_is_joined(first) {
+PricedForces::PricedForces(const FreeBodies& part, double clearance, const std::vector<char>& first,
+                           const End& start)
+    : m_part(part),
+      m_clearance(clearance),
+      m_carried(carried_weights(part)),
+      m_is_joined(first.size(), 0) {
+  start_from(start);
   for (size_t k = 0; k < first.size(); ++k)
-    if (first[k]) m_joined.push_back(k);
+    if (first[k] && !m_is_joined[k]) join(k);
+}
+
+void PricedForces::join(size_t k) {
+  m_joined.push_back(k);
+  m_is_joined[k] = 1;
+}
+
+// CLP makes up by rows for columns that the basis lacks.
+void PricedForces::start_from(const End& end) {
+  for (const End::OfTouch& of : end.touches) {
+    const std::optional<size_t> k = same_place(of.touch);
+    if (!k) continue;
+    join(*k);
+    m_basis.insert(m_basis.end(), of.columns.begin(), of.columns.end());
+  }
+  m_num_columns = m_basis.size();
+  m_basis.insert(m_basis.end(), end.rest.begin(), end.rest.end());
+}
+
+// The nearest that has not joined, of those where it was.
+std::optional<size_t> PricedForces::same_place(const BodyContact& touch) const {
+  std::optional<size_t> out;
+  double least = kSamePlace;
+  for (size_t k = 0; k < m_part.touches.size(); ++k) {
+    const BodyContact& t = m_part.touches[k];
+    if (m_is_joined[k] || t.on != touch.on || t.partner != touch.partner ||
+        t.contact.normal.dot(touch.contact.normal) < kSameNormal)
+      continue;
+    const double metres = (t.contact.point - touch.contact.point).norm();
+    if (metres < least) least = metres, out = k;
+  }
+  return out;
+}
+
+PricedForces::End PricedForces::end() const {
+  End out;
+  std::ptrdiff_t first = 0;
+  for (const size_t k : m_joined) {
+    const std::ptrdiff_t num = m_part.touches[k].friction > 0 ? kColumnsWithFriction : 1;
+    const auto begin = m_basis.begin() + first;
+    LinearProgram::Basis columns(begin, begin + num);
+    first += num;
+    if (std::find(columns.begin(), columns.end(), kBasic) != columns.end())
+      out.touches.push_back({m_part.touches[k], std::move(columns)});
+  }
+  out.rest.assign(m_basis.begin() + first, m_basis.end());
+  return out;
 }
 
 PartForces PricedForces::find(std::span<const double> prices) {
@@ -61,7 +115,7 @@ bool PricedForces::join_best(std::span<const double> gains) {
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return gains[a] > gains[b]; });
     order.resize(std::min(order.size(), kMostThatJoin));
-    for (const size_t k : order) m_joined.push_back(k), m_is_joined[k] = 1;
+    for (const size_t k : order) join(k);
   }
   return m_joined.size() > before;
 }

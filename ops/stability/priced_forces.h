@@ -1,6 +1,7 @@
 // Contact forces that balance bodies, where touches have prices that change from time to time.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,9 +15,21 @@ namespace trivet {
 /// one before ended: of hundreds of touches in a heap few carry.
 class PricedForces {
  public:
+  /// Where programs ended: a start for those of the same bodies a little later.
+  struct End {
+    struct OfTouch {
+      BodyContact touch;
+      LinearProgram::Basis columns;
+    };
+    std::vector<OfTouch> touches;  // that carried
+    LinearProgram::Basis rest;     // of what is missing, and of rows; empty: nothing has ended
+  };
+
   /// @param part  any bodies; it has to live as long. `more` does not count. @param clearance
-  /// metres. @param first  each touch: takes part from the beginning.
-  PricedForces(const FreeBodies& part, double clearance, const std::vector<char>& first);
+  /// metres. @param first  each touch: takes part from the beginning. @param start  the end of
+  /// others, of as many bodies: touches at the same places take part, too.
+  PricedForces(const FreeBodies& part, double clearance, const std::vector<char>& first,
+               const End& start = {});
 
   /// The cheapest forces; residual is their price and that of what is missing.
   /// @param prices  of each touch, >= 0: of a push as heavy as what its body `on` carries. A
@@ -25,8 +38,12 @@ class PricedForces {
 
   /// Touches that take part by now.
   size_t num_joined() const { return m_joined.size(); }
+  End end() const;
 
  private:
+  void join(size_t k);
+  void start_from(const End& end);
+  std::optional<size_t> same_place(const BodyContact& touch) const;
   bool join_best(std::span<const double> gains);
   PartForces of_all_touches(PartForces forces) const;
 

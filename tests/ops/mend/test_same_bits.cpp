@@ -12,7 +12,6 @@
 #include "ops/mend/mend.h"
 #include "ops/mend/small_motions.h"
 #include "ops/mend/starts.h"
-#include "ops/mend/wide_contacts.h"
 #include "ops/placement/clearance.h"
 
 namespace trivet {
@@ -123,37 +122,6 @@ TEST(CloseGaps, ABoundThatNoStepAsksForChangesNothing) {
   EXPECT_TRUE(same_bits(free.scene, bounded.scene));
   closed(cut, 0.5 * longest);
   EXPECT_FALSE(same_bits(free.scene, cut.scene));
-}
-
-TEST(WideContacts, GoAlongWithTheirBodies) {
-  const std::vector<FreeBody> bodies{{ObjectId{}, Vec3(0, 0, 0.2), 1, 0.2},
-                                     {ObjectId{}, Vec3(0, 0, 0), 1, 0.2}};
-  WideContacts wide;
-  std::vector<BodyContact> found(2);
-  for (BodyContact& t : found) t.from = 1, t.contact.normal = Vec3::UnitZ();
-  found[0].contact.features = ContactFeatures::VertexFace;
-  found[0].contact.point = Vec3(0, 0, 0.11), found[0].contact.gap = 0.01;
-  found[1].contact.features = ContactFeatures::FaceVertex;
-  found[1].contact.point = Vec3(0.05, 0, 0.1), found[1].contact.gap = 0.002;
-  wide.join(0.02, found);
-  ASSERT_EQ(found.size(), 2u);
-  std::vector<SmallMotion> gone(2, SmallMotion::Zero());
-  gone[0].head<3>() = Vec3(0.001, 0, -0.004);
-  wide.move(bodies, gone);
-  found.clear();
-  wide.join(0.003, found);
-  // The near one has to be found anew; the other's vertex has come down with its body.
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].contact.gap, 0.006, 1e-12);
-  EXPECT_NEAR((found[0].contact.point - Vec3(0.001, 0, 0.106)).norm(), 0, 1e-12);
-  // The face turns its normal with the lower body, and comes nearer where it rises.
-  gone = {SmallMotion::Zero(), SmallMotion::Zero()};
-  gone[1].tail<3>() = Vec3(0, 0.0001, 0);
-  wide.move(bodies, gone);
-  found.clear();
-  wide.join(0, found);
-  EXPECT_NEAR(found[0].contact.normal.x(), 0.001, 1e-6);
-  EXPECT_NEAR(found[0].contact.gap, 0.006 + 0.001 * 0.001, 1e-9);
 }
 
 TEST(Starts, StraightAboveAnotherFallTheSame) {

@@ -67,5 +67,31 @@ TEST(PricedForces, CostAsLittleAsByAllTouchesAtOnce) {
   EXPECT_LT(num_joined, 60u * kTrials);
 }
 
+// The bodies have moved a little, and other touches are there.
+TEST(PricedForces, CostAsLittleFromWhereOthersEnded) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> in(0, 1);
+  size_t num_carried = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    FreeBodies part = random_bodies(random, 0.1 * (trial % 8) - 0.5);
+    std::vector<double> prices(part.touches.size());
+    for (double& p : prices) p = in(random);
+    const std::vector<char> none(part.touches.size(), 0);
+    PricedForces before(part, kEps, none);
+    ASSERT_TRUE(before.find(prices).solved);
+    const PricedForces::End end = before.end();
+    num_carried += end.touches.size();
+    for (BodyContact& t : part.touches) t.contact.point += 1e-3 * Vec3(in(random), in(random), 0);
+    part.touches.erase(part.touches.begin() + 5, part.touches.begin() + 15);
+    prices.erase(prices.begin() + 5, prices.begin() + 15);
+    PricedForces forces(part, kEps, std::vector<char>(prices.size(), 0), end);
+    EXPECT_LE(forces.num_joined(), end.touches.size());
+    const PartForces found = forces.find(prices);
+    ASSERT_TRUE(found.solved);
+    EXPECT_NEAR(found.residual, by_all(part, prices), 1e-5) << trial;
+  }
+  EXPECT_GT(num_carried, 40u);
+}
+
 }  // namespace
 }  // namespace trivet

@@ -1,0 +1,118 @@
+// Contacts that are carried along, against those that are searched for anew.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "core/motion/compose.h"
+#include "ops/mend/boxes.h"
+#include "ops/mend/known_contacts.h"
+#include "ops/placement/clearance.h"
+#include "ops/placement/verify.h"
+
+namespace trivet {
+namespace {
+
+using namespace trivet::test;
+
+constexpr double kWide = 0.03, kNear = 0.003;
+
+struct Moving : Boxes {
+  std::mt19937_64 random{3};
+  std::normal_distribution<double> normal;
+
+  Moving() {
+    std::uniform_real_distribution<double> half(0.012, 0.02), part(-1, 1);
+    for (int i = 0; i < 12; ++i) {
+      const Vec3 size(half(random), half(random), half(random));
+      const Rotation turn{part(random), part(random), part(random), part(random)};
+      add("box " + std::to_string(i), size,
+          {0.048 * (i % 3), 0.048 * (i / 3 % 2), 0.04 + 0.048 * (i / 6)}, false, turn.normalized());
+    }
+  }
+  void move(double metres) {
+    for (const ObjectId id : ids) {
+      const double x = normal(random), y = normal(random), z = normal(random);
+      const Rotation turn = turn_about(Vec3(z, x, y).normalized(), 300 * metres);
+      edit_object(scene, id, [&](Object& o) {
+        o.pose.translation += metres * Vec3(x, y, z);
+        o.pose.rotation = (turn * o.pose.rotation).normalized();
+      });
+    }
+  }
+  std::vector<FreeBody> bodies() const { return linked_bodies(scene, ids, {}).bodies; }
+  double clearance() const { return default_clearance(scene); }
+};
+
+bool is_among(const std::vector<BodyContact>& all, const BodyContact& t, double metres) {
+  return std::any_of(all.begin(), all.end(), [&](const BodyContact& o) {
+    return o.on == t.on && o.from == t.from && o.partner == t.partner &&
+           (o.contact.point - t.contact.point).norm() <= metres &&
+           std::abs(o.contact.gap - t.contact.gap) <= metres;
+  });
+}
+
+TEST(KnownContacts, AreAsTheyAreWhereTheyAreNear) {
+  Moving s;
+  KnownContacts known(kWide, s.clearance());
+  known.find(s.scene, s.bodies(), kNear);
+  int num_near = 0, num_wide = 0, num_where_carried = 0;
+  for (int step = 0; step < 6; ++step) {
+    s.move(0.001);
+    const std::vector<BodyContact> found = known.find(s.scene, s.bodies(), kNear);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end(),
+                               [](const auto& a, const auto& b) { return a.on < b.on; }));
+    KnownContacts anew(kWide, s.clearance());
+    for (const BodyContact& t : anew.find(s.scene, s.bodies(), kNear)) {
+      const bool is_near = t.contact.gap < kNear;
+      EXPECT_TRUE(!is_near || is_among(found, t, 1e-12)) << step << t.contact.gap;
+      num_near += is_near;
+      num_wide += !is_near;
+      num_where_carried += !is_near && is_among(found, t, 0.003);
+    }
+  }
+  EXPECT_GT(num_near, 20);
+  EXPECT_GT(num_wide, 200);
+  EXPECT_GT(num_where_carried, 0.7 * num_wide);
+}
+
+bool meet(const Moving& s, size_t i, size_t j) {
+  const auto here = [&](size_t k) {
+    const Object& object = s.scene.at(s.ids[k]);
+    return in_world(object, object.pose, Vec3::Zero());
+  };
+  return !verify_pair(here(i), here(j), false, 1).clear();
+}
+
+TEST(KnownContacts, OfPairsThatMayNotMeetNoneDo) {
+  Moving s;
+  KnownContacts known(kWide, s.clearance());
+  int num_apart = 0, num_meeting = 0;
+  for (int step = 0; step < 12; ++step) {
+    known.find(s.scene, s.bodies(), kNear);
+    const Scene before = s.scene;
+    for (size_t i = 0; i < s.ids.size(); ++i)
+      for (size_t j = i + 1; j < s.ids.size(); ++j) {
+        if (meet(s, i, j)) continue;  // means nothing
+        s.move(0.002);
+        const bool may = known.may_meet(s.ids[i], s.scene.at(s.ids[i]).pose, s.ids[j],
+                                        s.scene.at(s.ids[j]).pose);
+        EXPECT_TRUE(may || !meet(s, i, j)) << step << ' ' << i << ' ' << j;
+        num_apart += !may;
+        num_meeting += meet(s, i, j);
+        s.scene = before;
+      }
+    s.move(0.001);
+  }
+  EXPECT_GT(num_apart, 300);
+  EXPECT_GT(num_meeting, 5);
+}
+
+TEST(KnownContacts, OfUnknownPairsMayMeet) {
+  const Moving s;
+  const KnownContacts known(kWide, s.clearance());
+  EXPECT_TRUE(known.may_meet(s.ids[0], s.scene.at(s.ids[0]).pose, s.ids[11], Pose{}));
+}
+
+}  // namespace
+}  // namespace trivet
