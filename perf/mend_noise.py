@@ -81,11 +81,11 @@ def make_heap(program, size, folder):
 
 
 def perturb(agent, free, noise, generator):
-    # Moves take loads along. So all go into the air first, to heights at which none touches another, and come back one by one:
-    # each is moved by its own noise alone.
-    heights = random.Random(0)
+    # Moves take loads along. So all go into the air first, each to a height of its own, where none touches another, and come
+    # back one by one: each is moved by its own noise alone.
     for k, name in enumerate(free):
-        agent.call("translate", object=name, by=[0, 0, IN_THE_AIR * (k + 1 + heights.random())], free=True, settle_left=False)
+        here = agent.objects()[name]["lower"][2]
+        agent.call("translate", object=name, by=[0, 0, IN_THE_AIR * (k + 1) - here], free=True, settle_left=False)
     high = agent.objects()
     for name, one in free.items():
         back = [a - b + generator.gauss(0, noise / 1000) for a, b in zip(one["lower"], high[name]["lower"])]

@@ -67,7 +67,7 @@ bool ContactEnds::dips(const End& end, const Vec3& normal) const {
 }
 
 std::vector<ContactPoint> ContactEnds::points() {
-  // Faces around a vertex report the same end again and again; the first pair of faces names it.
+  // A face that names a vertex twice reports its ends twice.
   std::sort(m_ends.begin(), m_ends.end(), [](const auto& x, const auto& y) {
     return std::tuple_cat(features_of_end(x), std::tie(x.face_object, x.face_support)) <
            std::tuple_cat(features_of_end(y), std::tie(y.face_object, y.face_support));

@@ -24,7 +24,7 @@ class ContactEnds {
         m_slack(slack) {}
 
   /// A vertex of the object beside a face of the support: near an edge of it, or a corner.
-  /// @param tried  the others are left out.
+  /// @param tried  features of `b`; its others are left out.
   void add_vertex(const Vec3& p, Index vertex, Index face_a, const ContactFace& b,
                   const Index3& corners, const Index3& edges, Index face_b,
                   const FacingFeatures::OfFace& tried);

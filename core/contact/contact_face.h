@@ -46,8 +46,8 @@ struct PlainFace {
 /// With its unit normal, and the boxes of its edges.
 struct ContactFace : PlainFace {
   std::array<Aabb, 3> edge_box;
-  Vec3 normal;         // unit; means nothing unless valid
-  bool valid = false;  // it has a normal
+  Vec3 normal = Vec3::Zero();  // unit; zero unless valid
+  bool valid = false;          // it has a normal
 
   explicit ContactFace(const PlainFace& face) : PlainFace(face) {
     for (int k = 0; k < 3; ++k) {

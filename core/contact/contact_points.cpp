@@ -28,8 +28,8 @@ auto features_of(const ContactPoint& c) {
   return std::tie(c.features, c.feature_object, c.feature_support);
 }
 
-// Two pairs of faces may see the same edges meet a rounding apart: the order must not depend on
-// which came first.
+// A face that names a vertex or an edge twice finds its contacts twice: the order must not depend
+// on which came first.
 auto order_of(const ContactPoint& c) {
   return std::make_tuple(features_of(c), c.gap, c.point.x(), c.point.y(), c.point.z());
 }

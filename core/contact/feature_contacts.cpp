@@ -47,7 +47,7 @@ void FeatureContacts::add(const ContactFace& a, Index face_a, const ContactFace&
   m_near.push_back({face_a, face_b});
   const Index3 &va = m_object.shape->mesh.triangles[face_a],
                &vb = m_support.shape->mesh.triangles[face_b];
-  // Six vertices go against the other face; those with a foot outside may still be ends of edges.
+  // Six vertices go against the other face; those that do not touch it may still be ends of edges.
   const Index3 &ea = m_object.shape->adjacency.face_edges[face_a],
                &eb = m_support.shape->adjacency.face_edges[face_b];
   for (int k = 0; k < 3; ++k) {
@@ -90,7 +90,8 @@ bool FeatureContacts::rim_dips(const Body& body, Index face, const ContactFace& 
   return false;
 }
 
-// @return whether the foot is on the face, or too far.
+// @return false if it may touch an edge or a corner of the face, too: within the slack, or where
+// its own body goes on downwards.
 bool FeatureContacts::try_vertex_face(const Vec3& p, Index vertex, const ContactFace& b,
                                       Index face) {
   const double height = b.normal.dot(p - b.corners[0]);
@@ -101,9 +102,9 @@ bool FeatureContacts::try_vertex_face(const Vec3& p, Index vertex, const Contact
     if (vertex_dips(m_object, vertex, p, normal)) continue;
     if (normal.dot(b.normal) < 0 && rim_dips(m_support, face, b, p, -normal)) continue;
     m_found.push_back({p, normal, std::abs(height), ContactFeatures::VertexFace, vertex, face});
-    break;
+    return b.is_below(p, 0);
   }
-  return true;
+  return false;
 }
 
 bool FeatureContacts::try_face_vertex(const Vec3& q, Index vertex, const ContactFace& a,
@@ -115,9 +116,9 @@ bool FeatureContacts::try_face_vertex(const Vec3& q, Index vertex, const Contact
     if (vertex_dips(m_support, vertex, q, up)) continue;
     if (up.dot(a.normal) < 0 && rim_dips(m_object, face, a, q, -up)) continue;
     m_found.push_back({q, -up, std::abs(height), ContactFeatures::FaceVertex, face, vertex});
-    break;
+    return a.is_below(q, 0);
   }
-  return true;
+  return false;
 }
 
 bool FeatureContacts::past_end(double s, const Vec3& edge, double height) const {
@@ -127,7 +128,7 @@ bool FeatureContacts::past_end(double s, const Vec3& edge, double height) const 
   return s < -slack || s > 1 + slack;
 }
 
-// Only if past_end(along / squared, edge, any height).
+// True only if past_end(along / squared, edge, height), whatever the height.
 bool FeatureContacts::clearly_past_end(double along, double squared, const Vec3& edge) const {
   const double beyond = std::max(-along, along - squared);
   return beyond > kClearlyBeyond * squared &&

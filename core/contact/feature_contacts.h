@@ -32,7 +32,7 @@ class FeatureContacts {
   void add(const ContactFace& a, Index face_a, const ContactFace& b, Index face_b,
            const FacingFeatures& facing);
 
-  /// Features of both bodies, some of them several times.
+  /// Features of both bodies.
   const std::vector<ContactPoint>& found() const { return m_found; }
   /// Ends of parallel edges, and corners of flush overlaps.
   std::vector<ContactPoint> ends_and_corners();

@@ -46,7 +46,7 @@ struct PlacedPart {
 /// Features of two faces that may be in contact with the other face.
 struct FacingFeatures {
   struct OfFace {
-    std::array<bool, 3> vertices{true, true, true}, edges{true, true, true};
+    std::array<bool, 3> vertices{}, edges{};
   };
   OfFace a, b;
 };

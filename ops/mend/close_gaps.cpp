@@ -55,10 +55,12 @@ class GapCloser {
       // Later steps end nearest to where they begin: linear motions converge sooner so.
       m_near_given = m_gaps.near_given && step < kStepsNearGiven;
       choose(reach, step == 0);
+      // One alone that nothing within reach holds, again, is hardly ever held later.
+      if (is_alone()) m_num_missed += m_choice.num_missing;
       if (m_near_given)
         for (size_t i = 0; i < m_ids.size(); ++i) m_missed[i] |= m_choice.missing[i];
-      const bool is_last =
-          step == kStepsOfClosing || is_hopeless() || (m_gaps.is_over && m_gaps.is_over());
+      const bool is_last = step == kStepsOfClosing || m_num_missed >= kMostMissed ||
+                           (m_gaps.is_over && m_gaps.is_over());
       if (is_done() || is_last || !pull_harder_if_stuck()) return {not_held(), missed(), m_longest};
       const double gone = go(reach);
       const double most = is_alone() ? m_gaps.reach : std::min(kMostReachInHeap, m_gaps.reach);
@@ -71,12 +73,6 @@ class GapCloser {
   double soft() const { return is_alone() ? kSoftIfAlone : kSoftContacts; }
   bool is_alone() const { return m_ids.size() == 1; }
   KnownContacts& known() { return m_gaps.known ? *m_gaps.known : m_known; }
-
-  // One alone that nothing within reach holds, again, is hardly ever held later.
-  bool is_hopeless() {
-    if (is_alone()) m_num_missed += m_choice.num_missing;
-    return m_num_missed >= kMostMissed;
-  }
 
   bool is_done() const { return widest_needed() <= kGapClosed * m_gaps.clearance; }
 

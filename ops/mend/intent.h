@@ -37,7 +37,7 @@ struct Intent {
 /// From shapes, poses and what is fixed alone; nothing moves. Columns along gravity tell.
 /// @param tolerance  metres; nothing: found from the gaps.
 Intent infer_intent(const Scene& scene, std::optional<double> tolerance = {});
-/// The same, for who asks for more of the shapes.
+/// The same, for callers that ask for more of the shapes.
 Intent infer_intent(const Scene& scene, std::optional<double> tolerance, ShapeFacts& facts);
 
 }  // namespace trivet

@@ -243,7 +243,7 @@ class Mender {
     return search.landings.is_near_enough();
   }
 
-  // Where it comes to rest from there, in a transaction that is taken back.
+  // It is let go from there, and what that changes is taken back.
   Landing landing_from(Rearrangement& scene, const Pose& start, const Pose& nominal, int tries) {
     const ObjectId id = m_object->id;
     Landing out;

@@ -1,6 +1,7 @@
 // Objects taken out of a scene and put back one after the other. Private.
 #pragma once
 
+#include <cassert>
 #include <functional>
 #include <map>
 #include <memory>
@@ -45,12 +46,16 @@ class Rearrangement {
     Trial out{put_in(transaction, id, start, tries), nullptr};
     if (!out.result.ok()) return out;
     judge(m_scene.at(id));
-    out.change = std::make_shared<SceneChange>(transaction.commit());
+    out.change = std::make_shared<SceneChange>();  // before the commit: then nothing may fail
+    *out.change = transaction.commit();
     m_scene.exchange(*out.change);
     return out;
   }
   /// Does the trial again, without its cost. The scene is as it was before it.
-  void redo(const Trial& trial) { m_scene.exchange(*trial.change); }
+  void redo(const Trial& trial) {
+    assert(trial.change);
+    m_scene.exchange(*trial.change);
+  }
   /// These, where they stand, come to rest as a whole. @return those that do not.
   std::vector<ObjectId> rest_together(const std::vector<ObjectId>& ids);
   void give_up(ObjectId id, Sentence why) {

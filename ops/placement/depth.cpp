@@ -88,6 +88,7 @@ class PairDepth {
   // @param free  metres after which it is free; infinite: not known.
   double least_along(const Vec3& way, double free) {
     const double most = most_along(way), touch = kTouch * m_size;
+    if (!(touch > 0)) return 0;  // two points
     double held = 0;
     if (free == kInfinity) {
       free = kFirst * m_size;
@@ -98,7 +99,7 @@ class PairDepth {
       const double below = std::max(free / kFactor, touch);
       if (!is_free(below * way))
         held = below;
-      else if (below == touch)
+      else if (!(below > touch))
         return 0;
       else
         free = below;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/base/tunables.h"
 #include "core/contact/contact_points.h"
@@ -41,7 +42,7 @@ SettlingBody::SettlingBody(const SettleProblem& problem) : m_problem(problem) {
 }
 
 void SettlingBody::update() {
-  // Answers that were asked in advance hold at one pose only.
+  // Answers hold at one pose only.
   m_answers.clear();
   m_bodies = {Body(*m_problem.shape, world_from_object(m_out.pose, m_problem.up, m_problem.scale))};
   for (size_t i = 0; i < m_problem.carried.size(); ++i) {
@@ -166,12 +167,14 @@ ObstacleContact SettlingBody::query(const Motion& motion) {
   keep.distance = clearance();
   // A question that was asked before from here, alone or together with others, is answered already,
   // to the same bits.
-  const Answer* const known = answer_to(motion);
-  if (known && known->early) m_problem.detector->used_early();
-  ObstacleContact found = known ? known->found
-                                : first_contact(m_bodies, *m_problem.others, motion, keep,
-                                                m_problem.detector, &m_planes);
-  if (!known) m_answers.push_back({motion, found, false});
+  Answer* known = answer_to(motion);
+  if (!known)
+    known = &m_answers.emplace_back(Answer{
+        motion,
+        first_contact(m_bodies, *m_problem.others, motion, keep, m_problem.detector, &m_planes),
+        false});
+  if (std::exchange(known->early, false)) m_problem.detector->used_early();
+  const ObstacleContact found = known->found;
   ++m_out.num_queries;
   m_out.num_face_pairs += found.work.face_pairs;
   return found;
@@ -192,8 +195,8 @@ void SettlingBody::foresee(std::span<const Motion> motions) {
   for (size_t i = 0; i < unknown.size(); ++i) m_answers.push_back({unknown[i], found[i], true});
 }
 
-const SettlingBody::Answer* SettlingBody::answer_to(const Motion& motion) const {
-  for (const Answer& a : m_answers)
+SettlingBody::Answer* SettlingBody::answer_to(const Motion& motion) {
+  for (Answer& a : m_answers)
     if (a.motion.kind == motion.kind && a.motion.axis == motion.axis &&
         a.motion.centre == motion.centre && a.motion.limit == motion.limit)
       return &a;

@@ -71,11 +71,11 @@ class SettlingBody {
   struct Answer {
     Motion motion;
     ObstacleContact found;
-    bool early;  // see foresee()
+    bool early;  // asked by foresee(), and not used yet
   };
 
   std::optional<Motion> part_that_sinks(const Motion& motion, double drop) const;
-  const Answer* answer_to(const Motion& motion) const;  // null: not asked from here
+  Answer* answer_to(const Motion& motion);  // null: not asked from here
   std::vector<ContactsWith> contacts_of(size_t body, double num_clearances) const;
   bool is_lower_than_seen() const;
   const Surface& surface_of_body(Index body) const;

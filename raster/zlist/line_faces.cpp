@@ -11,13 +11,18 @@ namespace {
 
 class LineSink final : public SpanSink {
  public:
-  static constexpr bool kCentres = true;
+  static constexpr bool kCentres = false;
 
-  LineSink(const Layer& layer, int width, const std::function<void(const FaceOnLine&)>& met)
-      : m_layer(layer), m_width(width), m_met(met) {}
+  LineSink(const Layer& layer, const View& view, const std::function<void(const FaceOnLine&)>& met)
+      : m_layer(layer), m_width(view.width), m_met(met), m_raster(view) {}
 
-  void small(const SmallFace& f) { face = f.face; }  // its samples follow
-  void sample(int pixel, float depth, float /*error*/) { meet(pixel, depth); }
+  // Vertices in float32 are too coarse where a face is small and its body is far larger than the
+  // image.
+  void small(const SmallFace& f) {
+    if (!f.centres) return;
+    face = f.face;
+    m_raster.draw(m_layer.corners(face), *this);
+  }
   void span(const Span& s) override {
     if (s.centre_error > kLargestCentreError) return;
     for (int i = 0; i < s.count; ++i)
@@ -34,6 +39,7 @@ class LineSink final : public SpanSink {
   const Layer& m_layer;
   int m_width;
   const std::function<void(const FaceOnLine&)>& m_met;
+  TriangleRaster m_raster;
 };
 
 }  // namespace
@@ -48,7 +54,7 @@ void for_each_face_on_lines(std::span<const Body> bodies, const Projection& proj
   layer.project(1);
   const View view = View::whole(frame, false);
   TriangleRaster raster(view);
-  LineSink sink(layer, view.width, met);
+  LineSink sink(layer, view, met);
   draw_faces<false>(layer, view, Wanted::all_of(view), 0, layer.num_faces(), 1, raster, sink);
 }
 

@@ -17,7 +17,8 @@ struct FaceOnLine {
 };
 
 /// Calls met() for what CompleteZLists have at the centres of pixels, in the order of bodies and
-/// their faces: half the drawing, no sorting and no memory for who needs no order of depth.
+/// their faces: half the drawing, no sorting and no memory, for readers that need no order of
+/// depth.
 void for_each_face_on_lines(std::span<const Body> bodies, const Projection& projection,
                             const std::function<void(const FaceOnLine&)>& met);
 

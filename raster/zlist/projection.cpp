@@ -11,7 +11,7 @@
 namespace trivet {
 namespace {
 
-constexpr int kLargestCompleteResolution = 8192;
+constexpr int kLargestImage = 8192;
 constexpr double kSmallestPixel =
     1e-9;  // of the largest coordinate: still distinguishable in double
 
@@ -30,9 +30,9 @@ void check(const ProjectionOptions& o) {
   require_option(length > 0 && length < kInfinity,
                  say("direction of z-lists is %1 %2 %3; accepted: finite and not 0 0 0",
                      number(o.direction.x()), number(o.direction.y()), number(o.direction.z())));
-  require_option(o.resolution >= 1 && o.resolution <= kLargestCompleteResolution,
-                 say("resolution of z-lists is %1; accepted: 1 to %2", o.resolution,
-                     kLargestCompleteResolution));
+  require_option(
+      o.resolution >= 1 && o.resolution <= kLargestImage,
+      say("resolution of z-lists is %1; accepted: 1 to %2", o.resolution, kLargestImage));
   require_option(
       o.num_threads >= 0,
       say("number of threads of z-lists is %1; accepted: 0 (all) or more", o.num_threads));

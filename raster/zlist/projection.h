@@ -41,7 +41,7 @@ struct Projection {
 /// @throws Error (BadInput) for options out of range.
 Projection projection_of(std::span<const Body> bodies, const ProjectionOptions& options);
 
-/// The same for those that draw: as of a shift of depth along the direction.
+/// The frame of the same image; depth 0 is `nearest`.
 ZListFrame frame_of(const Projection& projection);
 
 }  // namespace trivet

@@ -176,6 +176,31 @@ TEST(ContactPoints, VertexBesideTableEdgeTouchesIt) {
   EXPECT_LT((normal_at(0.6 * kEps) - Vec3(0.6, 0, 0.8)).norm(), 1e-6);
 }
 
+TEST(ContactPoints, VertexThatGoesOnDownwardsBesideEdgeTouchesIt) {
+  // Its foot is within the slack of the table's top, past the edge, where its own faces go on
+  // down: it touches the edge. The edge belongs to the top or to the side, as the table is turned.
+  const double h = kEps, beside = std::min(0.5 * kSlack, 0.03 * h);
+  const Vec3 tip(1 + beside, 0.1, h), a = tip + Vec3(0.1, 0.3, -0.001),
+                                      b = tip + Vec3(-0.1, 0, 0.1);
+  const Vec3 c = tip + Vec3(0.1, -0.3, -0.001);
+  for (const double turn : {0.0, 0.5, 1.0, 1.5}) {
+    const Rotation about_z = about(Vec3::UnitZ(), M_PI * turn);
+    const auto world = [&](const Vec3& p) { return Vec3(about_z.matrix() * p); };
+    const Posed object({{world(tip), world(a), world(b)},
+                        {world(tip), world(b), world(c)},
+                        {world(tip), world(c), world(a)}},
+                       Vec3::Zero());
+    const auto points = points_of(object, table());
+    const Vec3 normal = world(Vec3(beside, 0, h).normalized());
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(),
+                            [&](const ContactPoint& p) {
+                              return (p.normal - normal).norm() < 1e-3 &&
+                                     (p.point - world(tip)).norm() < 2 * h;
+                            }))
+        << turn << " half turns, " << points.size() << " points";
+  }
+}
+
 TEST(ContactPoints, ParallelEdgesGiveLine) {
   // The edges face each other at 37 degrees: neither is over a face of the other, nor do they
   // cross.

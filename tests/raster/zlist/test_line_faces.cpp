@@ -93,6 +93,30 @@ TEST(LineFaces, AreThoseThatTheLinesMeet) {
   EXPECT_GT(counts.missed, counts.met);
 }
 
+// Faces of a pixel's size on a body that is thousands of pixels large.
+TEST(LineFaces, AreMetOnBodiesFarLargerThanTheImage) {
+  LineCounts counts;
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    auto triangles = test::terrain(24, 0.03, 0.02, seed);
+    triangles.push_back({Vec3(9, 9, 0), Vec3(10, 9, 0), Vec3(9, 10, 0)});
+    triangles.push_back({Vec3(-9, -9, 0), Vec3(-10, -9, 0), Vec3(-9, -10, 0)});
+    const auto shape = test::shape_of(triangles);
+    const std::vector<Body> bodies{Body(*shape, world_from_object({}, UpAxis::Z, 1))};
+    ProjectionOptions options;
+    options.resolution = 28;
+    options.region = {Vec2(-0.02, -0.02), Vec2(0.02, 0.02)};
+    const Projection view = projection_of(bodies, options);
+    Met met;
+    for_each_face_on_lines(bodies, view, [&](const FaceOnLine& f) {
+      met[{f.pixel, f.body, f.face}] = f.depth;
+    });
+    for (Index f = 0; f < static_cast<Index>(shape->mesh.triangles.size()); ++f)
+      compare(met, view, bodies[0].triangle(f), 0, static_cast<std::uint32_t>(f), counts);
+  }
+  EXPECT_EQ(counts.wrong, 0);
+  EXPECT_GT(counts.met, 3 * 400);
+}
+
 TEST(LineFaces, AreNoneWithoutBodies) {
   int num = 0;
   for_each_face_on_lines({}, projection_of({}, {}), [&](const FaceOnLine&) { ++num; });
