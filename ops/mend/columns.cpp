@@ -59,8 +59,9 @@ class ColumnReader {
  private:
   Vec2 at(int pixel) const {
     const Projection& p = m_projection;
-    const Vec3 point = p.right * (p.corner.x() + (pixel % p.width + 0.5) * p.pixel) +
-                       p.up * (p.corner.y() + (pixel / p.width + 0.5) * p.pixel);
+    const int column = pixel % p.width, row = pixel / p.width;
+    const Vec3 point = p.right * (p.corner.x() + (column + 0.5) * p.pixel) +
+                       p.up * (p.corner.y() + (row + 0.5) * p.pixel);
     return point.head<2>();
   }
 

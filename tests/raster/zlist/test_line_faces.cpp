@@ -47,7 +47,8 @@ void compare(const Met& met, const Projection& view, const Triangle& world, std:
   const double slope = normal.head<2>().norm() / std::abs(normal.z());
   if (!(slope < 3)) return;  // seen edge-on its depth is not sure, so that it may be left out
   for (int pixel = 0; pixel < view.width * view.height; ++pixel) {
-    const Vec2 at(pixel % view.width + 0.5, pixel / view.width + 0.5);
+    const int column = pixel % view.width, row = pixel / view.width;
+    const Vec2 at(column + 0.5, row + 0.5);
     const auto found = met.find({static_cast<std::uint32_t>(pixel), body, face});
     const double in = inside(t, at);
     if (found == met.end()) {
