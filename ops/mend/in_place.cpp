@@ -43,10 +43,8 @@ class HeapInPlace {
 
   SettledScene run() {
     hold_parted();
-    m_is_attempt = true;
     close_all();
     come_to_rest();
-    m_is_attempt = false;
     // The others are let go one by one, at first only where they come to rest near.
     for (const double farthest : kFarthestInPlace)
       for (const ObjectId id : m_order)
@@ -308,8 +306,7 @@ class HeapInPlace {
   }
   std::vector<Pose> starts_from(ObjectId id, const std::optional<Pose>& rest,
                                 const Pose& free) const {
-    std::vector<Pose> out =
-        starts_in_place(m_scene, *m_meant.find(id), free, tolerance(), m_is_attempt);
+    std::vector<Pose> out = starts_in_place(m_scene, *m_meant.find(id), free, tolerance());
     if (rest) out.insert(out.begin(), *rest);
     return out;
   }
@@ -348,7 +345,6 @@ class HeapInPlace {
   std::map<std::uint32_t, Pose> m_aims;  // by slot, other than the given poses
   double m_longest_step = 0;             // metres, of an attempt, had it no bound
   std::optional<KnownContacts> m_known;  // of all attempts
-  bool m_is_attempt = false;             // what is let go needs few starts
   std::set<std::uint32_t> m_gives_way;   // slots, at the first start that was refused
 };
 

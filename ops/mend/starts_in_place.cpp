@@ -19,8 +19,7 @@ struct Around {
   std::vector<double> lifts, rings, turns;
   int num_ways;
 };
-const Around kAll{{0.01, 0.1, 0.3, 1}, {0.1, 0.3, 1}, {1, 3}, 8};
-const Around kFew{{0.01, 0.3}, {0.3, 1}, {2}, 4};
+const Around kAround{{0.01, 0.1, 0.3, 1}, {0.1, 0.3, 1}, {1, 3}, 8};
 
 Vec3 way_out(const Scene& scene, const ObjectIntent& meant, const ObjectInWorld& mine,
              const Support& with, const Vec3& origin) {
@@ -65,24 +64,23 @@ Pose parted(const Scene& scene, const ObjectIntent& meant, Pose pose) {
 }
 
 std::vector<Pose> starts_in_place(const Scene& scene, const ObjectIntent& meant, const Pose& free,
-                                  double tolerance, bool few) {
+                                  double tolerance) {
   const Object& object = scene.at(meant.id);
-  const Around& around = few ? kFew : kAll;
   const auto way = [&](double k) {
-    return Vec3(turn_about(Vec3::UnitZ(), 360 / around.num_ways * k).matrix().col(0));
+    return Vec3(turn_about(Vec3::UnitZ(), 360 / kAround.num_ways * k).matrix().col(0));
   };
   std::vector<Pose> out{free};
   if (meant.is_level) out.push_back(parted(scene, meant, levelled_from(object, meant, free)));
-  for (const double lift : around.lifts)
+  for (const double lift : kAround.lifts)
     out.push_back(moved(free, tolerance * lift * Vec3::UnitZ()));
-  for (size_t r = 0; r < around.rings.size(); ++r)
-    for (int k = 0; k < around.num_ways; ++k)
+  for (size_t r = 0; r < kAround.rings.size(); ++r)
+    for (int k = 0; k < kAround.num_ways; ++k)
       out.push_back(
-          moved(free, tolerance * (around.rings[r] * way(k + 0.5 * static_cast<double>(r % 2)) +
+          moved(free, tolerance * (kAround.rings[r] * way(k + 0.5 * static_cast<double>(r % 2)) +
                                    0.1 * Vec3::UnitZ())));
   const Vec3 middle = middle_of_box(object, free);
-  for (const double degrees : around.turns)
-    for (int k = 0; k < around.num_ways; ++k) {
+  for (const double degrees : kAround.turns)
+    for (int k = 0; k < kAround.num_ways; ++k) {
       const Rotation turn = turn_about(way(k), degrees).normalized();
       const Pose turned{(turn * free.rotation).normalized(),
                         middle + turn.matrix() * (free.translation - middle)};

@@ -14,9 +14,8 @@ inline constexpr double kAirOfParted = 2e-5;  // metres between an object and wh
 Pose parted(const Scene& scene, const ObjectIntent& meant, Pose pose);
 
 /// The free pose, the same level if that was meant, then above it, beside it, and turned about
-/// level axes. @param tolerance  metres: lifts and rings are parts of it. @param few  a third of
-/// them, where another attempt may follow.
+/// level axes. @param tolerance  metres: lifts and rings are parts of it.
 std::vector<Pose> starts_in_place(const Scene& scene, const ObjectIntent& meant, const Pose& free,
-                                  double tolerance, bool few = false);
+                                  double tolerance);
 
 }  // namespace trivet
