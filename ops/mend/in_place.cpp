@@ -30,7 +30,7 @@ constexpr double kFarInHeap = 4;  // median ways
 // Tolerances within which an object has to come to rest, round by round.
 constexpr double kFarthestInPlace[] = {2, 4, 1e9};
 constexpr size_t kLeastOfHeap = 2;
-constexpr double kTiltedShareOfHeap = 0.2;
+constexpr double kTiltedShareOfHeap = 0.15;
 constexpr double kNearInPlace = 0.7;  // tolerances: near enough to look no further
 constexpr double kNearAtRest = 2;     // the same of what contacts hold as it lies
 constexpr double kRadiansOfDegree = 3.14159265358979323846 / 180;

@@ -133,6 +133,7 @@ class KnownContacts::Search {
     points.resize(std::min(points.size(), kNearestOfPair));
     const double friction = ContactFriction{{}, kShareOfFriction}.of(m_scene, id_of(on), with);
     std::vector<BodyContact> out;
+    out.reserve(points.size());
     for (const ContactPoint& p : points) out.push_back({on, index_of(with), with, friction, p});
     return out;
   }

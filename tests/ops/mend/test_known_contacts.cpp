@@ -26,8 +26,9 @@ struct Moving : Boxes {
     for (int i = 0; i < 12; ++i) {
       const Vec3 size(half(random), half(random), half(random));
       const Rotation turn{part(random), part(random), part(random), part(random)};
-      add("box " + std::to_string(i), size,
-          {0.048 * (i % 3), 0.048 * (i / 3 % 2), 0.04 + 0.048 * (i / 6)}, false, turn.normalized());
+      const int column = i % 3, row = i / 3 % 2, layer = i / 6;
+      add("box " + std::to_string(i), size, {0.048 * column, 0.048 * row, 0.04 + 0.048 * layer},
+          false, turn.normalized());
     }
   }
   void move(double metres) {
