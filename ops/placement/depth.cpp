@@ -22,32 +22,42 @@ class PairDepth {
     m_size = std::max(m_box_a.diagonal(), m_box_b.diagonal());
   }
 
+  // The sooner a short way is known, the less the others cost: normals come first. An axis is
+  // preferred to one that is hardly shorter.
   Depth run() {
-    // The normals of the first two faces that cross are tried, and six axes. Normals come first:
-    // the sooner a short way is known, the less the others cost.
-    std::vector<Vec3> ways;
-    Depth best{kInfinity, {}, middle(m_box_a)};
-    std::optional<CrossingPair> first;
-    if (count_crossings(m_a, m_b, 64, &first) && first) {
-      const Triangle a = triangle(m_a, first->face_a), b = triangle(m_b, first->face_b);
-      best.point = meeting_point(a, b);
-      for (const Triangle& t : {a, b})
-        if (const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]).normalized(); n.norm() > 0.5)
-          ways.push_back(n), ways.push_back(-n);
-    }
+    m_best = {kInfinity, {}, middle(m_box_a)};
+    for (const Vec3& normal : crossing_normals())
+      for (const double sign : {1.0, -1.0}) consider(sign * normal, 1 / (1 + kAccuracy));
+    bool is_axis = false;
     for (int k = 0; k < 3; ++k)
-      for (const double sign : {1.0, -1.0}) ways.push_back(sign * Vec3::Unit(k));
-    for (const Vec3& way : ways) {
-      // A way along which the best length so far is not enough cannot be shorter.
-      const double shorter = best.metres / (1 + kAccuracy);
-      if (best.metres < kInfinity && !is_free(shorter * way)) continue;
-      const double metres = least_along(way, shorter);
-      if (metres < best.metres) best.metres = metres, best.way = way;
-    }
-    return best;
+      for (const double sign : {1.0, -1.0})
+        is_axis |= consider(sign * Vec3::Unit(k), is_axis ? 1 / (1 + kAccuracy) : 1 + kAccuracy);
+    return m_best;
   }
 
  private:
+  // Of the first two faces that cross.
+  std::vector<Vec3> crossing_normals() {
+    std::vector<Vec3> out;
+    std::optional<CrossingPair> first;
+    if (!count_crossings(m_a, m_b, 64, &first) || !first) return out;
+    const Triangle a = triangle(m_a, first->face_a), b = triangle(m_b, first->face_b);
+    m_best.point = meeting_point(a, b);
+    for (const Triangle& t : {a, b})
+      if (const Vec3 n = (t[1] - t[0]).cross(t[2] - t[0]).normalized(); n.norm() > 0.5)
+        out.push_back(n);
+    return out;
+  }
+
+  // @param share  of the best length so far: what is not free then is too long.
+  // @return whether it is the best one now.
+  bool consider(const Vec3& way, double share) {
+    const double most = share * m_best.metres;
+    if (most < kInfinity && !is_free(most * way)) return false;
+    m_best.metres = least_along(way, most), m_best.way = way;
+    return true;
+  }
+
   static Aabb box_of(const ObjectInWorld& o) {
     return Body(*o.doubles.shape, o.doubles.world_from_object).world_box;
   }
@@ -115,6 +125,7 @@ class PairDepth {
   ShiftedPair m_shifted;
   Aabb m_box_a, m_box_b;
   double m_size;
+  Depth m_best;
 };
 
 }  // namespace
