@@ -25,7 +25,7 @@ class PairDepth {
   // The sooner a short way is known, the less the others cost: normals come first. An axis is
   // preferred to one that is hardly shorter.
   Depth run() {
-    m_best = {kInfinity, {}, middle(m_box_a)};
+    m_best = {kInfinity, Vec3::Zero(), middle(m_box_a)};
     for (const Vec3& normal : crossing_normals())
       for (const double sign : {1.0, -1.0}) consider(sign * normal, 1 / (1 + kAccuracy));
     bool is_axis = false;
