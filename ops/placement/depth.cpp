@@ -36,7 +36,7 @@ class PairDepth {
   }
 
  private:
-  // Of the first two faces that cross.
+  // Two faces that cross give theirs.
   std::vector<Vec3> crossing_normals() {
     std::vector<Vec3> out;
     std::optional<CrossingPair> first;
