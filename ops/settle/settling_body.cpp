@@ -174,7 +174,7 @@ ObstacleContact SettlingBody::query(const Motion& motion) {
         first_contact(m_bodies, *m_problem.others, motion, keep, m_problem.detector, &m_planes),
         false});
   if (std::exchange(known->early, false)) m_problem.detector->used_early();
-  const ObstacleContact found = known->found;
+  ObstacleContact found = known->found;
   ++m_out.num_queries;
   m_out.num_face_pairs += found.work.face_pairs;
   return found;
