@@ -258,10 +258,13 @@ class HeapInPlace {
     release(id);
     take_out(id);
     const Pose free = parted(m_scene, *m_meant.find(id), here);
-    std::optional<Pose> start = best_start(id, free, farthest);
+    std::optional<Rearrangement::Trial> best = best_trial(id, free, farthest);
     // If others would give way under it, these are held, too, and let go after it.
-    if (!start && hold_again(id)) start = best_start(id, free, farthest);
-    if (!start || !m_out.put(id, *start, 1).ok()) hold(id, free);
+    if (!best && hold_again(id)) best = best_trial(id, free, farthest);
+    if (best)
+      m_out.redo(*best);
+    else
+      hold(id, free);
   }
 
   bool hold_again(ObjectId id) {
@@ -274,8 +277,8 @@ class HeapInPlace {
     return any;
   }
 
-  std::optional<Pose> best_start(ObjectId id, const Pose& free, double farthest) {
-    std::optional<Pose> best;
+  std::optional<Rearrangement::Trial> best_trial(ObjectId id, const Pose& free, double farthest) {
+    std::optional<Rearrangement::Trial> best;
     double least = kInfinity;
     m_gives_way.clear();
     const double others = way_of_others(id);
@@ -286,12 +289,14 @@ class HeapInPlace {
       if (falls_as_another(start, tried) || refuse_interpenetration(m_scene, id, start, false))
         continue;
       tried.push_back(start);
+      double all = kInfinity;
       const auto judge = [&](const Object& there) {
-        const double way = way_to(id, there.pose), all = way + way_of_others(id) - others;
-        if (way < farthest && all < least) least = all, best = start;
+        const double way = way_to(id, there.pose);
+        if (way < farthest) all = way + way_of_others(id) - others;
       };
-      const OperationResult result = m_out.try_put(id, start, judge, 1).result;
-      if (result.refusal && m_gives_way.empty()) note_who_gives_way(*result.refusal);
+      Rearrangement::Trial trial = m_out.try_put(id, start, judge, 1);
+      if (trial.result.refusal && m_gives_way.empty()) note_who_gives_way(*trial.result.refusal);
+      if (all < least) least = all, best = std::move(trial);
       // Where contacts hold it as it lies, other starts seldom lead nearer.
       const double near = rest && tried.size() == 1 ? kNearAtRest : kNearInPlace;
       if (least <= near * tolerance()) break;
