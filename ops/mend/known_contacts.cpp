@@ -55,7 +55,7 @@ double KnownContacts::Was::way_to(const Pose& now) const {
 class KnownContacts::Search {
  public:
   Search(KnownContacts& known, const Scene& scene, const std::vector<FreeBody>& bodies, double near)
-      : m_known(known), m_scene(scene), m_bodies(bodies), m_near(near) {
+      : m_known(known), m_scene(scene), m_near(near) {
     for (const FreeBody& body : bodies) m_ids.push_back(body.id);
   }
 
@@ -146,7 +146,6 @@ class KnownContacts::Search {
 
   KnownContacts& m_known;
   const Scene& m_scene;
-  const std::vector<FreeBody>& m_bodies;
   const double m_near;
   std::vector<ObjectId> m_ids;
   std::vector<BodyContact> m_found;
