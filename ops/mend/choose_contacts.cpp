@@ -17,18 +17,13 @@ constexpr double kForceThatMatters = 1e-3;  // of a body's weight
 constexpr double kWeakPull = 0.02;          // of the reach
 constexpr double kStrongerPull = 2.5;       // times the one before
 constexpr int kRoundsAtFullPull = 2;
-constexpr double kClearlyBetter = 0.97;        // of a cost
-constexpr double kStillChoice = 0.03;          // clearances
-constexpr double kClosedByMotions = 0.1;       // clearances
-constexpr double kSamePlaceOfContact = 0.005;  // metres
-constexpr double kSameNormalOfContact = 0.95;  // cosine
+constexpr double kClearlyBetter = 0.97;   // of a cost
+constexpr double kStillChoice = 0.03;     // clearances
+constexpr double kClosedByMotions = 0.1;  // clearances
 
 bool is_among(std::span<const BodyContact> contacts, const BodyContact& t) {
-  return std::any_of(contacts.begin(), contacts.end(), [&](const BodyContact& k) {
-    return k.on == t.on && k.partner == t.partner &&
-           (k.contact.point - t.contact.point).norm() < kSamePlaceOfContact &&
-           k.contact.normal.dot(t.contact.normal) > kSameNormalOfContact;
-  });
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const BodyContact& k) { return are_alike(k, t); });
 }
 
 class ContactChoice {

@@ -297,7 +297,7 @@ class HeapInPlace {
       Rearrangement::Trial trial = m_out.try_put(id, start, judge, 1);
       if (trial.result.refusal && m_gives_way.empty()) note_who_gives_way(*trial.result.refusal);
       if (all < least) least = all, best = std::move(trial);
-      // Where contacts hold it as it lies, other starts seldom lead nearer.
+      // If contacts hold it as it lies, other starts seldom lead nearer.
       const double near = rest && tried.size() == 1 ? kNearAtRest : kNearInPlace;
       if (least <= near * tolerance()) break;
     }

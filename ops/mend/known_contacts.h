@@ -33,7 +33,7 @@ class KnownContacts {
     Pose pose = {};
 
     SmallMotion motion_to(const Pose& now) const;
-    double way_to(const Pose& now) const;  // metres, of any of its points, at most
+    double way_to(const Pose& now) const;  // metres, of a point at half its size
   };
   struct Pair {
     Was on, with;  // of the floor, the second means nothing

@@ -13,13 +13,10 @@ namespace trivet {
 namespace {
 
 constexpr int kRoundsOfParting = 8;
-
-/// Starts around its place: above and beside it, in tolerances, and turned, in degrees.
-struct Around {
-  std::vector<double> lifts, rings, turns;
-  int num_ways;
-};
-const Around kAround{{0.01, 0.1, 0.3, 1}, {0.1, 0.3, 1}, {1, 3}, 8};
+// Starts around its place: above and beside it, in tolerances, and turned, in degrees.
+constexpr double kLiftsInPlace[] = {0.01, 0.1, 0.3, 1}, kRingsInPlace[] = {0.1, 0.3, 1};
+constexpr double kTurnsInPlace[] = {1, 3};
+constexpr int kWaysInPlace = 8;
 
 Vec3 way_out(const Scene& scene, const ObjectIntent& meant, const ObjectInWorld& mine,
              const Support& with, const Vec3& origin) {
@@ -67,20 +64,21 @@ std::vector<Pose> starts_in_place(const Scene& scene, const ObjectIntent& meant,
                                   double tolerance) {
   const Object& object = scene.at(meant.id);
   const auto way = [&](double k) {
-    return Vec3(turn_about(Vec3::UnitZ(), 360 / kAround.num_ways * k).matrix().col(0));
+    return Vec3(turn_about(Vec3::UnitZ(), 45 * k).matrix().col(0));
   };
   std::vector<Pose> out{free};
   if (meant.is_level) out.push_back(parted(scene, meant, levelled_from(object, meant, free)));
-  for (const double lift : kAround.lifts)
+  for (const double lift : kLiftsInPlace)
     out.push_back(moved(free, tolerance * lift * Vec3::UnitZ()));
-  for (size_t r = 0; r < kAround.rings.size(); ++r)
-    for (int k = 0; k < kAround.num_ways; ++k)
-      out.push_back(
-          moved(free, tolerance * (kAround.rings[r] * way(k + 0.5 * static_cast<double>(r % 2)) +
-                                   0.1 * Vec3::UnitZ())));
+  double turn_of_ring = 0;  // every second one starts between the ways of the one before
+  for (const double ring : kRingsInPlace) {
+    for (int k = 0; k < kWaysInPlace; ++k)
+      out.push_back(moved(free, tolerance * (ring * way(k + turn_of_ring) + 0.1 * Vec3::UnitZ())));
+    turn_of_ring = 0.5 - turn_of_ring;
+  }
   const Vec3 middle = middle_of_box(object, free);
-  for (const double degrees : kAround.turns)
-    for (int k = 0; k < kAround.num_ways; ++k) {
+  for (const double degrees : kTurnsInPlace)
+    for (int k = 0; k < kWaysInPlace; ++k) {
       const Rotation turn = turn_about(way(k), degrees).normalized();
       const Pose turned{(turn * free.rotation).normalized(),
                         middle + turn.matrix() * (free.translation - middle)};

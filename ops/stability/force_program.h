@@ -78,6 +78,7 @@ class ForceProgram {
                          : m_program.solve(true, &basis);
   }
   int num_touch_columns() const { return m_first_missing; }
+  size_t num_columns_of(size_t touch) const { return m_spanned[touch].edges.size(); }
   LinearProgram::Solution solve_by_dual(double most) const {
     return m_program.solve_by_dual(true, most);
   }

@@ -21,7 +21,9 @@ namespace {
 constexpr size_t kPairContacts = 12;  // points of one pair that the linear program gets
 // Least weight, for a model that is one point: the program's numbers are in parts of them.
 constexpr double kLeastWeight = 1e-15;  // newtons
-constexpr double kLeastSize = 1e-9;     // metres
+// Bodies that moved a little touch at the same place still.
+constexpr double kSamePlaceOfContact = 0.005, kSameNormalOfContact = 0.95;  // metres, and a cosine
+constexpr double kLeastSize = 1e-9;                                         // metres
 
 // Where ids are in a list of them; ground: nowhere.
 class BodyIndex {
@@ -107,6 +109,12 @@ double reach_of(const Object& object, double tolerance) {
 }
 
 }  // namespace
+
+bool are_alike(const BodyContact& a, const BodyContact& b) {
+  return a.on == b.on && a.partner == b.partner &&
+         (a.contact.point - b.contact.point).norm() < kSamePlaceOfContact &&
+         a.contact.normal.dot(b.contact.normal) > kSameNormalOfContact;
+}
 
 double ContactFriction::of(const Scene& scene, ObjectId object, const Support& with) const {
   return share * of_all.value_or(friction_between(scene, object, with));

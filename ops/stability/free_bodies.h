@@ -29,6 +29,10 @@ struct BodyContact {
   ContactPoint contact;
 };
 
+/// True if both are of the same pair, at most 5 mm apart, with nearly the same normal: bodies that
+/// moved a little touch there still.
+bool are_alike(const BodyContact& a, const BodyContact& b);
+
 /// Friction of contacts.
 struct ContactFriction {
   std::optional<double> of_all;  // none: friction_between() each pair

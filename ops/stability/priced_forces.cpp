@@ -8,11 +8,9 @@
 namespace trivet {
 namespace {
 
-constexpr double kGainThatJoins = 1e-6;                   // of a force that joins; CLP knows 1e-7
-constexpr size_t kMostThatJoin = 4;                       // touches of a pair, at a time
-constexpr unsigned char kBasic = 1, kAtLowerBound = 3;    // in CLP's terms
-constexpr double kSamePlace = 0.005, kSameNormal = 0.95;  // metres, and a cosine
-constexpr std::ptrdiff_t kColumnsWithFriction = 9;        // of a touch, without it one
+constexpr double kGainThatJoins = 1e-6;                 // of a force that joins; CLP knows 1e-7
+constexpr size_t kMostThatJoin = 4;                     // touches of a pair, at a time
+constexpr unsigned char kBasic = 1, kAtLowerBound = 3;  // in CLP's terms
 
 }  // namespace
 
@@ -47,12 +45,10 @@ void PricedForces::start_from(const End& end) {
 // The nearest that has not joined, of those where it was.
 std::optional<size_t> PricedForces::same_place(const BodyContact& touch) const {
   std::optional<size_t> out;
-  double least = kSamePlace;
+  double least = kInfinity;
   for (size_t k = 0; k < m_part.touches.size(); ++k) {
     const BodyContact& t = m_part.touches[k];
-    if (m_is_joined[k] || t.on != touch.on || t.partner != touch.partner ||
-        t.contact.normal.dot(touch.contact.normal) < kSameNormal)
-      continue;
+    if (m_is_joined[k] || !are_alike(t, touch)) continue;
     const double metres = (t.contact.point - touch.contact.point).norm();
     if (metres < least) least = metres, out = k;
   }
@@ -61,16 +57,14 @@ std::optional<size_t> PricedForces::same_place(const BodyContact& touch) const {
 
 PricedForces::End PricedForces::end() const {
   End out;
-  std::ptrdiff_t first = 0;
-  for (const size_t k : m_joined) {
-    const std::ptrdiff_t num = m_part.touches[k].friction > 0 ? kColumnsWithFriction : 1;
-    const auto begin = m_basis.begin() + first;
-    LinearProgram::Basis columns(begin, begin + num);
-    first += num;
-    if (std::find(columns.begin(), columns.end(), kBasic) != columns.end())
-      out.touches.push_back({m_part.touches[k], std::move(columns)});
+  auto begin = m_basis.begin();
+  for (size_t j = 0; j < m_columns_of.size(); ++j) {
+    const auto end = begin + static_cast<std::ptrdiff_t>(m_columns_of[j]);
+    if (std::find(begin, end, kBasic) != end)
+      out.touches.push_back({m_part.touches[m_joined[j]], {begin, end}});
+    begin = end;
   }
-  out.rest.assign(m_basis.begin() + first, m_basis.end());
+  out.rest.assign(begin, m_basis.end());
   return out;
 }
 
@@ -92,6 +86,8 @@ PartForces PricedForces::find(std::span<const double> prices) {
       m_basis.insert(m_basis.begin() + static_cast<std::ptrdiff_t>(m_num_columns),
                      num_columns - m_num_columns, kAtLowerBound);
     m_num_columns = num_columns;
+    m_columns_of.clear();
+    for (size_t j = 0; j < m_joined.size(); ++j) m_columns_of.push_back(program.num_columns_of(j));
     const LinearProgram::Solution solution = program.solve_from(m_basis);
     if (!solution.optimal) return {};
     std::vector<double> gains(prices.size(), 0.0);

@@ -15,7 +15,7 @@ namespace trivet {
 /// one before ended: of hundreds of touches in a heap few carry.
 class PricedForces {
  public:
-  /// Where programs ended: a start for those of the same bodies a little later.
+  /// The end of programs, from which others of the same bodies start a little later.
   struct End {
     struct OfTouch {
       BodyContact touch;
@@ -52,8 +52,9 @@ class PricedForces {
   const std::vector<double> m_carried;
   std::vector<size_t> m_joined;  // touches, in the order of their columns
   std::vector<char> m_is_joined;
-  LinearProgram::Basis m_basis;  // where the last program ended
-  size_t m_num_columns = 0;      // of touches, in that
+  LinearProgram::Basis m_basis;      // where the last program ended
+  size_t m_num_columns = 0;          // of touches, in that
+  std::vector<size_t> m_columns_of;  // of each that has joined, in the last program
 };
 
 }  // namespace trivet

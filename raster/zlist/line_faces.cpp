@@ -13,8 +13,9 @@ class LineSink final : public SpanSink {
  public:
   static constexpr bool kCentres = false;
 
-  LineSink(const Layer& layer, const View& view, const std::function<void(const FaceOnLine&)>& met)
-      : m_layer(layer), m_width(view.width), m_met(met), m_raster(view) {}
+  LineSink(const Layer& layer, int width, TriangleRaster& raster,
+           const std::function<void(const FaceOnLine&)>& met)
+      : m_layer(layer), m_width(width), m_raster(raster), m_met(met) {}
 
   // Vertices in float32 are too coarse where a face is small and its body is far larger than the
   // image.
@@ -38,8 +39,8 @@ class LineSink final : public SpanSink {
 
   const Layer& m_layer;
   int m_width;
+  TriangleRaster& m_raster;
   const std::function<void(const FaceOnLine&)>& m_met;
-  TriangleRaster m_raster;
 };
 
 }  // namespace
@@ -54,7 +55,7 @@ void for_each_face_on_lines(std::span<const Body> bodies, const Projection& proj
   layer.project(1);
   const View view = View::whole(frame, false);
   TriangleRaster raster(view);
-  LineSink sink(layer, view, met);
+  LineSink sink(layer, view.width, raster, met);
   draw_faces<false>(layer, view, Wanted::all_of(view), 0, layer.num_faces(), 1, raster, sink);
 }
 

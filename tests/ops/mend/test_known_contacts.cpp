@@ -77,6 +77,37 @@ TEST(KnownContacts, AreAsTheyAreWhereTheyAreNear) {
   EXPECT_GT(num_where_carried, 0.7 * num_wide);
 }
 
+// A box 10 mm over another goes 1 mm aside and 4 mm down; then the lower one turns.
+TEST(KnownContacts, GoAlongWithTheirBodies) {
+  Boxes s;
+  const ObjectId upper = s.add("upper", {0.1, 0.1, 0.05}, {0, 0, 0.26}),
+                 lower = s.add("lower", {0.2, 0.2, 0.1}, {0, 0, 0.1});
+  const std::vector<ObjectId> ids{upper, lower};
+  const auto bodies = [&] { return linked_bodies(s.scene, ids, {}).bodies; };
+  KnownContacts known(kWide, default_clearance(s.scene));
+  known.find(s.scene, bodies(), kWide);
+  const auto corners = [&](std::vector<BodyContact> found) {
+    std::erase_if(found, [](const BodyContact& t) {
+      return t.from != 1 || t.contact.features != ContactFeatures::VertexFace;
+    });
+    EXPECT_GE(found.size(), 4u);
+    return found;
+  };
+  edit_object(s.scene, upper, [](Object& o) { o.pose.translation += Vec3(0.001, 0, -0.004); });
+  for (const BodyContact& t : corners(known.find(s.scene, bodies(), 0))) {
+    EXPECT_NEAR(t.contact.gap, 0.006, 1e-12);
+    EXPECT_NEAR(t.contact.point.z(), 0.206, 1e-12);
+    EXPECT_NEAR(std::abs(t.contact.point.x() - 0.001), 0.1, 1e-12);
+  }
+  edit_object(s.scene, lower, [](Object& o) {
+    o.pose.rotation = Rotation::about_axis(Vec3::UnitY(), 0.0005);  // half of the angle
+  });
+  for (const BodyContact& t : corners(known.find(s.scene, bodies(), 0))) {
+    EXPECT_NEAR(t.contact.normal.x(), 0.001, 1e-6);
+    EXPECT_NEAR(t.contact.gap, 0.006 + 0.001 * t.contact.point.x(), 2e-6);
+  }
+}
+
 bool meet(const Moving& s, size_t i, size_t j) {
   const auto here = [&](size_t k) {
     const Object& object = s.scene.at(s.ids[k]);
