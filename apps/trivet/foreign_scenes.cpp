@@ -7,16 +7,23 @@ namespace trivet::apps {
 
 void add_foreign_options(CLI::App& app, ForeignArguments& arguments) {
   const std::string group = "Scenes of other programs";
-  app.add_option(
-         "--key", arguments.key,
-         "Keyframe of MJCF with the poses; \"none\": where the bodies stand; default: the first, "
-         "if it has positions")
+  app.add_option("--key", arguments.key,
+                 "Keyframe of MJCF with the poses; \"none\": where the bodies stand; a file .npy "
+                 "with an array "
+                 "of qpos; default: the first keyframe, if it has positions")
       ->group(group);
   app.add_option(
          "--collide", arguments.collide,
          "Shapes of colliding meshes: engine, their convex hulls, as engines take them; raw, "
          "as they are")
       ->check(one_of({"engine", "raw"}))
+      ->group(group);
+  app.add_option(
+         "--rules", arguments.rules,
+         "Engine by whose rule the friction of two surfaces counts: mujoco, the larger one, "
+         "or that of the higher priority; bullet, their product; gazebo and trivet, the "
+         "smaller one; format, that of the format's own engine")
+      ->check(one_of(rules_names()))
       ->group(group);
   app.add_option("--root", arguments.roots,
                  "Folders, besides that of the scene, whose files a scene may name")
@@ -39,6 +46,7 @@ OpenOptions open_options(const ForeignArguments& arguments, const CommonOptions&
   out.limits = common.limits();
   if (!arguments.key.empty()) out.foreign.key = arguments.key;
   out.foreign.true_meshes = arguments.collide == "raw";
+  out.foreign.rules = *rules_of(arguments.rules);
   out.foreign.fixed_base = !arguments.free_base;
   out.foreign.roots = arguments.roots;
   out.fixed = arguments.fixed;

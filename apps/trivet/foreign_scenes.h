@@ -11,7 +11,7 @@ namespace trivet::apps {
 
 struct ForeignArguments {
   std::string key;
-  std::string collide = "engine", rule = "roots";
+  std::string collide = "engine", rules = "format", rule = "roots";
   std::vector<std::string> fixed, roots;
   std::optional<double> floor;
   bool no_floor = false, free_base = false;

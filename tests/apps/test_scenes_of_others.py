@@ -1,9 +1,11 @@
 """Scenes of other programs on the command line: check, settle, mend, joint, intent; hostile files."""
 import base64
 import json
+import math
 import os
 import random
 import re
+import struct
 import time
 import unittest
 from pathlib import Path
@@ -168,6 +170,47 @@ class Repairing(ScenesCase):
         lines = self.trivet("mend", "table.xml", "-o", "told.xml")[0].splitlines()
         self.assertEqual(lines[0], "%d objects moved" % len(report["moved"]))
         self.assertRegex(lines[1], r'^  "\w+": [\d.]+ mm( up| down)?, turned by [\d.e-]+ degrees$')
+
+    def test_numbers_of_all_joints_as_an_array(self):
+        # Bodies of one tag have no place of their own in the file.
+        self.write("three.xml", '<mujoco><worldbody><geom type="plane" size="3 3 .1"/><replicate count="3" offset=".3 0 0">'
+                                '<body name="b" pos="0 0 .2"><freejoint/><geom type="box" size=".05 .05 .05"/></body>'
+                                '</replicate></worldbody></mujoco>')
+        self.refused("settle", "three.xml", "-o", "out.xml", says="NAME.npy")
+        self.trivet("settle", "three.xml", "-o", "start.npy")
+        bytes_of = self.read("start.npy")
+        self.assertEqual(len(bytes_of), 128 + 21 * 8)
+        numbers = struct.unpack("<21d", bytes_of[128:])
+        for i in range(3):
+            self.assertEqual(numbers[7 * i + 3:7 * i + 7], (1, 0, 0, 0))
+            self.assertAlmostEqual(numbers[7 * i + 2], 0.05, places=4)
+        self.assertTrue(self.checked("three.xml", "--key", "start.npy")[0]["ok"])
+        self.trivet("mend", "three.xml", "--key", "start.npy", "-o", "again.npy")
+        self.assertEqual(self.read("again.npy"), bytes_of)
+        self.refused("settle", "three.xml", "--key", "start.npy", "-o", "out.xml", says="accepted: .npy")
+        self.refused("settle", "three.xml", "--key", "start.npy", "-o", "start.npy", says="start.npy")
+        self.trivet("joint", "drawer.xml", "slide", "--to", "0.15", "-o", "ajar.npy")
+        self.assertIn("at 0.15 m", self.trivet("joint", "drawer.xml", "--key", "ajar.npy")[0])
+
+    def test_arrays_that_do_not_fit(self):
+        self.trivet("settle", "table.xml", "-o", "two.npy")
+        good = self.read("two.npy")
+        for name, content, says in (("short.npy", good[:-8], "14 numbers"), ("none.npy", b"", "no array"),
+                                    ("long.npy", good[:8] + b"\xff\xff" + good[10:], "no array"),
+                                    ("nan.npy", good[:-8] + struct.pack("<d", math.nan), "not finite"),
+                                    ("int.npy", good.replace(b"<f8", b"<i8"), "float64")):
+            self.write(name, content)
+            self.refused("check", "table.xml", "--key", name, says=says)
+        self.refused("check", "drawer.xml", "--key", "two.npy", says="in one row")
+        self.refused("check", "table.xml", "--key", "missing.npy", says="cannot be read")
+        self.write("f4.npy", good.replace(b"<f8", b"<f4")[:128] + struct.pack("<14f", *struct.unpack("<14d", good[128:])))
+        self.assertTrue(self.checked("table.xml", "--key", "f4.npy")[0]["ok"])
+
+    def test_no_format_is_written_under_the_name_of_another(self):
+        for out in ("out.urdf", "out.glb", "out.usda"):
+            self.refused("settle", "drawer.xml", "-o", out, says="accepted: .xml, .mjcf")
+        self.write("world.sdf", (CASES / "world.sdf").read_bytes())
+        self.refused("settle", "world.sdf", "-o", "out.npy", says="MJCF")
 
     def test_included_files_go_along(self):
         self.write("in/scene.xml", '<mujoco><include file="parts/a.xml"/><worldbody><geom type="plane" size="1 1 1"/>'

@@ -143,6 +143,7 @@ class Foreign {
 
 std::unique_ptr<Foreign> open_foreign(const std::string& path, const std::string& importer,
                                       const std::optional<std::string>& key, bool true_meshes,
+                                      const std::string& rules,
                                       const std::vector<std::string>& roots,
                                       const std::vector<std::string>& fixed,
                                       std::optional<double> floor, bool no_floor) {
@@ -150,6 +151,7 @@ std::unique_ptr<Foreign> open_foreign(const std::string& path, const std::string
   options.limits.importer = importer;
   options.foreign.key = key;
   options.foreign.true_meshes = true_meshes;
+  options.foreign.rules = rules_of(rules).value_or(EngineRules::OfFormat);
   options.foreign.roots = roots;
   options.fixed = fixed;
   options.floor = floor;
@@ -163,7 +165,7 @@ std::unique_ptr<Foreign> open_foreign(const std::string& path, const std::string
 void bind_foreign(py::module_& m) {
   py::class_<Foreign>(m, "Foreign", made_by_functions())
       .def_static("open", &open_foreign, "path"_a, "importer"_a, "key"_a, "true_meshes"_a,
-                  "roots"_a, "fixed"_a, "floor"_a, "no_floor"_a)
+                  "rules"_a, "roots"_a, "fixed"_a, "floor"_a, "no_floor"_a)
       .def_property_readonly("format", &Foreign::format)
       .def_property_readonly("key", &Foreign::key)
       .def_property_readonly("notes", &Foreign::notes)

@@ -14,6 +14,7 @@ from ._named import names as names_of
 from ._shape import PathLike, find_importer
 
 Verdict = dict[str, Any]
+RULES = ("format", "mujoco", "bullet", "gazebo", "trivet")
 
 
 class Foreign:
@@ -29,8 +30,8 @@ class Foreign:
         raise TypeError("Foreign: made by Foreign.load")
 
     @classmethod
-    def load(cls, path: PathLike, *, key: Optional[str] = None, collide: str = "engine", roots: Iterable[PathLike] = (),
-             fixed: Iterable[str] = (), floor: Optional[float] = None, no_floor: bool = False) -> Foreign:
+    def load(cls, path: PathLike, *, key: Optional[str] = None, collide: str = "engine", rules: str = "format",
+             roots: Iterable[PathLike] = (), fixed: Iterable[str] = (), floor: Optional[float] = None, no_floor: bool = False) -> Foreign:
         """Reads a scene as its engine sees it.
 
         Parameters
@@ -38,10 +39,13 @@ class Foreign:
         path : path
             .xml or .mjcf, .urdf, .sdf or .world, .usda, .glb or .gltf.
         key : str
-            Keyframe of MJCF with the poses; "none": where the bodies stand. Default: the first, if it has
-            positions.
+            Keyframe of MJCF with the poses; "none": where the bodies stand; a file .npy: an array of qpos. Default: the
+            first keyframe, if it has positions.
         collide : "engine" or "raw"
             Colliding meshes as the engine takes them, by their hulls, or as they are.
+        rules : "format", "mujoco", "bullet", "gazebo" or "trivet"
+            Engine by whose rule the friction of two surfaces counts: the larger one, their product, the smaller one;
+            by default that of the format's own engine.
         roots : folders
             Besides its own, those whose files the scene may name.
         fixed : names
@@ -62,9 +66,11 @@ class Foreign:
         """
         if collide not in ("engine", "raw"):
             raise _arrays.refuse("collide", repr(collide), '"engine" or "raw"')
+        if rules not in RULES:
+            raise _arrays.refuse("rules", repr(rules), ", ".join(f'"{name}"' for name in RULES))
         scene = object.__new__(cls)
         scene._opened = _trivet.Foreign.open(
-            os.fspath(path), find_importer(), key, collide == "raw", [os.fspath(root) for root in roots],
+            os.fspath(path), find_importer(), key, collide == "raw", rules, [os.fspath(root) for root in roots],
             names_of("fixed", fixed), None if floor is None else _arrays.number("floor", floor),
             _arrays.flag("no_floor", no_floor))
         return scene

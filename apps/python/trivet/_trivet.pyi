@@ -76,8 +76,8 @@ class SettleOptions:
 
 class Foreign:
     @staticmethod
-    def open(path: str, importer: str, key: Optional[str], true_meshes: bool, roots: List[str], fixed: List[str],
-             floor: Optional[float], no_floor: bool) -> Foreign: ...
+    def open(path: str, importer: str, key: Optional[str], true_meshes: bool, rules: str, roots: List[str],
+             fixed: List[str], floor: Optional[float], no_floor: bool) -> Foreign: ...
     @property
     def format(self) -> str: ...
     @property

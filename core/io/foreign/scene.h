@@ -21,6 +21,10 @@ namespace trivet {
 /// Engine's rule for the friction of two surfaces.
 enum class FrictionRule { Larger, Smaller, Product, Mean };
 
+/// Whose rule that is. OfFormat: MuJoCo's for MJCF, Bullet's for URDF, Gazebo's for SDF, that of
+/// its materials for USD.
+enum class EngineRules { OfFormat, Mujoco, Bullet, Gazebo, Trivet };
+
 /// These decide whether and how a collider meets others.
 struct ContactBits {
   std::uint32_t type = 1, affinity = 1;  // two collide if the one's type meets the other's affinity
@@ -46,7 +50,8 @@ struct PosePlace {
   size_t begin = 0;                // byte of the start tag
   size_t content = 0;              // Element: where a <pose> is put that is not there yet
   std::optional<XmlNode> element;  // Element: its <pose>
-  // MJCF: of the first of its seven numbers in a keyframe. Prim: in UsdaSource::places.
+  // MJCF: of the first of its seven numbers in a keyframe, Nowhere too. Prim: in
+  // UsdaSource::places.
   size_t number = 0;
   Pose world_from_place;  // what the numbers are relative to
   Sentence why_not;       // Nowhere: the reason
@@ -93,7 +98,8 @@ struct ForeignScene {
   size_t num_joints = 0;         // held as they are
   size_t num_faces = 0;          // see count_faces()
   std::vector<ForeignJoint> joints;
-  std::string values_file;  // that gave values of joints; empty: none
+  std::string values_file;   // that gave values of joints; empty: none
+  std::string numbers_file;  // MJCF: the array (.npy) that the poses are of; empty: none
   // MJCF: all numbers of a keyframe as they stand, and where a first keyframe would be put into the
   // main file.
   std::vector<double> numbers;
@@ -108,10 +114,12 @@ using MeshSource = std::function<Model(const std::string& path)>;
 
 /// Choices for reading.
 struct ForeignOptions {
-  std::optional<std::string> key;  // keyframe by name; "none": the reference configuration
-  bool true_meshes = false;        // colliding meshes as they are, not their hulls
-  bool fixed_base = true;          // URDF: the root link does not move
-  std::vector<std::string> roots;  // folders, besides its own, that the scene may read
+  // Keyframe by name; "none": the reference configuration; a file .npy: its numbers of all joints.
+  std::optional<std::string> key;
+  bool true_meshes = false;                   // colliding meshes as they are, not their hulls
+  bool fixed_base = true;                     // URDF: the root link does not move
+  EngineRules rules = EngineRules::OfFormat;  // of friction
+  std::vector<std::string> roots;             // folders, besides its own, that the scene may read
   XmlLimits limits;
 };
 
@@ -126,6 +134,14 @@ class UniqueNames {
  private:
   std::map<std::string, int> m_taken;  // by name: the last number that was tried with it
 };
+
+/// By the names "format", "mujoco", "bullet", "gazebo", "trivet"; empty: there is none.
+std::optional<EngineRules> rules_of(const std::string& name);
+std::vector<std::string> rules_names();
+
+/// Lets the friction of pairs follow an engine's rule in place of the format's own. Priorities are
+/// MuJoCo's alone.
+void apply_rules(EngineRules rules, ForeignScene& scene);
 
 /// Counts faces of colliders: scenes are not trusted. @throws Error (BadInput): too many.
 void count_faces(const Mesh& mesh, ForeignScene& scene);

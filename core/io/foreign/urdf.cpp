@@ -17,7 +17,10 @@ namespace {
 
 constexpr size_t kMostUrdfLinks = 10'000;
 constexpr int kMostInARow = 1000;  // links from the root
-constexpr double kFriction = 0.5;  // URDF states none; as Bullet has it
+// URDF states no friction: what engines take then.
+double usual_friction(EngineRules rules) {
+  return rules == EngineRules::Mujoco || rules == EngineRules::Gazebo ? 1 : 0.5;
+}
 
 double degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
@@ -85,6 +88,10 @@ class UrdfReader {
         for (const XmlNode& one : node.children)
           if (const std::string* const name = one.tag == "joint" ? one.find("name") : nullptr)
             m_driven.insert(*name);
+    for (const XmlNode& node : root.children)
+      if (const std::string* const link = node.tag == "gazebo" ? node.find("reference") : nullptr)
+        if (const XmlNode* const mu = node.child("mu1"))
+          m_gazebo_friction[*link] = numbers_in(mu->text, "mu1", place(*mu), 1, 1)[0];
     for (const auto& [child, joint] : m_joint_of)
       for (const std::string& name : {child, joint.parent})
         if (!m_links.count(name)) place(*joint.node).refuse("link", name, "the name of a link");
@@ -225,10 +232,25 @@ class UrdfReader {
 
   void add_content(const XmlNode& link, const Pose& pose, ForeignBody& body) {
     const Pose in_body = composed(inverse(body.pose), pose);
+    const double friction = friction_of(link);
     for (const XmlNode& node : link.children)
-      if (node.tag == "collision") add_collision(node, in_body, body);
+      if (node.tag == "collision") add_collision(node, in_body, friction, body);
     const XmlNode* const inertial = link.child("inertial");
     if (inertial && (!body.fixed || body.is_link)) add_mass(*inertial, in_body, body);
+  }
+
+  // Additions of Bullet and Gazebo to the format: a link's <contact>, and <gazebo> for it.
+  double friction_of(const XmlNode& link) const {
+    const EngineRules rules = m_options.rules;
+    const double usual = usual_friction(rules);
+    if (rules == EngineRules::Mujoco) return usual;
+    if (rules == EngineRules::Gazebo) {
+      const auto given = m_gazebo_friction.find(attribute(link, "name"));
+      return given == m_gazebo_friction.end() ? usual : given->second;
+    }
+    const XmlNode* const contact = link.child("contact");
+    const XmlNode* const lateral = contact ? contact->child("lateral_friction") : nullptr;
+    return lateral ? number_in(*lateral, "value", usual) : usual;
   }
 
   void add_mass(const XmlNode& node, const Pose& in_body, ForeignBody& body) {
@@ -251,7 +273,7 @@ class UrdfReader {
     body.mass = sum.total();
   }
 
-  void add_collision(const XmlNode& node, const Pose& in_body, ForeignBody& body) {
+  void add_collision(const XmlNode& node, const Pose& in_body, double friction, ForeignBody& body) {
     const XmlNode* const geometry = node.child("geometry");
     if (!geometry || geometry->children.empty()) return;
     const XmlNode& shape = geometry->children.front();
@@ -259,7 +281,7 @@ class UrdfReader {
     const std::string* const name = node.find("name");
     collider.name = name ? *name : "collision " + std::to_string(body.colliders.size() + 1);
     collider.pose = composed(in_body, origin_of(node));
-    collider.bits.friction = kFriction;
+    collider.bits.friction = friction;
     try {
       collider.mesh = std::make_shared<const Mesh>(mesh_of(shape));
     } catch (const Error& error) {
@@ -305,8 +327,9 @@ class UrdfReader {
   std::map<std::string, const XmlNode*> m_links;
   std::map<std::string, JointNode> m_joint_of;  // by child
   std::map<std::string, std::vector<std::string>> m_children;
-  std::set<std::string> m_driven;  // joints with a transmission
-  std::set<size_t> m_hangs;        // bodies that hang in joints
+  std::map<std::string, double> m_gazebo_friction;  // of links
+  std::set<std::string> m_driven;                   // joints with a transmission
+  std::set<size_t> m_hangs;                         // bodies that hang in joints
   std::vector<TreeJoint> m_tree;
   size_t m_num_placed = 0;
 };

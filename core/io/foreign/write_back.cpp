@@ -40,6 +40,16 @@ Vec3 moved_position(const std::string& old, const ForeignBody& body, const Pose&
 std::vector<double> numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 std::vector<double> numbers_of(const Rotation& r) { return {r.w, r.x, r.y, r.z}; }
 
+// A free body's seven numbers in a keyframe.
+void set_numbers(const ForeignBody& body, const Pose& pose, JointNumbers& numbers) {
+  // A turn that has not changed keeps the file's digits.
+  const bool turned = !same_turn(pose.rotation, body.pose.rotation);
+  const std::vector<double> p = numbers_of(pose.translation), r = numbers_of(pose.rotation);
+  for (size_t i = 0; i < 3; ++i) numbers[body.place.number + i] = p[i];
+  if (turned)
+    for (size_t i = 0; i < 4; ++i) numbers[body.place.number + 3 + i] = r[i];
+}
+
 // Angle of (x, y) from the x axis, radians; the same bits on every machine.
 double angle_of(double x, double y) {
   const double length = std::sqrt(x * x + y * y);
@@ -120,15 +130,6 @@ class Editor {
   // One keyframe holds the numbers of all bodies.
   void edit_key(const ForeignBody& body, const Pose& pose) {
     set_numbers(body, pose, m_keys[{body.place.file, body.place.begin}]);
-  }
-
-  static void set_numbers(const ForeignBody& body, const Pose& pose, JointNumbers& numbers) {
-    // A turn that has not changed keeps the file's digits.
-    const bool turned = !same_turn(pose.rotation, body.pose.rotation);
-    const std::vector<double> p = numbers_of(pose.translation), r = numbers_of(pose.rotation);
-    for (size_t i = 0; i < 3; ++i) numbers[body.place.number + i] = p[i];
-    if (turned)
-      for (size_t i = 0; i < 4; ++i) numbers[body.place.number + 3 + i] = r[i];
   }
 
   // The start tag of the keyframe that the poses are of.
@@ -254,6 +255,16 @@ std::vector<std::string> files_with_poses(const ForeignScene& scene,
   Editor editor(scene, joints);
   for (const auto& [body, pose] : poses) editor.edit(scene.bodies.at(body), pose);
   return editor.take();
+}
+
+std::vector<double> numbers_with_poses(const ForeignScene& scene,
+                                       const std::map<size_t, Pose>& poses,
+                                       const JointNumbers& joints) {
+  JointNumbers changes = joints;
+  for (const auto& [body, pose] : poses) set_numbers(scene.bodies.at(body), pose, changes);
+  std::vector<double> out = scene.numbers;
+  for (const auto& [i, value] : changes) out.at(i) = value;
+  return out;
 }
 
 }  // namespace trivet

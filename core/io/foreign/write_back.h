@@ -21,4 +21,9 @@ std::vector<std::string> files_with_poses(const ForeignScene& scene,
                                           const std::map<size_t, Pose>& poses,
                                           const JointNumbers& joints = {});
 
+/// All numbers of a keyframe of MJCF (qpos), with new poses and values of joints.
+std::vector<double> numbers_with_poses(const ForeignScene& scene,
+                                       const std::map<size_t, Pose>& poses,
+                                       const JointNumbers& joints = {});
+
 }  // namespace trivet

@@ -7,6 +7,7 @@
 #include "core/base/bad_input.h"
 #include "core/base/extension.h"
 #include "core/io/foreign/joint_values.h"
+#include "core/io/foreign/mjcf/qpos_array.h"
 #include "core/io/foreign/mjcf/read_mjcf.h"
 #include "core/io/foreign/sdf.h"
 #include "core/io/foreign/urdf.h"
@@ -26,6 +27,7 @@ constexpr const char* kSceneTags =
 
 /// A format of scenes.
 struct SceneFormat {
+  const char* name;
   const char* tag;  // first element; "": none, it is no XML
   std::vector<std::string> extensions;
   ForeignScene (*read)(const std::string&, const ForeignOptions&, const MeshSource&);
@@ -33,10 +35,10 @@ struct SceneFormat {
 
 const std::vector<SceneFormat>& scene_formats_of_others() {
   static const std::vector<SceneFormat> formats = {
-      {"mujoco", {".xml", ".mjcf"}, read_mjcf},
-      {"robot", {".urdf"}, read_urdf},
-      {"sdf", {".sdf", ".world"}, read_sdf},
-      {"", {".usda", ".usd"}, read_usda},
+      {"MJCF", "mujoco", {".xml", ".mjcf"}, read_mjcf},
+      {"URDF", "robot", {".urdf"}, read_urdf},
+      {"SDF", "sdf", {".sdf", ".world"}, read_sdf},
+      {"USD", "", {".usda", ".usd"}, read_usda},
   };
   return formats;
 }
@@ -178,15 +180,49 @@ void write_over_layer(const ForeignScene& scene, const std::map<size_t, Pose>& p
   staged.commit();
 }
 
+std::vector<std::string> inputs_of(const ForeignScene& scene) {
+  std::vector<std::string> out;
+  for (const XmlFile& file : scene.files) out.push_back(file.path);
+  for (const std::string& file : {scene.values_file, scene.numbers_file})
+    if (!file.empty()) out.push_back(file);
+  return out;
+}
+
+// The numbers of all joints alone.
+void write_numbers(const ForeignScene& scene, const std::map<size_t, Pose>& poses,
+                   const JointNumbers& joints, const std::string& out) {
+  if (scene.format != "MJCF")
+    bad_file(out, "cannot hold poses of %1; accepted: numbers of joints of MJCF", scene.format);
+  check_not_the_same(out, inputs_of(scene));
+  StagedFiles staged;
+  staged.add(out, qpos_array(numbers_with_poses(scene, poses, joints)));
+  staged.commit();
+}
+
+// XML under the name of another format would be read as that.
+void refuse_other_format(const ForeignScene& scene, const std::string& out) {
+  const auto& formats = scene_formats_of_others();
+  const auto mine = std::find_if(formats.begin(), formats.end(),
+                                 [&](const SceneFormat& f) { return scene.format == f.name; });
+  const bool as_read = lower_extension(out) == lower_extension(scene.files[0].path);
+  if (as_read || !is_scene_of_others(out) || has_extension_of(*mine, out)) return;
+  std::string accepted;
+  for (const std::string& extension : mine->extensions)
+    accepted += (accepted.empty() ? "" : ", ") + extension;
+  bad_file(out, "would hold %1; accepted: %2", scene.format, accepted);
+}
+
 void write_files(const ForeignScene& scene, const std::map<size_t, Pose>& poses,
                  const JointNumbers& joints, const std::string& out) {
+  if (is_qpos_array(out)) return write_numbers(scene, poses, joints, out);
+  if (!scene.numbers_file.empty())
+    bad_file(out, "is no place for poses that %1 has; accepted: .npy", scene.numbers_file);
   if (scene.usda) return write_over_layer(scene, poses, out);
+  refuse_other_format(scene, out);
   const bool apart = scene.format != "MJCF";
   const std::vector<std::string> bytes =
       files_with_poses(scene, poses, apart ? JointNumbers() : joints);
-  std::vector<std::string> inputs;
-  for (const XmlFile& file : scene.files) inputs.push_back(file.path);
-  if (!scene.values_file.empty()) inputs.push_back(scene.values_file);
+  const std::vector<std::string> inputs = inputs_of(scene);
   StagedFiles staged;
   if (const std::string values = joint_values_path(out);
       apart && needs_values(scene, joints, values)) {
@@ -217,8 +253,9 @@ OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
   const MeshSource meshes = [&](const std::string& file) {
     return import_model(file, options.limits);
   };
-  auto foreign =
-      std::make_shared<const ForeignScene>(read_scene_file(path, options.foreign, meshes));
+  ForeignScene read = read_scene_file(path, options.foreign, meshes);
+  apply_rules(options.foreign.rules, read);
+  const auto foreign = std::make_shared<const ForeignScene>(std::move(read));
   OpenedScene out;
   out.path = path, out.format = foreign->format, out.key = foreign->key;
   out.notes = foreign->notes, out.unread = foreign->unread;
@@ -227,6 +264,7 @@ OpenedScene open_scene(const std::string& path, const OpenOptions& options) {
   out.num_joints = foreign->num_joints;
   for (const XmlFile& file : foreign->files) out.files.push_back(file.path);
   if (!foreign->values_file.empty()) out.files.push_back(foreign->values_file);
+  if (!foreign->numbers_file.empty()) out.files.push_back(foreign->numbers_file);
   out.judged = judged_scene(*foreign);
   out.joints = joints_of(*foreign, out.judged);
   out.standing = standing_of(*foreign, out.judged);

@@ -51,6 +51,35 @@ def test_mending_and_what_was_meant(tmp_path):
     assert scene.check()["ok"] and report["supports_kept"] == report["supports_meant"]
 
 
+def test_states_of_an_archive(tmp_path):
+    """Arrays of qpos are states of the scene, and so are written."""
+    path = tmp_path / "two.xml"
+    path.write_text('<mujoco><worldbody><geom type="plane" size="2 2 .1"/>'
+                    '<body name="a"><freejoint/><geom type="box" size=".05 .05 .05"/></body>'
+                    '<body name="b"><freejoint/><geom type="box" size=".05 .05 .05"/></body></worldbody></mujoco>')
+    for i, height in enumerate((0.09, 0.03)):
+        np.save(tmp_path / "state.npy", [0, 0, height, 1, 0, 0, 0, 0.3, 0, 0.05, 1, 0, 0, 0])
+        scene = trivet.Foreign.load(path, key=str(tmp_path / "state.npy"))
+        scene.settle()
+        scene.save(tmp_path / "rest.npy")
+        qpos = np.load(tmp_path / "rest.npy")
+        assert qpos.shape == (14,) and qpos[2] == pytest.approx(0.05, abs=1e-5)
+        assert qpos[7:].tolist() == [0.3, 0, 0.05, 1, 0, 0, 0]
+        assert trivet.Foreign.load(path, key=str(tmp_path / "rest.npy")).check()["ok"], i
+
+
+def test_friction_by_the_rules_of_an_engine(tmp_path):
+    path = tmp_path / "slope.xml"
+    path.write_text('<mujoco><worldbody><body euler="0 20 0"><geom type="box" size="1 1 .1" pos="0 0 -.1" friction=".3"/>'
+                    '</body><body name="b" euler="0 20 0" pos="0.0171010071662834 0 0.0469846310392954"><freejoint/>'
+                    '<geom type="box" size=".05 .05 .05" friction=".5"/></body></worldbody></mujoco>')
+    holds = {rules: trivet.Foreign.load(path, rules=rules).check()["ok"]
+             for rules in ("format", "mujoco", "bullet", "gazebo", "trivet")}
+    assert holds == {"format": True, "mujoco": True, "bullet": False, "gazebo": False, "trivet": False}
+    with pytest.raises(trivet.BadInputError, match="rules"):
+        trivet.Foreign.load(path, rules="ode")
+
+
 def test_bad_arguments(tmp_path):
     (tmp_path / "x.xml").write_text("<mujoco><worldbody/></mujoco>")
     with pytest.raises(trivet.BadInputError, match="keyframe"):

@@ -7,6 +7,7 @@
 #include "core/base/bad_input.h"
 #include "core/io/foreign/mjcf/includes.h"
 #include "core/io/foreign/mjcf/model.h"
+#include "core/io/foreign/mjcf/qpos_array.h"
 
 namespace trivet {
 namespace {
@@ -18,11 +19,12 @@ using mjcf::Joint;
 using mjcf::Qpos;
 using mjcf::Settings;
 
-/// The keyframe that the poses are of.
+/// The state that the poses are of: a keyframe, an array in a file, or the reference configuration.
 struct Key {
-  const XmlNode* node = nullptr;  // null: the reference configuration
+  const XmlNode* node = nullptr;  // null: no keyframe
   std::string name;
-  Qpos qpos;
+  Qpos qpos;  // empty: the reference configuration
+  const Qpos* numbers() const { return qpos.empty() ? nullptr : &qpos; }
 };
 
 std::vector<const XmlNode*> keys_of(const XmlNode& root) {
@@ -42,6 +44,10 @@ std::string name_of_key(const std::vector<const XmlNode*>& keys, size_t i) {
 Key key_of(const XmlNode& root, const mjcf::Model& model, const ForeignOptions& options,
            ForeignScene& scene) {
   if (options.key == "none") return {};
+  if (options.key && is_qpos_array(*options.key)) {
+    scene.numbers_file = *options.key;
+    return {nullptr, *options.key, read_qpos_array(*options.key, model.num_numbers)};
+  }
   const std::vector<const XmlNode*> keys = keys_of(root);
   std::string known;
   for (size_t i = 0; i < keys.size(); ++i) {
@@ -67,7 +73,7 @@ class Assembler {
         m_settings(settings),
         m_model(model),
         m_key(key),
-        m_at(mjcf::kinematics_of(model, key.node ? &key.qpos : nullptr)),
+        m_at(mjcf::kinematics_of(model, key.numbers())),
         m_groups(model),
         m_scene(scene) {}
 
@@ -133,15 +139,17 @@ class Assembler {
   PosePlace place_of(size_t i) const {
     const Body& body = m_model.bodies[i];
     PosePlace out;
+    out.number = body.joints[0].first_number;
     if (!m_key.node && body.is_copy) {
-      out.why_not = Sentence("its tag makes several bodies");
+      out.why_not = Sentence(
+          "its tag makes several bodies; accepted: an output NAME.npy, which "
+          "has the numbers of all joints (qpos)");
       return out;
     }
     const XmlNode& node = m_key.node ? *m_key.node : *body.node;
     out.kind = m_key.node ? PosePlace::Kind::Key : PosePlace::Kind::Tag;
     out.file = node.file;
     out.begin = node.begin;
-    out.number = body.joints[0].first_number;
     if (!m_key.node)
       out.world_from_place = composed(m_at.bodies[static_cast<size_t>(body.parent)], body.frame);
     return out;
@@ -191,7 +199,7 @@ class Assembler {
 
   // A keyframe has numbers for all joints.
   void note_numbers() {
-    m_scene.numbers = m_key.node ? m_key.qpos : mjcf::reference_numbers(m_model);
+    m_scene.numbers = m_key.numbers() ? m_key.qpos : mjcf::reference_numbers(m_model);
     if (m_key.node) return;
     const auto is_copy = [](const Body& body) { return body.is_copy; };
     if (!keys_of(m_root).empty())

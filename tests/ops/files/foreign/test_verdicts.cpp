@@ -174,5 +174,68 @@ TEST(PairTable, FrictionFollowsTheEngine) {
   EXPECT_EQ(pair_friction(first, b, FrictionRule::Larger), 0.1);
 }
 
+// A box on a slope of 20 degrees, whose tangent is 0.364.
+std::string slope(const std::string& above, const std::string& below, const std::string& more) {
+  return "<mujoco><worldbody><body euler='0 20 0'><geom type='box' size='1 1 0.1' pos='0 0 -0.1' "
+         "friction='" +
+         below + "' " + more +
+         "/></body><body name='b' euler='0 20 0' pos='0.0171010071662834 0 0.0469846310392954'>"
+         "<freejoint/><geom type='box' size='0.05 0.05 0.05' friction='" +
+         above + "'/></body></worldbody></mujoco>";
+}
+
+bool holds(EngineRules rules, const std::string& text, const std::string& name = "scene.xml") {
+  const TemporaryFolder folder;
+  write_text(folder.file(name), text);
+  OpenOptions options;
+  options.foreign.rules = rules;
+  OpenedScene opened = open_scene(folder.file(name), options);
+  return judge(opened, {}).ok();
+}
+
+TEST(EngineRules, FrictionCountsByTheEngineThatIsNamed) {
+  const std::string unlike = slope("0.5", "0.3", "");
+  EXPECT_TRUE(holds(EngineRules::OfFormat, unlike));
+  EXPECT_TRUE(holds(EngineRules::Mujoco, unlike));
+  EXPECT_FALSE(holds(EngineRules::Gazebo, unlike));
+  EXPECT_FALSE(holds(EngineRules::Trivet, unlike));
+  const std::string alike = slope("0.5", "0.5", "");
+  EXPECT_TRUE(holds(EngineRules::Gazebo, alike));
+  EXPECT_FALSE(holds(EngineRules::Bullet, alike));
+}
+
+TEST(EngineRules, PrioritiesAreMujocosAlone) {
+  const std::string slippery = slope("0.5", "0.1", "priority='1'");
+  EXPECT_FALSE(holds(EngineRules::Mujoco, slippery));
+  const std::string rough = slope("0.1", "0.5", "priority='1'");
+  EXPECT_TRUE(holds(EngineRules::OfFormat, rough));
+  EXPECT_FALSE(holds(EngineRules::Gazebo, rough));
+}
+
+// URDF has no friction; Bullet and Gazebo each add theirs.
+TEST(EngineRules, UrdfHasWhatItsEngineAdds) {
+  const auto robot = [](const std::string& contact, const std::string& more) {
+    return "<robot name='r'><link name='world'/><link name='slope'>" + contact +
+           "<collision><origin xyz='0 0 -0.1'/><geometry><box size='2 2 0.2'/></geometry>"
+           "</collision></link><link name='b'>" +
+           contact +
+           "<collision><geometry><box size='0.1 0.1 0.1'/></geometry></collision></link>"
+           "<joint name='s' type='fixed'><parent link='world'/><child link='slope'/>"
+           "<origin rpy='0 0.3490658503988659 0'/></joint>"
+           "<joint name='f' type='floating'><parent link='world'/><child link='b'/><origin "
+           "xyz='0.0171010071662834 0 0.0469846310392954' rpy='0 0.3490658503988659 0'/></joint>" +
+           more + "</robot>";
+  };
+  EXPECT_FALSE(holds(EngineRules::OfFormat, robot("", ""), "r.urdf"));
+  EXPECT_TRUE(holds(EngineRules::Mujoco, robot("", ""), "r.urdf"));
+  EXPECT_TRUE(holds(EngineRules::Gazebo, robot("", ""), "r.urdf"));
+  EXPECT_TRUE(holds(EngineRules::Trivet, robot("", ""), "r.urdf"));
+  const std::string rough = "<contact><lateral_friction value='0.7'/></contact>";
+  EXPECT_TRUE(holds(EngineRules::OfFormat, robot(rough, ""), "r.urdf"));
+  EXPECT_TRUE(holds(EngineRules::Bullet, robot(rough, ""), "r.urdf"));
+  EXPECT_FALSE(holds(EngineRules::Gazebo,
+                     robot(rough, "<gazebo reference='b'><mu1>0.1</mu1></gazebo>"), "r.urdf"));
+}
+
 }  // namespace
 }  // namespace trivet
