@@ -104,6 +104,7 @@ class Placer {
   std::optional<Sentence> judge(const Combination& combination, const Rotation& rotation,
                                 const OperationResult& result) const;
   std::optional<Sentence> judge_supports(const Combination& combination) const;
+  std::optional<Sentence> judge_inside(const Object& thing) const;
   std::optional<Sentence> judge_distances(const Combination& combination) const;
 
   World& m_world;

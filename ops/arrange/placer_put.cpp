@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/base/quoted.h"
+#include "ops/arrange/inside.h"
 #include "ops/arrange/place_order.h"
 #include "ops/arrange/relations.h"
 #include "ops/arrange/steadiness.h"
@@ -12,6 +13,11 @@ namespace trivet {
 namespace {
 
 constexpr int kHalvings = 8;
+
+bool touches(const Object& object, ObjectId other) {
+  return std::any_of(object.contacts.begin(), object.contacts.end(),
+                     [&](const ObjectContact& c) { return c.with == Support(other); });
+}
 
 }  // namespace
 
@@ -124,9 +130,10 @@ std::optional<Sentence> Placer::judge(const Combination& combination, const Rota
 
 std::optional<Sentence> Placer::judge_supports(const Combination& combination) const {
   const auto& supports = combination.landing.supports;
+  const Object& thing = m_world.object(model());
   bool carried = false;
   // Only supports that were asked for may carry it.
-  for (const ObjectContact& entry : m_world.object(model()).contacts) {
+  for (const ObjectContact& entry : thing.contacts) {
     const bool asked = std::count(supports.begin(), supports.end(), entry.with) > 0;
     carried = carried || (asked && holds_up(entry));
     if (!asked && holds_up(entry))
@@ -136,6 +143,16 @@ std::optional<Sentence> Placer::judge_supports(const Combination& combination) c
                      : Sentence(quoted(m_world.scene().at(entry.with.object()).name)));
   }
   if (!carried) return say("%1 does not rest on what it is to rest on", quoted(name()));
+  return judge_inside(thing);
+}
+
+std::optional<Sentence> Placer::judge_inside(const Object& thing) const {
+  const Relation* const support = m_world.support_of(model());
+  if (!support || support->b == "floor" || !support->as<relations::In>()) return std::nullopt;
+  const ObjectId container = *m_world.scene().find(support->b);
+  // Contents alone may carry it above the rim.
+  if (touches(thing, container) && !is_inside(thing, m_world.scene().at(container)))
+    return say("%1 comes to rest on the rim of %2", quoted(name()), quoted(support->b));
   return std::nullopt;
 }
 

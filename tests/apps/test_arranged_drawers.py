@@ -2,7 +2,7 @@
 import json
 
 from program import Case, box_obj, main
-from test_drawers import Cabinet, unit
+from test_drawers import Body, Cabinet, unit
 
 FORKS = ["fork_%d" % i for i in range(4)]
 OPEN = {"op": "move_joint", "object": "drawer", "until": "upper"}
@@ -58,6 +58,24 @@ class ArrangedDrawers(Case):
         self.trivet("move-joint", "open.glb", "drawer", "--until", "lower", "-o", "closed.glb")
         self.expect_in_drawer("closed.glb")
 
+    def test_what_is_in_a_drawer_does_not_lie_on_its_rim(self):
+        # Sides of 0.11 m and a front of 0.14 m: on the sides a spoon is lower than the front's top.
+        low = Body("low", (0, 0, 0), [(0, 0, 0.005, 0.19, 0.18, 0.005), (-0.185, 0, 0.06, 0.005, 0.18, 0.05), (0.185, 0, 0.06, 0.005, 0.18, 0.05),
+                              (0, 0.175, 0.06, 0.18, 0.005, 0.05), (0, -0.185, 0.07, 0.2, 0.005, 0.07)])
+        self.write("low.obj", low.obj())
+        self.write("spoon.obj", box_obj(0.01, 0.075, 0.005))
+        things = [{"name": "spoon %d" % i, "model": "spoon.obj"} for i in range(3)]
+        drawer = {"name": "drawer", "model": "low.obj", "fixed": True, "position": [0, 0, 0.24]}
+        for seed in range(6):
+            self.layout([drawer] + things, [{"op": "arrange", "seed": seed, "things": [{"object": one["name"]} for one in things],
+                                             "relations": [{"is": "in", "a": "spoon *", "b": "drawer"}]}])
+            self.trivet("run", "layout.json", "-o", "in.glb")
+            self.trivet("export", "in.glb", "-o", "poses.jsonl", "--quiet")
+            rows = [json.loads(line) for line in self.read("poses.jsonl").splitlines()]
+            for row in rows:
+                if row["name"] != "drawer":
+                    self.assertLess(row["z"], 0.24 + 0.1, "%s by the seed %d" % (row["name"], seed))
+
     def test_a_drawer_of_another_program(self):
         self.write("unit.xml", Cabinet.text_of(unit(), []))
         name = "kitchen/drawer"
@@ -66,8 +84,10 @@ class ArrangedDrawers(Case):
                      {"op": "arrange", "things": [{"object": "fork_0"}],
                       "relations": [{"is": "in", "a": "fork_0", "b": name}]},
                      {"op": "move_joint", "object": name, "until": "lower"}])
-        self.trivet("run", "layout.json", "-o", "filled.glb")
+        self.trivet("run", "layout.json", "-o", "filled.glb", "--report", "moves.json")
         self.assertEqual(self.holders("filled.glb")["fork_0"], [name])
+        # On its floor nothing is in the way.
+        self.assertEqual([one["ended"] for one in self.read_json("moves.json")["operations"]], ["reached", "at_rest", "reached"])
 
     def test_a_recipe_fills_a_drawer(self):
         self.write("recipe.json", json.dumps({

@@ -4,7 +4,7 @@
 
 namespace trivet::relations {
 
-/// b and what lies in it carry a, its centre over b.
+/// b and what lies in it carry a, its centre over b; not on the rim of b: see is_inside().
 struct In : AnyKind {
   static constexpr const char* kName = "in";
   static constexpr const char* kHelp = "b and what lies in it carry a.";
