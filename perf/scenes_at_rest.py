@@ -19,8 +19,11 @@ MOVED = 1e-3  # metres that count as moved
 
 def run_json(*command):
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
-    lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-    return json.loads(lines[-1]) if lines else {"error": done.stderr.strip()}
+    lines = [line for line in done.stdout.splitlines() if line.startswith('{"')]
+    if lines:
+        return json.loads(lines[-1])
+    # A refusal has several lines.
+    return {"error": json.loads(done.stdout)["error"]["message"] if done.stdout else done.stderr.strip()}
 
 
 def moved_by_mujoco(arguments, scene):

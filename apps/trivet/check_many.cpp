@@ -105,7 +105,8 @@ int check_many(const CheckManyArguments& arguments, const CommonOptions& common)
   }
   clear_progress_line(common);
   if (!arguments.report.empty()) write_file_atomically(arguments.report, lines);
-  if (verdicts.size() == 1 && !verdicts[0].error.empty())
+  // As JSON its line has the error.
+  if (!common.json && verdicts.size() == 1 && !verdicts[0].error.empty())
     throw Error(Error::Kind::BadInput, verdicts[0].error);
   if (!common.json && !common.quiet)
     std::cout << (verdicts.size() == 1 ? verdict_text(verdicts[0]) : verdict_table(verdicts));

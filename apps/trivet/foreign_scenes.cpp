@@ -60,6 +60,8 @@ OpenOptions open_options(const ForeignArguments& arguments, const CommonOptions&
 bool is_of_others(const std::string& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".glb" || extension == ".gltf") return !is_scene_file(path);
+  // Binary USD is refused with what to do.
+  if (extension == ".usdc" || extension == ".usdz") return true;
   return extension != ".json" && is_scene_of_others(path);
 }
 

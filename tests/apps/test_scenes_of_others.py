@@ -99,6 +99,13 @@ class Checking(ScenesCase):
         self.assertEqual([line.get("ok") for line in lines], [True, True, True, False, None])
         self.assertIn("line 1", lines[4]["error"])
 
+    def test_a_file_that_is_none_is_one_line_of_json_too(self):
+        self.write("none.xml", "no scene")
+        for others in ([], ["drawer.xml"]):
+            rows = self.checked("none.xml", *others, status=2)
+            self.assertEqual(len(rows), 1 + len(others))
+            self.assertIn("line 1", rows[0]["error"])
+
     def test_a_hundred_scenes_are_quick(self):
         for i in range(100):
             self.write("set/%03d.xml" % i, GOOD)
@@ -363,6 +370,11 @@ class Meaning(ScenesCase):
 
 
 class Hostile(ScenesCase):
+    def test_binary_usd_is_named(self):
+        for name in ("room.usdc", "room.usdz", "room.usd"):
+            self.write(name, b"PXR-USDC" + bytes(16))
+            self.refused("check", name, says="usdcat")
+
     def test_broken_files_get_one_line(self):
         for text, says in (("", "no element"), ("<mujoco", "line 1"), ("<x/>", "accepted: <mujoco>"),
                            ('<!DOCTYPE m [<!ENTITY a "b">]><mujoco/>', "entities"),

@@ -4091,10 +4091,6 @@
         <translation>ihr erster Keyframe hat keine Positionen</translation>
     </message>
     <message>
-        <source>its tag makes several bodies</source>
-        <translation>seine Marke erzeugt mehrere Körper</translation>
-    </message>
-    <message>
         <source>line %1, column %2: %3</source>
         <translation>Zeile %1, Spalte %2: %3</translation>
     </message>
@@ -4209,6 +4205,50 @@
     <message>
         <source>xyz</source>
         <translation>xyz</translation>
+    </message>
+    <message>
+        <source>%1 comes to rest on the rim of %2</source>
+        <translation>%1 kommt auf dem Rand von %2 zur Ruhe</translation>
+    </message>
+    <message>
+        <source>cannot hold poses of %1; accepted: numbers of joints of MJCF</source>
+        <translation>kann keine Lagen von %1 aufnehmen; erlaubt: Zahlen der Gelenke von MJCF</translation>
+    </message>
+    <message>
+        <source>has the type &quot;%1&quot; and the shape (%2); accepted: %3 numbers of the joints (qpos) in one row, float64 or float32</source>
+        <translation>hat den Typ „%1“ und die Form (%2); erlaubt: %3 Zahlen der Gelenke (qpos) in einer Zeile, float64 oder float32</translation>
+    </message>
+    <message>
+        <source>is binary USD; accepted: USD as text (usdcat %1 -o scene.usda)</source>
+        <translation>ist binäres USD; erlaubt: USD als Text (usdcat %1 -o scene.usda)</translation>
+    </message>
+    <message>
+        <source>is no array of NumPy (.npy)</source>
+        <translation>ist kein Feld von NumPy (.npy)</translation>
+    </message>
+    <message>
+        <source>is no place for poses that %1 has; accepted: .npy</source>
+        <translation>ist kein Ort für Lagen, die %1 hat; erlaubt: .npy</translation>
+    </message>
+    <message>
+        <source>its tag makes several bodies; accepted: an output NAME.npy, which has the numbers of all joints (qpos)</source>
+        <translation>sein Element erzeugt mehrere Körper; erlaubt: eine Ausgabe NAME.npy, die die Zahlen aller Gelenke (qpos) hat</translation>
+    </message>
+    <message>
+        <source>margins of %1 mm are too large for a scene of this size, and are not kept: objects rest in contact</source>
+        <translation>Abstände von %1 mm sind zu groß für eine Szene dieser Größe und werden nicht eingehalten: Objekte ruhen in Berührung</translation>
+    </message>
+    <message>
+        <source>number %1 is not finite</source>
+        <translation>Zahl %1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>pairs nearer to each other than the file&apos;s margins: %1, by up to %2 mm; their engine moves them apart</source>
+        <translation>Paare, die einander näher sind als die Abstände der Datei: %1, um bis zu %2 mm; ihre Engine schiebt sie auseinander</translation>
+    </message>
+    <message>
+        <source>would hold %1; accepted: %2</source>
+        <translation>würde %1 enthalten; erlaubt: %2</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,7 @@ using NamePair = std::pair<std::string, std::string>;
 /// Files of others do not say by which clearance they were settled, and their scene may have been
 /// larger then: so many times the default is contact where everything then rests.
 constexpr double kOldClearances = 8;
+constexpr double kMarginSlack = 0.1;  // of a margin, by which objects may be nearer
 
 NamePair sorted_names(const std::string& a, const std::string& b) {
   return a < b ? NamePair(a, b) : NamePair(b, a);
@@ -151,6 +152,23 @@ std::vector<SceneFinding> tipping_pieces(const OpenedScene& opened, const RunOpt
   return out;
 }
 
+// Pairs nearer than the file's margins are at rest by contact, and their engine still parts them.
+void note_margins(double wanted, SceneVerdict& out) {
+  size_t num = 0;
+  double most = 0;
+  for (const TouchingPair& pair : out.pairs.touching) {
+    const double lacking = wanted - pair.gap;
+    if (!(lacking > kMarginSlack * wanted)) continue;
+    ++num;
+    most = std::max(most, lacking);
+  }
+  if (num > 0)
+    out.notes.push_back(
+        say("pairs nearer to each other than the file's margins: %1, by up to %2 "
+            "mm; their engine moves them apart",
+            num, figure(1000 * most)));
+}
+
 }  // namespace
 
 const char* to_string(SceneFinding::Kind kind) {
@@ -212,6 +230,7 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& given, LayoutRun* run)
   out.path = opened.path, out.format = opened.format, out.key = opened.key;
   out.num_joints = opened.num_joints;
   out.notes = opened.notes, out.unread = opened.unread;
+  if (opened.judged.clearance > 0) note_margins(opened.judged.clearance, out);
   add_what_joints_bear(opened, opened.joints, options, result, out);
   out.milliseconds = watch.milliseconds();
   return out;

@@ -150,7 +150,14 @@ class Builder {
         most = std::max(most, c.bits.margin);
       }
     if (!(most > 0)) return 0;
-    if (least == most) return 2 * most;
+    if (least == most && 2 * most <= clearance_range(m_out.scene).largest) return 2 * most;
+    if (least == most) {
+      m_out.notes.push_back(
+          say("margins of %1 mm are too large for a scene of this size, and are "
+              "not kept: objects rest in contact",
+              figure(1000 * most)));
+      return 0;
+    }
     m_out.notes.push_back(say("margins from %1 to %2 mm are not kept: objects rest in contact",
                               figure(1000 * least), figure(1000 * most)));
     return 0;

@@ -48,6 +48,11 @@ bool is_gltf(const std::string& path) {
   return extension == ".glb" || extension == ".gltf";
 }
 
+bool is_binary_usd(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".usdc" || extension == ".usdz";
+}
+
 bool has_extension_of(const SceneFormat& format, const std::string& path) {
   const auto& all = format.extensions;
   return std::find(all.begin(), all.end(), lower_extension(path)) != all.end();
@@ -56,6 +61,8 @@ bool has_extension_of(const SceneFormat& format, const std::string& path) {
 // XML by its first element, whatever the file is called.
 ForeignScene read_scene_file(const std::string& path, const ForeignOptions& options,
                              const MeshSource& meshes) {
+  if (is_binary_usd(path))
+    bad_file(path, "is binary USD; accepted: USD as text (usdcat %1 -o scene.usda)", path);
   for (const SceneFormat& format : scene_formats_of_others())
     if (*format.tag == 0 && has_extension_of(format, path))
       return format.read(path, options, meshes);

@@ -44,9 +44,9 @@ size_t data_begin(const std::string& bytes) {
   return begin <= bytes.size() ? begin : 0;
 }
 
-std::string entry(const std::string& header, const char* pattern) {
+std::string entry(const std::string& header, const char* expression) {
   std::smatch found;
-  return std::regex_search(header, found, std::regex(pattern)) ? found[1].str() : "";
+  return std::regex_search(header, found, std::regex(expression)) ? found[1].str() : "";
 }
 
 }  // namespace

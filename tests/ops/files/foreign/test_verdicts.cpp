@@ -166,6 +166,31 @@ TEST(Verdicts, ASceneThatHasShrunkStillStands) {
   EXPECT_EQ(raised(40).count(Kind::Floats), 1u);
 }
 
+// MuJoCo lifts what touches until its margin is free.
+TEST(Verdicts, WhatIsNearerThanItsMarginIsNamed) {
+  const auto raised = [](double gap, double margin) {
+    char pos[60], geom[60];
+    std::snprintf(pos, sizeof pos, "0 0 %.17g", 0.05 + gap);
+    std::snprintf(geom, sizeof geom, "margin='%g' type='box'", margin);
+    std::string text = boxes(box("a", pos) + box("b", "1 0 0.0502"));
+    text.replace(text.find("type='box'"), 10, geom);
+    return verdict_of_text(text);
+  };
+  const SceneVerdict touching = raised(0, 1e-4);
+  EXPECT_TRUE(touching.ok()) << verdict_text(touching);
+  ASSERT_EQ(touching.notes.size(), 1u) << verdict_text(touching);
+  EXPECT_EQ(in_english(touching.notes[0]),
+            "pairs nearer to each other than the file's margins: 1, by up to 0.2 mm; their engine "
+            "moves them apart");
+  EXPECT_TRUE(raised(2e-4, 1e-4).ok());
+  EXPECT_TRUE(raised(2e-4, 1e-4).notes.empty());
+  // Larger ones are no clearance of a scene of a metre.
+  const SceneVerdict coarse = raised(0, 1e-3);
+  ASSERT_EQ(coarse.notes.size(), 1u) << verdict_text(coarse);
+  EXPECT_NE(in_english(coarse.notes[0]).find("too large"), std::string::npos);
+  EXPECT_LT(coarse.clearance, 1e-4);
+}
+
 TEST(PairTable, FrictionFollowsTheEngine) {
   const ContactBits a{1, 1, 0.2, 0, 0}, b{1, 1, 0.7, 0, 0}, first{1, 1, 0.1, 1, 0};
   EXPECT_EQ(pair_friction(a, b, FrictionRule::Larger), 0.7);
