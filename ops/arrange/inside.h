@@ -1,4 +1,4 @@
-// What lies in a container, and what only lies on its rim.
+// Things in a container, and things that only lie on its rim.
 #pragma once
 
 #include "core/scene/object.h"
