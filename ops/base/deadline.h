@@ -31,7 +31,7 @@ class Deadline {
   Deadline of_rest(double share) const {
     const double left = seconds_left();
     const bool is_limited = left < std::numeric_limits<double>::infinity();
-    // Of seconds 0 would be no limit.
+    // A deadline of 0 seconds would be no limit.
     return Deadline(is_limited ? std::max(share * left, 1e-9) : 0, function());
   }
 
