@@ -18,6 +18,7 @@ constexpr std::pair<const char*, Maker> kMakers[] = {
     {"tablecloth", make_tablecloth},
     {"desk", make_desk_demo},
     {"towel", make_towel},
+    {"kitchen", make_kitchen},
 };
 
 }  // namespace

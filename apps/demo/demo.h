@@ -36,7 +36,7 @@ struct DemoLayout {
 };
 
 /// "spoon-saucer", "breakfast", "office1" and "office2": the layouts of [Shinya 1995];
-/// "tablecloth", "desk" and "towel": what bends.
+/// "tablecloth", "desk" and "towel": what bends; "kitchen": drawers and doors.
 std::vector<std::string> demo_names();
 
 /// @throws Error (BadInput) naming the demos there are.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "apps/demo/shapes/assemble.h"
 #include "apps/demo/shapes/models.h"
 
 namespace trivet {
@@ -16,10 +15,18 @@ Rotation turned(const Vec3& axis, double angle_deg) {
   return Rotation{w, s * axis.x(), s * axis.y(), s * axis.z()}.normalized();
 }
 
-void LayoutWriter::fix(const std::string& object, const std::string& model) {
+Rotation about_z(double angle_deg) { return turned(Vec3::UnitZ(), angle_deg); }
+
+void LayoutWriter::fix(const std::string& object, const std::string& model, const Vec3& position) {
   add_object(object, model);
   m_demo.layout.objects.back().fixed = true;
-  m_demo.layout.objects.back().pose = Pose{{}, Vec3(0, 0, shapes::kGrid)};
+  m_demo.layout.objects.back().pose = Pose{{}, position};
+}
+
+void LayoutWriter::hang(const std::string& object, const std::string& model, const Vec3& position,
+                        const NamedJoint& joint) {
+  fix(object, model, position);
+  m_demo.layout.objects.back().joint = joint;
 }
 
 void LayoutWriter::put(const std::string& object, const std::string& model, const Vec3& position,
@@ -50,6 +57,13 @@ void LayoutWriter::turn(const std::string& object, double angle_deg) {
   turn.angle_deg = angle_deg;
   turn.settle = true;
   add(turn);
+}
+
+void LayoutWriter::move_joint(const std::string& object, double to) {
+  MoveJointOperation move;
+  move.object = object;
+  move.to = to;
+  add(move);
 }
 
 void LayoutWriter::add(Operation operation) {

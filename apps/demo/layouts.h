@@ -12,5 +12,6 @@ DemoLayout make_office2();
 DemoLayout make_tablecloth();
 DemoLayout make_desk_demo();
 DemoLayout make_towel();
+DemoLayout make_kitchen();
 
 }  // namespace trivet

@@ -14,7 +14,6 @@ const Vec2 kBookcase(1.24, 0.16), kMug(0.245, 0.165);
 
 Rotation about_x(double angle_deg) { return turned(Vec3::UnitX(), angle_deg); }
 Rotation about_y(double angle_deg) { return turned(Vec3::UnitY(), angle_deg); }
-Rotation about_z(double angle_deg) { return turned(Vec3::UnitZ(), angle_deg); }
 
 Vec3 above(double height, double x, double y, double by = 0.05) { return {x, y, height + by}; }
 Vec3 above_desk(double x, double y, double by = 0.05) { return above(kDeskHeight, x, y, by); }

@@ -6,12 +6,13 @@
 #include "apps/mcp/wording.h"
 #include "core/base/error.h"
 #include "core/io/base64.h"
+#include "core/io/json.h"
 
 namespace trivet::mcp {
 namespace {
 
 // The latest first.
-constexpr const char* kVersions[] = {"2025-06-18", "2025-03-26", "2024-11-05"};
+constexpr const char* kVersions[] = {"2025-11-25", "2025-06-18", "2025-03-26", "2024-11-05"};
 
 constexpr const char* kInstructions =
     "Trivet lays out 3D objects so that they never intersect and always rest. Metres, z up, a "
@@ -22,7 +23,7 @@ constexpr const char* kInstructions =
     "exact, "
     "and is done wholly or refused with the reason and a next step. `arrange` places several by "
     "relations. `check` judges, `mend` repairs scenes of others, `undo` takes a step back, `look` "
-    "shows, `save` writes.";
+    "shows";
 
 Json content_of(const Answer& answer) {
   Json content = Json::array();
@@ -39,7 +40,11 @@ Answer failed(const std::string& why) { return {why + "\nNext: " + next_step("")
 }  // namespace
 
 Server::Server(WorkplaceOptions options, const SchemaTexts& texts)
-    : m_version(options.version), m_workplace(std::move(options)), m_tools(make_tools(texts)) {}
+    : m_version(options.version),
+      m_instructions(std::string(kInstructions) +
+                     (options.saves ? ", `save` writes." : "; a client gets it as a file.")),
+      m_tools(make_tools(texts, options.saves)),
+      m_workplace(std::move(options)) {}
 
 std::optional<std::string> Server::answer(const std::string& line,
                                           const std::atomic<bool>& cancelled) {
@@ -76,7 +81,7 @@ Json Server::initialized(const nlohmann::json& params) const {
   return {{"protocolVersion", version},
           {"capabilities", {{"tools", Json::object()}}},
           {"serverInfo", {{"name", "trivet"}, {"version", m_version}}},
-          {"instructions", kInstructions}};
+          {"instructions", m_instructions}};
 }
 
 Json Server::called(const nlohmann::json& params, const std::atomic<bool>& cancelled) {
@@ -93,6 +98,32 @@ Json Server::called(const nlohmann::json& params, const std::atomic<bool>& cance
   } catch (const Error& e) {
     return content_of(failed(e.what()));
   }
+}
+
+std::optional<std::string> busy_answer(const std::string& line) {
+  const Json id = id_of(line);
+  if (id.is_null()) return std::nullopt;
+  const auto document = json_if_valid<nlohmann::json>(line);
+  const auto method = document->value("method", nlohmann::json());
+  if (method == "ping") return result_line(id, Json::object());
+  const std::string why = "another call of this session is under way";
+  if (method != "tools/call") return error_line(id, RpcError::kInternal, why);
+  return result_line(
+      id, content_of({why + "\nNext: wait for its answer, then call again.", {}, {}, true}));
+}
+
+std::string cancelled_answer(const Json& id) {
+  return error_line(id, RpcError::kInternal, "the session has ended");
+}
+
+bool is_initialize(const std::string& line) {
+  const auto document = json_if_valid<nlohmann::json>(line);
+  return document && document->is_object() &&
+         document->value("method", nlohmann::json()) == "initialize";
+}
+
+bool is_known_version(const std::string& version) {
+  return std::find(std::begin(kVersions), std::end(kVersions), version) != std::end(kVersions);
 }
 
 std::string too_long_answer() {

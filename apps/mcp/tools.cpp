@@ -118,7 +118,7 @@ std::vector<Tool> changing_tools() {
 
 }  // namespace
 
-std::vector<Tool> make_tools(const SchemaTexts& texts) {
+std::vector<Tool> make_tools(const SchemaTexts& texts, bool saves) {
   std::vector<Tool> out = telling_tools();
   for (OperationTool& one :
        operation_tools({"append", "duplicate", "put", "arrange", "push", "turn", "pick_up",
@@ -128,7 +128,8 @@ std::vector<Tool> make_tools(const SchemaTexts& texts) {
                    [op = one.op](Workplace& workplace, const JsonPlace& arguments) {
                      return workplace.operation(op, arguments);
                    }});
-  for (Tool& one : changing_tools()) out.push_back(std::move(one));
+  for (Tool& one : changing_tools())
+    if (saves || one.name != "save") out.push_back(std::move(one));
   return out;
 }
 

@@ -17,7 +17,8 @@ struct Tool {
   std::function<Answer(Workplace&, const JsonPlace& arguments)> call;
 };
 
-std::vector<Tool> make_tools(const SchemaTexts& texts);
+/// @param saves  with `save`.
+std::vector<Tool> make_tools(const SchemaTexts& texts, bool saves);
 /// The answer to "tools/list".
 Json tools_json(const std::vector<Tool>& tools);
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kMostStates = 200'000, kMostObjects = 20'000, kMostTextBytes = 4096;
+constexpr size_t kMostTextBytes = 4096;
 const std::atomic<bool> kNever{false};
 
 bool is_of_others(const std::string& path) {
@@ -31,18 +31,28 @@ DialogueOptions dialogue_options(const WorkplaceOptions& options) {
   out.context = options.run.context;
   out.version = options.version;
   out.source = "arguments";
-  out.max_states = kMostStates;
-  out.max_objects = kMostObjects;
+  out.own_files = !options.saves;
+  out.max_states = options.max_states;
+  out.max_objects = options.max_objects;
   out.max_text_bytes = kMostTextBytes;
   return out;
+}
+
+// Lines of sessions have a key "op", which is the name of the tool here.
+std::string for_tools(std::string reason) {
+  for (const std::string words : {"accepted: op, ", "required: op, "})
+    if (const size_t at = reason.find(words); at != reason.npos)
+      reason.erase(at + words.size() - 4, 4);
+  return reason;
 }
 
 Answer failed(const Json& answer) {
   const std::string cause = answer.value("cause", std::string());
   Answer out;
-  out.text = answer.at("status").get<std::string>() + ": " + answer.value("reason", std::string()) +
-             "\nNext: " + next_step(cause);
+  const std::string reason = for_tools(answer.value("reason", std::string()));
+  out.text = answer.at("status").get<std::string>() + ": " + reason + "\nNext: " + next_step(cause);
   out.data = answer;
+  if (!reason.empty()) out.data["reason"] = reason;
   out.is_error = true;
   return out;
 }
@@ -66,6 +76,20 @@ Workplace::Workplace(WorkplaceOptions options)
       m_root((fs::path(m_options.folder) / "scene.json").string()),
       m_cancelled(&kNever) {}
 Workplace::~Workplace() = default;
+
+void Workplace::use(Detector* detector) {
+  m_options.run.context.detector = detector;
+  if (m_place) m_place->dialogue.use(detector);
+}
+
+std::string Workplace::scene_file() const {
+  if (place().opened.others)
+    throw Error(Error::Kind::BadInput,
+                "%1: a scene of another program has no such file; accepted: `trivet mcp`, which "
+                "saves it",
+                m_name);
+  return scene_bytes(place().opened, m_options.version);
+}
 
 Workplace::Place& Workplace::place() const {
   if (m_place) return *m_place;

@@ -26,6 +26,8 @@ struct WorkplaceOptions {
   OpenOptions others;  // its limits: of all files
   std::string version;
   DrawPng draw;
+  size_t max_states = 200'000, max_objects = 20'000;  // of DialogueOptions
+  bool saves = true;                                  // else no file is written
 };
 
 /// The outcome of a call.
@@ -44,6 +46,12 @@ class Workplace {
 
   /// @param cancelled  stops the calls that follow; outlives them.
   void use(const std::atomic<bool>& cancelled) { m_cancelled = &cancelled; }
+  /// As Dialogue::use().
+  void use(Detector* detector);
+
+  /// The bytes that `save` writes, of a scene of Trivet's own.
+  /// @throws Error (BadInput): no scene is open, or one of another program.
+  std::string scene_file() const;
 
   /// An operation of layouts, with its arguments.
   Answer operation(const std::string& op, const JsonPlace& arguments);

@@ -28,6 +28,8 @@ inline HttpRequest request_of(http::request<http::string_body>&& message) {
   for (auto host = first; host != last; ++host) out.hosts.emplace_back(host->value());
   out.names_origin = message.count(http::field::origin) > 0;
   out.fetch_site = std::string(message["Sec-Fetch-Site"]);
+  out.agent_session = std::string(message["Mcp-Session-Id"]);
+  out.agent_protocol = std::string(message["MCP-Protocol-Version"]);
   if (out.method == "HEAD") out.method = "GET";  // and the answer's body is left out
   return out;
 }
@@ -101,6 +103,7 @@ class ClientConnection : public Connection,
     keep_alive = keep_alive && !m_server.draining;
     m_response = {static_cast<http::status>(response.status), 11};
     m_response.set(http::field::content_type, response.type);
+    if (!response.agent_session.empty()) m_response.set("Mcp-Session-Id", response.agent_session);
     if (response.status == 503) m_response.set(http::field::retry_after, "1");
     // A page may neither read it nor show it as something else.
     m_response.set("X-Content-Type-Options", "nosniff");

@@ -16,15 +16,17 @@ struct HttpRequest {
   std::string method;  // "GET"
   std::string path;    // "/sessions/1", without the query
   std::string body;
-  std::vector<std::string> hosts;  // values of its fields "Host": a good request has one
-  bool names_origin = false;       // a browser says which page asks
-  std::string fetch_site;          // "Sec-Fetch-Site" of a browser; else empty
+  std::vector<std::string> hosts;             // values of its fields "Host": a good request has one
+  bool names_origin = false;                  // a browser says which page asks
+  std::string fetch_site;                     // "Sec-Fetch-Site" of a browser; else empty
+  std::string agent_session, agent_protocol;  // "Mcp-Session-Id", "MCP-Protocol-Version"
 };
 
 struct HttpResponse {
   int status = 200;
   std::string type = "application/json";
   std::string body;
+  std::string agent_session = {};  // "Mcp-Session-Id"; empty: none
 };
 
 /// {"status": "error", "reason": ...}. @param reason  without quotes.

@@ -57,10 +57,12 @@ std::optional<std::uint64_t> number_of(std::string_view text) {
 
 }  // namespace
 
-Routes::Routes(const ServedThings& things, ServedSessions& sessions, std::function<HttpLoad()> load)
-    : m_things(things), m_sessions(sessions), m_load(std::move(load)) {}
+Routes::Routes(const ServedThings& things, ServedSessions& sessions, Agents& agents,
+               std::function<HttpLoad()> load)
+    : m_things(things), m_sessions(sessions), m_agents(agents), m_load(std::move(load)) {}
 
 bool Routes::is_quick(const HttpRequest& request) {
+  if (Agents::is_asked(request)) return Agents::is_quick(request);
   if (request.method == "POST") return is_session(request) && is_cancel_line(request.body);
   return request.path != kSessions && !request.path.starts_with(kScenes) &&
          !request.path.ends_with("/scene.glb");
@@ -95,18 +97,25 @@ Routes::Reply Routes::reply(const HttpRequest& request) {
                       slash == rest.npos ? "" : rest.substr(slash + 1));
   }
   if (request.path == kSessions) return open(request);
+  if (Agents::is_asked(request)) {
+    HttpResponse response = m_agents.answer(request);
+    const bool ok = response.status < 400;
+    return {std::move(response), request.path, ok ? "ok" : std::to_string(response.status)};
+  }
   if (request.path.starts_with(kScenes)) return scene(request);
   const bool known =
       request.path == "/" || request.path == "/metrics" || request.path == "/healthz";
   if (!known)
     return {error(404, "there is no \"" + request.path +
                            "\"; accepted: /, /healthz, /metrics, /sessions, /sessions/ID, "
-                           "/sessions/ID/scene.glb, /scenes/K, /scenes/K/scene.glb"),
+                           "/sessions/ID/scene.glb, /mcp, /mcp/scene.glb, /scenes/K, "
+                           "/scenes/K/scene.glb"),
             "unknown", "404"};
   if (request.method != "GET") return {wrong_method(request, "GET"), request.path, "405"};
   if (request.path == "/") return about();
   if (request.path == "/healthz") return {{200, "text/plain", "ok\n"}, request.path, "ok"};
-  return {{200, "text/plain; version=0.0.4", m_metrics.text(m_load(), m_sessions.size())},
+  return {{200, "text/plain; version=0.0.4",
+           m_metrics.text(m_load(), m_sessions.size() + m_agents.size())},
           request.path,
           "ok"};
 }
@@ -115,7 +124,7 @@ Routes::Reply Routes::about() const {
   Json json = {{"trivet", m_things.version}, {"starts", start_names(m_things.starts)}};
   if (m_things.scenes)
     json["recipe"] = {{"sha256", m_things.scenes->hash()}, {"seed", m_things.scenes->seed()}};
-  json["sessions"] = m_sessions.size();
+  json["sessions"] = m_sessions.size() + m_agents.size();
   return {json_response(200, json), "/", "ok"};
 }
 

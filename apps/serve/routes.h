@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/serve/agents.h"
 #include "apps/serve/http_server.h"
 #include "apps/serve/metrics.h"
 #include "apps/serve/scenes.h"
@@ -25,7 +26,8 @@ struct ServedThings {
 class Routes {
  public:
   /// @param load  for the metrics.
-  Routes(const ServedThings& things, ServedSessions& sessions, std::function<HttpLoad()> load);
+  Routes(const ServedThings& things, ServedSessions& sessions, Agents& agents,
+         std::function<HttpLoad()> load);
 
   /// Never throws: errors are answers.
   HttpResponse answer(const HttpRequest& request);
@@ -47,6 +49,7 @@ class Routes {
 
   const ServedThings& m_things;
   ServedSessions& m_sessions;
+  Agents& m_agents;
   std::function<HttpLoad()> m_load;
   Metrics m_metrics;
 };

@@ -5,6 +5,7 @@
 #include "apps/serve/routes.h"
 #include "apps/serve/sessions.h"
 #include "ops/detect/detector_pool.h"
+#include "ops/files/layout/paths.h"
 
 namespace trivet::serve {
 namespace {
@@ -43,6 +44,15 @@ DialogueOptions dialogue_options(const ServeOptions& options) {
   return out;
 }
 
+AgentOptions agent_options(const ServeOptions& options) {
+  AgentOptions out = options.agents;
+  out.workplace.folder =
+      folder_of(options.starts.empty() ? options.recipe : options.starts.front());
+  out.workplace.max_states = static_cast<size_t>(options.max_states);
+  out.workplace.max_objects = static_cast<size_t>(options.max_objects);
+  return out;
+}
+
 // Any by a Unix socket: no browser opens one.
 std::vector<std::string> hosts(const ServeOptions& options) {
   if (!options.socket.empty()) return {};
@@ -67,11 +77,12 @@ void serve(const ServeOptions& options) {
   DetectorPool detectors(options.make_detector);
   const ServedThings things{open_all(options, detectors), scenes_of(options), options.import,
                             options.version};
-  ServedSessions sessions(dialogue_options(options), {options.max_sessions, options.idle_seconds},
-                          detectors);
+  const SessionLimits limits{options.max_sessions, options.idle_seconds};
+  ServedSessions sessions(dialogue_options(options), limits, detectors);
+  Agents agents(agent_options(options), limits, detectors);
   const HttpServer* carrier = nullptr;
   Gate gate(hosts(options));
-  Routes routes(things, sessions, [&] {
+  Routes routes(things, sessions, agents, [&] {
     HttpLoad load = carrier->load();
     load.refused = gate.num_refused();
     return load;
@@ -81,6 +92,7 @@ void serve(const ServeOptions& options) {
        [&](const HttpRequest& request) { return routes.answer(request); }, Routes::is_quick,
        [&] {
          sessions.end_all();
+         agents.end_all();
          if (things.scenes) things.scenes->end();
        }},
       http_limits(options));

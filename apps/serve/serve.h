@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/serve/agents.h"
 #include "core/io/read_model.h"
 #include "core/model/model.h"
 #include "ops/detect/detector.h"
@@ -24,6 +25,7 @@ struct ServeOptions {
   /// of the recipe are made by BVHs. Safe to call from many threads; empty: BVHs.
   std::function<std::unique_ptr<Detector>()> make_detector;
   ImportLimits import;                // of models that are read
+  AgentOptions agents;                // without the folder, which is that of the first start
   std::string address = "127.0.0.1";  // of TCP
   std::vector<std::string> hosts;     // names of the server beside those of the loopback
   unsigned short port = 0;            // 0: any that is free

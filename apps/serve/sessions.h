@@ -4,21 +4,15 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
-#include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
+#include "apps/serve/session_table.h"
 #include "ops/detect/detector_pool.h"
 #include "ops/session/dialogue.h"
 
 namespace trivet::serve {
-
-struct SessionLimits {
-  int max_sessions = 64;
-  double idle_seconds = 600;  // a session unused for so long may be closed when room is needed
-};
 
 /// One client's session. One thread at a time asks it; any may cancel.
 class ServedSession {
@@ -47,36 +41,17 @@ class ServedSession {
 };
 
 /// Safe to use from many threads.
-class ServedSessions {
+class ServedSessions : public SessionTable<ServedSession> {
  public:
   /// @param detectors  outlive it.
   ServedSessions(DialogueOptions options, const SessionLimits& limits, DetectorPool& detectors);
 
-  struct Opened {
-    std::string id;  // 32 hexadecimal digits that nobody can guess
-    std::shared_ptr<ServedSession> session;
-  };
-  /// @param make  called unless there are too many. @return nullopt when there are, all in use.
-  /// @throws what `make` throws.
+  /// @param make  as of the table.
   std::optional<Opened> open(const std::function<OpenedSession()>& make);
-  /// @return null: no such session.
-  std::shared_ptr<ServedSession> find(const std::string& id) const;
-  /// Ends what it does. @return false: no such session.
-  bool close(const std::string& id);
-  /// Ends all, requests that still wait for a thread included.
-  void end_all();
-  size_t size() const;
 
  private:
-  bool reserve();
-  void close_idle();
-
   DialogueOptions m_options;
-  SessionLimits m_limits;
   DetectorPool& m_detectors;
-  mutable std::mutex m_mutex;
-  std::map<std::string, std::shared_ptr<ServedSession>> m_sessions;
-  size_t m_reserved = 0;  // by sessions that are being made
 };
 
 }  // namespace trivet::serve

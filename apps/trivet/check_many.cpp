@@ -24,6 +24,7 @@ SceneVerdict verdict_on_ours(const std::string& path, const RunOptions& given,
   RunOptions options = given;
   if (!(options.settle.clearance > 0)) options.settle.clearance = file.clearance;
   options.settle = settle_options(options, file.layout.settle);
+  options.topples_alone = true;
   run.scene = std::move(file.scene);
   run.settle = options.settle;
   finish_run(options, run);

@@ -212,6 +212,7 @@ RunOptions run_options(const CommonOptions& common, const SettleArguments& argum
   options.rules = arguments.rules;
   options.context.detector = detector;
   options.context.time_budget_s = arguments.operation_seconds;
+  options.verdict_seconds = arguments.verdict_seconds;
   options.num_threads = common.num_threads;
   options.progress = terminal_progress(common);
   return options;

@@ -45,6 +45,7 @@ struct SettleArguments {
   SettleOptions settle;
   SettleRules rules;             // that were asked for
   double operation_seconds = 0;  // 0: unlimited
+  double verdict_seconds = 0;    // of the scene in the end; 0: unlimited
 };
 void add_settle_options(CLI::App& app, SettleArguments& arguments);
 

@@ -2,17 +2,13 @@
 #include <filesystem>
 
 #include "apps/mcp/server.h"
+#include "apps/trivet/agents.h"
 #include "apps/trivet/cancellable_lines.h"
-#include "apps/trivet/foreign_scenes.h"
-#include "apps/trivet/picture.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 
 namespace trivet::apps {
 namespace {
-
-constexpr double kUsualSeconds = 60;  // of an operation
-constexpr int kAgentSamples = 4;      // a draft: agents look often
 
 struct McpArguments {
   std::string folder = ".";
@@ -20,31 +16,15 @@ struct McpArguments {
   SettleArguments settle;
 };
 
-mcp::DrawPng draft_pictures(const CommonOptions& common) {
-  return [&common](const Scene& scene, const std::optional<Camera>& camera, int width, int height) {
-    PictureRequest request;
-    request.width = width, request.height = height;
-    request.samples = kAgentSamples;
-    request.renderer = "path";
-    request.num_threads = common.num_threads;
-    return PictureMaker(request).png(scene, camera);
-  };
-}
-
 mcp::WorkplaceOptions workplace_options(const McpArguments& arguments, const CommonOptions& common,
                                         Detector& detector) {
   std::error_code error;
   if (!std::filesystem::is_directory(arguments.folder, error))
     throw Error(Error::Kind::BadInput, "%1: is no folder; accepted: a folder with models",
                 arguments.folder);
-  mcp::WorkplaceOptions out;
+  mcp::WorkplaceOptions out = agent_options(arguments.foreign, arguments.settle, common);
   out.folder = arguments.folder;
-  out.run = run_options(common, arguments.settle, &detector);
-  out.run.progress = {};
-  if (!(out.run.context.time_budget_s > 0)) out.run.context.time_budget_s = kUsualSeconds;
-  out.others = open_options(arguments.foreign, common);
-  out.version = TRIVET_VERSION;
-  out.draw = draft_pictures(common);
+  out.run.context.detector = &detector;
   return out;
 }
 

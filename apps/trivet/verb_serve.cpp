@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "apps/serve/serve.h"
+#include "apps/trivet/agents.h"
 #include "apps/trivet/verbs.h"
 #include "core/base/error.h"
 
@@ -34,6 +35,7 @@ int run_server(const ServeArguments& arguments, const CommonOptions& common) {
                             ? common.num_threads
                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   options.version = TRIVET_VERSION;
+  options.agents = {agent_options({}, arguments.settle, common), {kLayoutSchema, kArrangeSchema}};
   options.note = [&](const std::string& note) { print_note(common, note); };
   options.on_ready = [&](const std::string& address) {
     clear_progress_line(common);
@@ -87,7 +89,8 @@ std::vector<Verb> add_serve(CLI::App& app, const CommonOptions& common) {
   CLI::App* const verb = app.add_subcommand(
       "serve",
       "Serve sessions over HTTP. Scenes are loaded once; POST /sessions opens a session on one, "
-      "and POST /sessions/ID sends it a line in the form that `trivet session` reads. The server "
+      "and POST /sessions/ID sends it a line in the form that `trivet session` reads. POST /mcp is "
+      "the Model Context Protocol, with the tools of `trivet mcp` but `save`. The server "
       "prints {\"serving\": ADDRESS} when it is ready. Clients cannot save files, and models are "
       "read from the folder of START only. On SIGTERM it answers the requests under way and exits. "
       "There is no authentication: whoever reaches the address may use it");

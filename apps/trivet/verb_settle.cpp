@@ -24,6 +24,13 @@ struct RepairArguments {
   MendOptions how;
 };
 
+// Besides those of the repair.
+constexpr double kVerdictShare = 0.25, kLeastVerdictSeconds = 1;
+
+double seconds_of_verdict(double seconds) {
+  return seconds > 0 ? kLeastVerdictSeconds + kVerdictShare * seconds : 0;
+}
+
 OpenedScene opened_for_repair(const RepairArguments& arguments, const CommonOptions& common) {
   return open_scene(arguments.file, open_options(arguments.foreign, common));
 }
@@ -61,7 +68,7 @@ int repair_scene_of_others(const RepairArguments& arguments, const CommonOptions
   } else if (!common.quiet) {
     std::cout << told_text(repaired) << verdict_text(verdict);
   }
-  return verdict.ok() ? 0 : 1;
+  return verdict.ok() && repaired.unable.empty() ? 0 : 1;
 }
 
 RepairOperation operation_of(const RepairArguments& arguments, bool mends) {
@@ -102,6 +109,7 @@ int repair_file(RepairArguments& arguments, bool mends, const CommonOptions& com
         Error::Kind::BadInput,
         "%1: is no scene; accepted: MJCF, URDF, SDF, USD, glTF, .glb written by trivet, a layout",
         arguments.file);
+  arguments.settle.verdict_seconds = seconds_of_verdict(arguments.how.seconds);
   if (is_layout || !is_of_others(arguments.file)) {
     if (arguments.how.seconds > 0) arguments.settle.operation_seconds = arguments.how.seconds;
     if (is_layout) return repair_layout(arguments, mends, common);

@@ -40,6 +40,7 @@ struct PairToCheck {
   size_t a, b;
   PairVerdict verdict;
   Depth depth;  // unless it is clear
+  bool is_judged = false;
 };
 
 bool only_touches(const Depth& depth, double clearance) {
@@ -130,6 +131,22 @@ std::vector<std::vector<Support>> crossed_by(const Scene& scene,
   return out;
 }
 
+// The same of one object, by the findings of a check.
+std::vector<Support> deeply_crossed_by(const Scene& scene, const SceneCheck& check,
+                                       const std::string& name, double clearance) {
+  std::vector<Support> out;
+  for (const auto* findings : {&check.crossings, &check.contained, &check.float32_crossings})
+    for (const Finding& f : *findings) {
+      if ((f.a != name && f.b != name) || f.depth <= kTouchingDepth * clearance) continue;
+      const std::string& other = f.a == name ? f.b : f.a;
+      if (other == "floor")
+        out.push_back(Support::floor());
+      else if (const auto id = scene.find(other); id && other != name)
+        out.emplace_back(*id);
+    }
+  return out;
+}
+
 // Distance by which it would fall, to within a clearance, and onto what.
 SceneCheck::Hovering hovering_at(const PlacedObject& o, const Neighbourhood& others,
                                  double clearance) {
@@ -196,13 +213,14 @@ bool SceneCheck::ok() const {
       return (t.a == f.a && t.b == f.b) || (t.a == f.b && t.b == f.a);
     });
   };
-  return not_at_rest.empty() && std::none_of(crossings.begin(), crossings.end(), is_deep) &&
+  return whole() && not_at_rest.empty() &&
+         std::none_of(crossings.begin(), crossings.end(), is_deep) &&
          std::none_of(float32_crossings.begin(), float32_crossings.end(), is_deep) &&
          std::none_of(contained.begin(), contained.end(), is_deep);
 }
 
 SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
-                       const SettleOptions& settled_by) {
+                       const SettleOptions& settled_by, const IsOver& is_over) {
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
       num_threads > 0
@@ -214,6 +232,8 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
   // Pairs are independent: they are verified in parallel, and told in their order.
   in_parallel(pairs.size(), [&](size_t i) {
     PairToCheck& p = pairs[i];
+    if (is_time_over(is_over)) return;
+    p.is_judged = true;
     const ObjectInWorld &a = objects[p.a].world, &b = objects[p.b].world;
     p.verdict = verify_pair(a, b, true, std::numeric_limits<std::int64_t>::max());
     if (!p.verdict.clear()) p.depth = depth_of(a, b);
@@ -222,6 +242,10 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
       crossed_by(scene, objects, pairs, rules.clearance);
   SceneCheck check;
   for (size_t i = 0; i < objects.size(); ++i) {
+    if (is_time_over(is_over)) {
+      check.not_judged.push_back(objects[i].object().name);
+      continue;
+    }
     if (reaches_floor(scene, objects[i])) add_floor_findings(objects[i], rules.clearance, check);
     Neighbourhood holders(scene, objects[i].id);
     // Objects that it crosses do not hold it.
@@ -229,8 +253,28 @@ SceneCheck check_scene(const Scene& scene, int num_threads, double clearance,
     add_rest_findings(objects[i], holders, rules, check);
   }
   for (const PairToCheck& p : pairs)
-    add_pair_findings(objects[p.a], objects[p.b], p, rules.clearance, check);
+    if (p.is_judged)
+      add_pair_findings(objects[p.a], objects[p.b], p, rules.clearance, check);
+    else
+      ++check.num_pairs_not_judged;
   return check;
+}
+
+bool may_rest_by(const Scene& scene, const SceneCheck& check, double clearance,
+                 const SettleOptions& settled_by) {
+  const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
+  const Vec3 origin = export_origin(scene.box());
+  for (const std::string& name : check.not_at_rest) {
+    const ObjectId id = *scene.find(name);
+    if (scene.at(id).joint) continue;  // its load counts, which links tell
+    Neighbourhood holders(scene, id);
+    holders.leave_out(deeply_crossed_by(scene, check, name, rules.clearance));
+    SceneCheck again;
+    add_rest_findings({id, in_world(scene.at(id), scene.at(id).pose, origin)}, holders, rules,
+                      again);
+    if (!again.not_at_rest.empty()) return false;
+  }
+  return true;
 }
 
 namespace {
@@ -251,19 +295,21 @@ ObjectState state_as_it_lies(const Scene& scene, ObjectId id, const Neighbourhoo
 
 }  // namespace
 
-void update_contacts(Scene& scene, double clearance, const SettleOptions& settled_by) {
+void update_contacts(Scene& scene, double clearance, const SettleOptions& settled_by,
+                     const IsOver& is_over) {
   Transaction transaction(scene);
-  update_contacts(transaction, scene.ids(), clearance, settled_by);
+  update_contacts(transaction, scene.ids(), clearance, settled_by, is_over);
   transaction.commit();
 }
 
 void update_contacts(Transaction& transaction, const std::vector<ObjectId>& ids, double clearance,
-                     const SettleOptions& settled_by) {
+                     const SettleOptions& settled_by, const IsOver& is_over) {
   const Scene& scene = transaction.scene();
   const RestRules rules = rest_rules(settled_by, believable_clearance(scene, clearance));
   for (const ObjectId id : ids) {
     const Object& object = scene.at(id);
     if (!object.placed) continue;
+    if (is_time_over(is_over)) return;
     // Contacts are found anew with the scene's own holders, and ratings follow from all of them.
     const Neighbourhood others = holders(scene, id);
     const auto contacts = touching(body_of(object), others, rules.clearance);

@@ -169,7 +169,7 @@ class GapCloser {
       for (const MemberCrossing& x : found)
         m_choice.rows.push_back(row_out_of(x, m_part.bodies, motions, air));
     }
-    if (!free) there = part_together(m_scene, std::move(there), air);
+    if (!free) there = part_together(m_scene, std::move(there), air, m_gaps.is_over);
     for (const Placement& p : there)
       edit_object(m_scene, p.id, [&](Object& o) {
         o.pose = p.pose;
@@ -252,7 +252,7 @@ ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const G
 std::optional<Pose> rest_near(Scene& scene, const Placement& given, double tolerance,
                               double clearance, const std::function<bool()>& is_over) {
   const std::vector<Placement> members{given};
-  const std::vector<Placement> parted = part_by_turns(scene, members, kAirOfNearRest);
+  const std::vector<Placement> parted = part_by_turns(scene, members, kAirOfNearRest, is_over);
   // A body that is still in another has no contacts that could close.
   if (!crossings_of(scene, parted).empty()) return std::nullopt;
   const Pose was = scene.at(given.id).pose;

@@ -37,14 +37,14 @@ constexpr double kRadiansOfDegree = 3.14159265358979323846 / 180;
 
 class HeapInPlace {
  public:
-  HeapInPlace(Scene& scene, const MendOptions& options, const Intent& meant,
-              const std::vector<ObjectId>& order)
-      : m_scene(scene), m_meant(meant), m_order(order), m_out(scene, options, order) {}
+  HeapInPlace(Scene& scene, const MendOptions& options, const Deadline& deadline,
+              const Intent& meant, const std::vector<ObjectId>& order)
+      : m_scene(scene), m_meant(meant), m_order(order), m_out(scene, options, deadline, order) {}
 
   SettledScene run() {
     hold_parted();
-    close_all();
-    come_to_rest();
+    if (!m_out.is_out_of_time()) close_all();
+    if (!m_out.is_out_of_time()) come_to_rest();
     // The others are let go one by one, at first only where they come to rest near.
     for (const double farthest : kFarthestInPlace)
       for (const ObjectId id : m_order)
@@ -219,8 +219,7 @@ class HeapInPlace {
   void give_up(ObjectId id) {
     release(id);
     take_out(id);
-    m_out.give_up(id, m_out.is_out_of_time() ? Sentence("the time is over")
-                                             : Sentence("no place near is free"));
+    m_out.give_up(id, Sentence("no place near is free"));
   }
 
   // All stand still where they are parted: what is let go finds the others there.
@@ -228,7 +227,8 @@ class HeapInPlace {
     std::vector<Placement> all;
     all.reserve(m_order.size());
     for (const ObjectId id : m_order) all.push_back({id, m_out.given(id)});
-    for (const Placement& p : part_by_turns(m_scene, all, kAirOfParted)) hold(p.id, p.pose);
+    for (const Placement& p : part_by_turns(m_scene, all, kAirOfParted, m_out.options().is_over))
+      hold(p.id, p.pose);
   }
 
   void hold(ObjectId id, const Pose& pose) {
@@ -376,9 +376,9 @@ bool is_heap(const Intent& meant, const std::vector<ObjectId>& moving) {
          static_cast<double>(tilted) >= kTiltedShareOfHeap * static_cast<double>(moving.size());
 }
 
-SettledScene mend_in_place(Scene& scene, const MendOptions& options, const Intent& meant,
-                           const std::vector<ObjectId>& order) {
-  return HeapInPlace(scene, options, meant, order).run();
+SettledScene mend_in_place(Scene& scene, const MendOptions& options, const Deadline& deadline,
+                           const Intent& meant, const std::vector<ObjectId>& order) {
+  return HeapInPlace(scene, options, deadline, meant, order).run();
 }
 
 }  // namespace trivet

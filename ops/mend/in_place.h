@@ -13,7 +13,7 @@ bool is_heap(const Intent& meant, const std::vector<ObjectId>& moving);
 /// First all objects are parted, bottom up; then each that does not rest is let go from where it
 /// is, with all others there, in several rounds. What is not at rest then is given up.
 /// @param order  what is below before what is above.
-SettledScene mend_in_place(Scene& scene, const MendOptions& options, const Intent& meant,
-                           const std::vector<ObjectId>& order);
+SettledScene mend_in_place(Scene& scene, const MendOptions& options, const Deadline& deadline,
+                           const Intent& meant, const std::vector<ObjectId>& order);
 
 }  // namespace trivet

@@ -46,7 +46,8 @@ double most_tilt_by_noise(std::vector<double> tilts) {
 
 class IntentFinder {
  public:
-  IntentFinder(const Scene& scene, ShapeFacts& facts) : m_scene(scene), m_facts(facts) {}
+  IntentFinder(const Scene& scene, ShapeFacts& facts, const IsOver& is_over)
+      : m_scene(scene), m_facts(facts), m_is_over(is_over) {}
 
   Intent find(std::optional<double> tolerance) {
     // Attitudes come first: columns are read through levelled objects.
@@ -80,6 +81,7 @@ class IntentFinder {
     for (const ObjectId id : m_scene.ids()) {
       const Object& object = m_scene.at(id);
       if (!object.placed) continue;
+      if (is_time_over(m_is_over)) break;
       m_all.push_back({id, object.pose});
       if (object.fixed) continue;
       Looked looked;
@@ -120,6 +122,7 @@ class IntentFinder {
   }
 
   void read_columns(Looked& l, int num, double tolerance) const {
+    if (is_time_over(m_is_over)) return;
     const auto at = std::find_if(m_all.begin(), m_all.end(),
                                  [&](const Placement& p) { return p.id == l.intent.id; });
     l.columns = columns_of(m_scene, m_all, static_cast<size_t>(at - m_all.begin()), num, tolerance);
@@ -322,6 +325,7 @@ class IntentFinder {
 
   const Scene& m_scene;
   ShapeFacts& m_facts;
+  const IsOver& m_is_over;
   PosedObjects m_all;  // level
   std::vector<Looked> m_looked;
   std::map<std::uint32_t, size_t> m_index;  // of m_looked, by slot
@@ -341,8 +345,9 @@ Intent infer_intent(const Scene& scene, std::optional<double> tolerance) {
   return infer_intent(scene, tolerance, facts);
 }
 
-Intent infer_intent(const Scene& scene, std::optional<double> tolerance, ShapeFacts& facts) {
-  return IntentFinder(scene, facts).find(tolerance);
+Intent infer_intent(const Scene& scene, std::optional<double> tolerance, ShapeFacts& facts,
+                    const IsOver& is_over) {
+  return IntentFinder(scene, facts, is_over).find(tolerance);
 }
 
 }  // namespace trivet

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ops/arrange/shape_facts.h"
+#include "ops/base/deadline.h"
 #include "ops/mend/columns.h"
 
 namespace trivet {
@@ -38,6 +39,8 @@ struct Intent {
 /// @param tolerance  metres; nothing: found from the gaps.
 Intent infer_intent(const Scene& scene, std::optional<double> tolerance = {});
 /// The same, for callers that ask for more of the shapes.
-Intent infer_intent(const Scene& scene, std::optional<double> tolerance, ShapeFacts& facts);
+/// @param is_over  asked before each object: what comes then is of no use.
+Intent infer_intent(const Scene& scene, std::optional<double> tolerance, ShapeFacts& facts,
+                    const IsOver& is_over = {});
 
 }  // namespace trivet

@@ -33,19 +33,23 @@ constexpr double kNearEnough = 1, kFarForLevel = 1.5;
 constexpr int kAims = 3;           // tries to hit the place, from where it came to rest
 constexpr double kMayBeNoise = 2;  // times the tilt that is taken for level
 constexpr int kMaxProgramObjects = 200;
+constexpr double kTimeInPlace = 0.5;  // share of the time for a heap, before what has no place then
 
 class Mender {
  public:
-  Mender(Scene& scene, const MendOptions& options)
+  /// @param options  their `is_over` is the deadline's.
+  Mender(Scene& scene, const MendOptions& options, const Deadline& deadline)
       : m_scene(scene),
         m_options(options),
+        m_deadline(deadline),
         m_meant(infer_intent(
-            scene, options.tolerance > 0 ? std::optional(options.tolerance) : std::nullopt,
-            m_facts)) {}
+            scene, options.tolerance > 0 ? std::optional(options.tolerance) : std::nullopt, m_facts,
+            options.is_over)) {}
 
   MendedScene run() {
     // Objects without findings stay; only the others leave the scene, and come back.
     m_moving = unsettled_objects(m_scene, m_options);
+    if (m_deadline.is_over()) return nothing_in_time();
     add_loads_meant();
     note_whom_they_lean_on();
     const std::vector<ObjectId> order = in_order(m_moving);
@@ -62,6 +66,13 @@ class Mender {
   }
 
  private:
+  // The intent may be known in part alone.
+  MendedScene nothing_in_time() const {
+    MendedScene out;
+    static_cast<SettledScene&>(out) = left_as_they_are(m_scene, m_moving);
+    return out;
+  }
+
   // A load may touch what is meant to carry it from the side only, or not at all.
   void add_loads_meant() {
     std::set<std::uint32_t> moving;
@@ -88,7 +99,7 @@ class Mender {
 
   // Supports come before what they carry, so that each object sees where its support is now.
   SettledScene bottom_up(const std::vector<ObjectId>& order) {
-    Rearrangement rearrangement(m_scene, m_options, order);
+    Rearrangement rearrangement(m_scene, m_options, m_deadline, order);
     m_nominal_given.clear(), m_in_row.clear();  // those of an earlier try
     for (const ObjectId id : order) {
       m_object = m_meant.find(id);
@@ -101,20 +112,21 @@ class Mender {
 
   // A whole without a gap may still not stand; then it is not called mended.
   void name_what_does_not_rest(SettledScene& out) const {
-    if (!out.unable.empty()) return;
+    if (!out.unable.empty() || m_deadline.is_over()) return;
     for (const ObjectId id : not_at_rest(m_scene, m_options, m_moving))
       out.unable.push_back({id, m_scene.at(id).name, Sentence("no place near is free")});
   }
 
   // In place, and what then has no place bottom up; or all bottom up, if that leaves less.
   SettledScene as_heap(const std::vector<ObjectId>& order) {
-    MendOptions half = m_options;
-    half.seconds /= 2;
+    const Deadline half = m_deadline.of_rest(kTimeInPlace);
+    MendOptions in_half = m_options;
+    in_half.is_over = half.function();
     const Scene before = m_scene;
-    SettledScene out = mend_in_place(m_scene, half, m_meant, order);
+    SettledScene out = mend_in_place(m_scene, in_half, half, m_meant, order);
     if (!out.unable.empty()) place_rest(out);
     name_what_does_not_rest(out);
-    if (out.unable.empty()) return out;
+    if (out.unable.empty() || m_deadline.is_over()) return out;
     Scene heap = std::move(m_scene);
     m_scene = before;
     SettledScene other = bottom_up(order);
@@ -125,7 +137,7 @@ class Mender {
 
   // Once more, as what one needs may have been placed behind it.
   void place_rest(SettledScene& out) {
-    for (int round = 0; round < 2; ++round) {
+    for (int round = 0; round < 2 && !m_deadline.is_over(); ++round) {
       std::vector<ObjectId> left;
       for (const UnsettledObject& o : out.unable) left.push_back(o.id);
       SettledScene rest = bottom_up(left);
@@ -160,13 +172,14 @@ class Mender {
   }
 
   void place(Rearrangement& scene, ObjectId id) {
+    if (scene.is_out_of_time()) return scene.give_up(id, time_is_over());
     // An object that stands well where it is, on supports that did not move, stays; but not where
     // its row needs room.
     spread_row_of(scene, *m_object);
     const bool gives_way = m_object->is_level && m_in_row.count(id.index) &&
                            !is_same_pose(m_in_row.at(id.index), pose_meant(scene, *m_object));
     if (!gives_way && !support_moved(scene) && scene.keep(id)) return;
-    if (scene.is_out_of_time()) return scene.give_up(id, Sentence("the time is over"));
+    if (scene.is_out_of_time()) return scene.give_up(id, time_is_over());
     const Pose nominal = nominal_pose(scene, id);
     // Let go from there, a thin one may tip by what rounding leaves.
     const auto as_meant = [&](const Object& there) {
@@ -364,6 +377,7 @@ class Mender {
 
   Scene& m_scene;
   const MendOptions& m_options;
+  const Deadline& m_deadline;
   ShapeFacts m_facts;
   Intent m_meant;
   const ObjectIntent* m_object = nullptr;  // that is being placed
@@ -378,7 +392,10 @@ class Mender {
 MendedScene mend_scene(Scene& scene, const MendOptions& options) {
   const ContactMemory contacts;  // what stays where it is, is judged again and again
   const ProgramMemory programs;
-  return Mender(scene, options).run();
+  const Deadline deadline = deadline_of(options);
+  MendOptions timed = options;
+  timed.is_over = deadline.function();
+  return Mender(scene, timed, deadline).run();
 }
 
 }  // namespace trivet

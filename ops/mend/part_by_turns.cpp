@@ -18,7 +18,7 @@ MotionRow row_out_of(const MemberCrossing& crossing, const std::vector<FreeBody>
 }
 
 std::vector<Placement> part_by_turns(const Scene& scene, const std::vector<Placement>& given,
-                                     double air) {
+                                     double air, const IsOver& is_over) {
   std::vector<ObjectId> ids;
   ids.reserve(given.size());
   for (const Placement& p : given) ids.push_back(p.id);
@@ -31,11 +31,11 @@ std::vector<Placement> part_by_turns(const Scene& scene, const std::vector<Place
         rows, std::vector<SmallMotion>(ids.size(), SmallMotion::Zero()), kStillByTurns * air);
     for (size_t i = 0; i < out.size(); ++i)
       out[i].pose = moved_by(bodies[i], given[i].pose, motions[i]);
-    const std::vector<MemberCrossing> found = crossings_of(scene, out);
-    if (found.empty()) return out;
+    const std::vector<MemberCrossing> found = crossings_of(scene, out, {}, is_over);
+    if (found.empty() || is_time_over(is_over)) return out;
     for (const MemberCrossing& x : found) rows.push_back(row_out_of(x, bodies, motions, air));
   }
-  return part_together(scene, std::move(out), air);
+  return part_together(scene, std::move(out), air, is_over);
 }
 
 }  // namespace trivet

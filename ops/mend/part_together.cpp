@@ -15,9 +15,10 @@ constexpr double kAlmostParted = 1e-9;    // metres by which rounding may leave 
 
 class HeapParting {
  public:
-  HeapParting(const Scene& scene, std::vector<Placement> members, double air)
+  HeapParting(const Scene& scene, std::vector<Placement> members, double air, const IsOver& is_over)
       : m_scene(scene),
         m_air(air),
+        m_is_over(is_over),
         m_given(std::move(members)),
         m_origin(origin_with(scene, m_given)),
         m_shifts(m_given.size(), Vec3::Zero()) {
@@ -26,7 +27,10 @@ class HeapParting {
   }
 
   std::vector<Placement> run() {
-    for (int round = 0; round < kMostRoundsOfHeap && find_partings(); ++round) shift();
+    for (int round = 0; round < kMostRoundsOfHeap && find_partings(); ++round) {
+      if (is_time_over(m_is_over)) break;
+      shift();
+    }
     std::vector<Placement> out = m_given;
     for (size_t i = 0; i < out.size(); ++i) out[i].pose.translation += m_shifts[i];
     return out;
@@ -37,7 +41,8 @@ class HeapParting {
   bool find_partings() {
     std::vector<Placement> here = m_given;
     for (size_t i = 0; i < here.size(); ++i) here[i].pose = pose_of(i);
-    const std::vector<MemberCrossing> found = crossings_of(m_scene, here, m_worlds, m_origin);
+    const std::vector<MemberCrossing> found =
+        crossings_of(m_scene, here, m_worlds, m_origin, {}, m_is_over);
     for (const MemberCrossing& x : found) {
       const size_t key = x.b                 ? *x.b
                          : x.with.is_floor() ? kFloorKey
@@ -77,6 +82,7 @@ class HeapParting {
 
   const Scene& m_scene;
   const double m_air;
+  const IsOver& m_is_over;
   const std::vector<Placement> m_given;
   const Vec3 m_origin;
   std::vector<Vec3> m_shifts;
@@ -89,9 +95,10 @@ class HeapParting {
 
 std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
                                          const std::vector<ObjectInWorld>& worlds,
-                                         const Vec3& origin, const MayMeet& may_meet) {
+                                         const Vec3& origin, const MayMeet& may_meet,
+                                         const IsOver& is_over) {
   std::vector<MemberCrossing> out;
-  for (size_t i = 0; i < worlds.size(); ++i) {
+  for (size_t i = 0; i < worlds.size() && !is_time_over(is_over); ++i) {
     for (size_t j = i + 1; j < worlds.size(); ++j) {
       const ObjectInWorld &a = worlds[i], &b = worlds[j];
       if (overlaps(a.box, b.box) && (!may_meet || may_meet(members[i], members[j])) &&
@@ -111,17 +118,17 @@ std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Pla
 }
 
 std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
-                                         const MayMeet& may_meet) {
+                                         const MayMeet& may_meet, const IsOver& is_over) {
   const Vec3 origin = origin_with(scene, members);
   std::vector<ObjectInWorld> worlds;
   worlds.reserve(members.size());
   for (const Placement& p : members) worlds.push_back(in_world(scene.at(p.id), p.pose, origin));
-  return crossings_of(scene, members, worlds, origin, may_meet);
+  return crossings_of(scene, members, worlds, origin, may_meet, is_over);
 }
 
-std::vector<Placement> part_together(const Scene& scene, std::vector<Placement> members,
-                                     double air) {
-  return HeapParting(scene, std::move(members), air).run();
+std::vector<Placement> part_together(const Scene& scene, std::vector<Placement> members, double air,
+                                     const IsOver& is_over) {
+  return HeapParting(scene, std::move(members), air, is_over).run();
 }
 
 }  // namespace trivet

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "ops/base/deadline.h"
 #include "ops/placement/depth.h"
 #include "ops/placement/neighbourhood.h"
 
@@ -14,8 +15,9 @@ namespace trivet {
 /// by the shifts with the least sum of squares. Pairs part by their exact depths; where that leads
 /// into others, these part, too, in rounds. Some may still be in each other after the last one.
 /// @param members  none of them in the scene. @param air  metres between what is parted.
-std::vector<Placement> part_together(const Scene& scene, std::vector<Placement> members,
-                                     double air);
+/// @param is_over  asked before each round and object.
+std::vector<Placement> part_together(const Scene& scene, std::vector<Placement> members, double air,
+                                     const IsOver& is_over = {});
 
 /// A member in another one, or in what stays.
 struct MemberCrossing {
@@ -28,11 +30,13 @@ struct MemberCrossing {
 /// False of two members that are known to be apart.
 using MayMeet = std::function<bool(const Placement&, const Placement&)>;
 
-/// All of them, by members. @param worlds  of the members, about `origin`.
+/// All of them, by members, or those that were found in time. @param worlds  of the members, about
+/// `origin`.
 std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
                                          const std::vector<ObjectInWorld>& worlds,
-                                         const Vec3& origin, const MayMeet& may_meet = {});
+                                         const Vec3& origin, const MayMeet& may_meet = {},
+                                         const IsOver& is_over = {});
 std::vector<MemberCrossing> crossings_of(const Scene& scene, std::span<const Placement> members,
-                                         const MayMeet& may_meet = {});
+                                         const MayMeet& may_meet = {}, const IsOver& is_over = {});
 
 }  // namespace trivet

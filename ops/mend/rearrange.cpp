@@ -17,6 +17,7 @@ namespace trivet {
 namespace {
 
 constexpr std::int64_t kContactsOfEach = 60;  // first contacts by which an object may come to rest
+constexpr double kLeastTime = 1e-3;           // seconds, of an operation: 0 would be unlimited
 
 }  // namespace
 
@@ -26,17 +27,14 @@ OperationResult Rearrangement::put_in(Target& target, ObjectId id, const Pose& s
   put.tries = tries;
   put.object = m_scene.at(id).name;
   put.start = start;
-  RunContext context = m_options.context;
-  if (m_options.seconds > 0)  // one that takes long ends with the whole
-    context.time_budget_s = std::max(m_options.seconds - 1e-3 * m_watch.milliseconds(), 1e-3);
-  return perform(target, Operation(put), m_options.settle, context);
+  return perform(target, Operation(put), m_options.settle, context());
 }
 template OperationResult Rearrangement::put_in(Scene&, ObjectId, const Pose&, int);
 template OperationResult Rearrangement::put_in(Transaction&, ObjectId, const Pose&, int);
 
 Rearrangement::Rearrangement(Scene& scene, const SettleSceneOptions& options,
-                             const std::vector<ObjectId>& ids)
-    : m_scene(scene), m_options(options) {
+                             const Deadline& deadline, const std::vector<ObjectId>& ids)
+    : m_scene(scene), m_options(options), m_deadline(deadline) {
   for (const ObjectId id : scene.ids())
     if (scene.at(id).placed) m_given[id.index] = scene.at(id).pose;
   // All leave the scene at once, so that none is in the way of another's place.
@@ -44,17 +42,18 @@ Rearrangement::Rearrangement(Scene& scene, const SettleSceneOptions& options,
   update_contacts(scene, options.settle.clearance, options.settle);
 }
 
-bool Rearrangement::is_out_of_time() const {
-  // A cancelled one has no time left.
-  if (m_options.context.cancel && *m_options.context.cancel) return true;
-  return m_options.seconds > 0 && m_watch.milliseconds() > 1000 * m_options.seconds;
+RunContext Rearrangement::context() const {
+  RunContext out = m_options.context;
+  const double left = m_deadline.seconds_left();
+  if (left < kInfinity) out.time_budget_s = std::max(left, kLeastTime);
+  return out;
 }
 
 std::vector<ObjectId> Rearrangement::rest_together(const std::vector<ObjectId>& ids) {
   if (ids.empty() || !keeps_whole_at_rest(m_options.settle)) return {};
   const double clearance = clearance_of(m_scene, m_options.settle);
   const RestRules rules = rest_rules(m_options.settle, clearance);
-  OperationRun run(m_options.settle, m_options.context);
+  OperationRun run(m_options.settle, context());
   Transaction transaction(m_scene);
   // Links are found anew, as nothing has put them where they stand.
   for (const ObjectId id : ids) {
@@ -66,6 +65,7 @@ std::vector<ObjectId> Rearrangement::rest_together(const std::vector<ObjectId>& 
   OperationResult result;
   const Named name = named(m_scene, Support(ids.front()));
   settle_whole(transaction, name, clearance, run, result, budget);
+  if (run.interrupt.reason()) return ids;  // it did not come to an end, and is taken back
   rate_again(transaction, ids, rules);
   transaction.commit();
   std::vector<ObjectId> out;
@@ -83,7 +83,7 @@ bool Rearrangement::stand_still(ObjectId id, const Pose& pose,
   there.object = m_scene.at(id).name;
   there.pose = pose;
   const OperationResult result =
-      perform(transaction, Operation(there), m_options.settle, m_options.context);
+      perform(transaction, Operation(there), m_options.settle, context());
   if (!result.ok() || m_scene.at(id).state != ObjectState::Stable) return false;
   if (accept && !accept(m_scene.at(id))) return false;
   transaction.commit();
@@ -101,6 +101,12 @@ SettledScene Rearrangement::finish() {
   update_contacts(m_scene, m_options.settle.clearance, m_options.settle);
   m_out.moved = moved_since(m_given, m_scene);
   return std::move(m_out);
+}
+
+SettledScene left_as_they_are(const Scene& scene, const std::vector<ObjectId>& ids) {
+  SettledScene out;
+  for (const ObjectId id : ids) out.unable.push_back({id, scene.at(id).name, time_is_over()});
+  return out;
 }
 
 std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,
@@ -127,8 +133,8 @@ std::vector<ObjectId> not_at_rest(const Scene& scene, const SettleSceneOptions& 
   if (keeps_whole_at_rest(options.settle)) {
     StabilityOptions by;
     by.clearance = options.settle.clearance;
-    const Stability whole =
-        checked(scene, by, free_bodies(scene, {by.friction}), Wanted::ForcesAlone);
+    by.is_over = options.is_over;
+    const Stability whole = checked(scene, by, free_bodies(scene, {by.friction}), Wanted::Findings);
     for (const ObjectStability& o : whole.objects)
       if (o.topples) found.push_back(o.object);
   }

@@ -7,23 +7,26 @@
 #include <memory>
 
 #include "core/scene/transaction.h"
+#include "ops/base/deadline.h"
 #include "ops/base/outcome.h"
-#include "ops/base/stopwatch.h"
 #include "ops/mend/intent.h"
 #include "ops/mend/settle_free.h"
 #include "ops/operations/put.h"
 
 namespace trivet {
 
+inline Sentence time_is_over() { return Sentence("the time is over"); }
+
 class Rearrangement {
  public:
   /// Takes the objects out. The scene stays someone else's.
-  Rearrangement(Scene& scene, const SettleSceneOptions& options, const std::vector<ObjectId>& ids);
+  Rearrangement(Scene& scene, const SettleSceneOptions& options, const Deadline& deadline,
+                const std::vector<ObjectId>& ids);
 
   const Scene& scene() const { return m_scene; }
   const SettleSceneOptions& options() const { return m_options; }
   const Pose& given(ObjectId id) const { return m_given.at(id.index); }
-  bool is_out_of_time() const;
+  bool is_out_of_time() const { return m_deadline.is_over(); }
 
   /// Where it was, if it is free and at rest there.
   bool keep(ObjectId id) { return stand_still(id, given(id)); }
@@ -59,6 +62,7 @@ class Rearrangement {
   /// These, where they stand, come to rest as a whole. @return those that do not.
   std::vector<ObjectId> rest_together(const std::vector<ObjectId>& ids);
   void give_up(ObjectId id, Sentence why) {
+    if (is_out_of_time()) why = time_is_over();
     m_out.unable.push_back({id, m_scene.at(id).name, std::move(why)});
   }
 
@@ -69,12 +73,18 @@ class Rearrangement {
   template <class Target>
   OperationResult put_in(Target& target, ObjectId id, const Pose& start, int tries);
 
+  // One that takes long ends with the whole.
+  RunContext context() const;
+
   Scene& m_scene;
   const SettleSceneOptions& m_options;
+  const Deadline m_deadline;
   std::map<std::uint32_t, Pose> m_given;  // by slot, of all: some give way
-  Stopwatch m_watch;
   SettledScene m_out;
 };
+
+/// These stay where they are: the time was over before anything moved.
+SettledScene left_as_they_are(const Scene& scene, const std::vector<ObjectId>& ids);
 
 /// Objects that are elsewhere than they were given, in the scene's order. @param given  by slot.
 std::vector<SettledObject> moved_since(const std::map<std::uint32_t, Pose>& given,

@@ -24,6 +24,7 @@ std::set<std::string> names_of_findings(const SceneCheck& check) {
   std::set<std::pair<std::string, std::string>> touching;
   for (const auto& f : check.touching) touching.insert({f.a, f.b});
   std::set<std::string> out(check.not_at_rest.begin(), check.not_at_rest.end());
+  out.insert(check.not_judged.begin(), check.not_judged.end());
   // Pairs that merely touch are no reason to move anything.
   for (const auto* findings : {&check.crossings, &check.contained, &check.float32_crossings})
     for (const auto& f : *findings)
@@ -36,10 +37,7 @@ void let_down(Rearrangement& scene, ObjectId id) {
   Sentence why = "it fits nowhere above its place";
   for (const double lift : kLifts) {
     if (lift > scene.options().most_lift) break;
-    if (scene.is_out_of_time()) {
-      why = Sentence("the time is over");
-      break;
-    }
+    if (scene.is_out_of_time()) break;
     Pose start = scene.given(id);
     start.translation.z() += lift;
     const OperationResult result = scene.put(id, start);
@@ -80,19 +78,25 @@ double turn_between_deg(const Rotation& a, const Rotation& b) {
   return 180 - turned_deg(along / across);
 }
 
+Deadline deadline_of(const SettleSceneOptions& options) {
+  return Deadline(options.seconds, [cancel = options.context.cancel, is_over = options.is_over] {
+    return (cancel && *cancel) || is_time_over(is_over);
+  });
+}
+
 std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOptions& options) {
   for (const std::string& name : options.only)
     if (!scene.find(name))
       bad_input("there is no object %1; accepted: names of objects", quoted(name));
   // The judgement is on a copy, as it renews contacts.
   Scene judged = scene;
-  update_contacts(judged, options.settle.clearance, options.settle);
+  update_contacts(judged, options.settle.clearance, options.settle, options.is_over);
   return unsettled_by_links(judged, options);
 }
 
 std::vector<ObjectId> unsettled_by_links(const Scene& judged, const SettleSceneOptions& options) {
-  const std::set<std::string> names =
-      names_of_findings(check_scene(judged, 0, options.settle.clearance, options.settle));
+  const std::set<std::string> names = names_of_findings(
+      check_scene(judged, 0, options.settle.clearance, options.settle, options.is_over));
   const std::set<std::string> only(options.only.begin(), options.only.end());
   Slots slots;
   for (const ObjectId id : judged.ids()) {
@@ -107,12 +111,19 @@ std::vector<ObjectId> unsettled_by_links(const Scene& judged, const SettleSceneO
   return out;
 }
 
-SettledScene settle_scene(Scene& scene, const SettleSceneOptions& options) {
+SettledScene settle_scene(Scene& scene, const SettleSceneOptions& given) {
+  const Deadline deadline = deadline_of(given);
+  SettleSceneOptions options = given;
+  options.is_over = deadline.function();
   // The lowest goes first, as others come to rest on it.
   const std::vector<ObjectId> order = lowest_first(scene, unsettled_objects(scene, options));
-  Rearrangement rearrangement(scene, options, order);
+  if (deadline.is_over()) return left_as_they_are(scene, order);
+  Rearrangement rearrangement(scene, options, deadline, order);
   for (const ObjectId id : order)
-    if (!rearrangement.keep(id)) let_down(rearrangement, id);
+    if (rearrangement.is_out_of_time())
+      rearrangement.give_up(id, time_is_over());
+    else if (!rearrangement.keep(id))
+      let_down(rearrangement, id);
   return rearrangement.finish();
 }
 

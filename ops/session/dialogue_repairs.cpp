@@ -50,6 +50,8 @@ SceneVerdict Dialogue::verdict() const {
   RunOptions options;
   options.settle = m_options.settle;
   options.context = m_options.context;
+  options.topples_alone = true;
+  options.verdict_seconds = m_options.context.time_budget_s;
   LayoutRun run;
   run.scene = m_session.scene();
   run.settle = options.settle;
@@ -61,7 +63,8 @@ SceneVerdict Dialogue::verdict() const {
   if (m_opened.others) {
     const OpenedScene& opened = m_opened.others->opened();
     out.format = opened.format, out.key = opened.key, out.num_joints = opened.num_joints;
-    out.notes = opened.notes, out.unread = opened.unread;
+    out.notes = opened.notes;
+    out.unread.insert(out.unread.begin(), opened.unread.begin(), opened.unread.end());
     add_what_joints_bear(opened, joints(), options, run, out);
   }
   return out;

@@ -74,6 +74,10 @@ Stability stability(const Scene& scene, const StabilityOptions& options) {
   return checked(scene, options, free_bodies(scene, {options.friction}));
 }
 
+Stability toppling(const Scene& scene, const StabilityOptions& options) {
+  return checked(scene, options, free_bodies(scene, {options.friction}), Wanted::Findings);
+}
+
 Stability stability_of_part(const Scene& scene, ObjectId object, const StabilityOptions& options) {
   const Object& of = scene.at(object);
   std::vector<ObjectId> ids;

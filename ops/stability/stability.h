@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "ops/base/deadline.h"
 
 namespace trivet {
 
@@ -22,6 +23,9 @@ struct StabilityOptions {
   int max_program_objects = 200;
   /// Metres, of the settling; 0: default_clearance() of the scene.
   double clearance = 0;
+  /// Asked before each part, and then for its margins and forces: parts that are left make it
+  /// Unknown, and the others are Marginal without margins.
+  IsOver is_over = {};
 };
 
 /// Force of one contact point, newtons, world.
@@ -81,7 +85,10 @@ const char* to_string(Stability::Method method);  // "certificate", "linear prog
 /// are looked for again, within kCarryingTolerance clearances, as settling does.
 Stability stability(const Scene& scene, const StabilityOptions& options = {});
 
-/// The same of the part that contacts connect with an object alone: its objects and forces are
+/// The same without margins, reserves and forces: who topples, which costs a part of the time.
+Stability toppling(const Scene& scene, const StabilityOptions& options = {});
+
+/// stability() of the part that contacts connect with an object alone: its objects and forces are
 /// those of the whole scene's verdict. None if it is fixed or not placed. Cost of the part,
 /// whatever else there is.
 Stability stability_of_part(const Scene& scene, ObjectId object,

@@ -116,7 +116,7 @@ class StabilityCheck {
 
   // Judges a part that holds with a little less friction, too.
   void judge_reserve(FreeBodies part) {
-    if (is_small(part)) {
+    if (is_small(part) && !is_time_over(m_options.is_over)) {
       // The dual simplex usually answers at once for few; the slower way lets more contacts join.
       if (part.bodies.size() <= kManyBodies &&
           quickly_balanced(part, m_clearance, kMarginalFriction))
@@ -150,6 +150,7 @@ class StabilityCheck {
     if (!is_small(part))
       return worsen("a part of " + std::to_string(members.size()) +
                     " objects is too large for a proof");
+    if (is_time_over(m_options.is_over)) return worsen("the time is over");
     const PartForces found = forces_of(part);
     if (!found.solved) return worsen("the linear program was not solved");
     m_out.residual = std::max(m_out.residual, found.residual);
@@ -157,7 +158,7 @@ class StabilityCheck {
     const bool balanced = found.balanced();
     if (!balanced) m_out.status = Stability::Status::Unstable;
     const bool is_rated = balanced && m_wanted == Wanted::Verdict;
-    const double margin = is_rated ? std::max(0.0, shift_margin(part, m_clearance)) : 0.0;
+    const double margin = is_rated ? margin_of(part) : 0.0;
     for (size_t k = 0; k < members.size(); ++k) {
       ObjectStability& object = m_out.objects[members[k]];
       if (object.topples) continue;  // it touches nothing
@@ -166,14 +167,23 @@ class StabilityCheck {
       if (balanced) set_margin(members[k], margin);
     }
     if (is_rated) judge_reserve(part);
-    const std::vector<Vec3> forces = balanced ? told_forces(part) : std::vector<Vec3>{};
+    if (m_wanted == Wanted::Findings) return;
+    const bool is_told = balanced && !is_time_over(m_options.is_over);
+    const std::vector<Vec3> forces = is_told ? told_forces(part) : std::vector<Vec3>{};
     // Forces that the scene's links explain are preferred to others that balance as well.
     for (size_t k = 0; k < part.touches.size(); ++k)
       add_force(part, part.touches[k], forces.empty() ? found.forces[k] : forces[k]);
   }
 
+  double margin_of(const FreeBodies& part) const {
+    if (is_time_over(m_options.is_over)) return 0;
+    return std::max(0.0, shift_margin(part, m_clearance));
+  }
+
   // Many bodies mostly stand, without further contacts; else those that matter join.
   PartForces forces_of(FreeBodies& part) const {
+    // Forces of the simplex method are those of few contacts; who topples, both tell.
+    if (m_wanted == Wanted::Findings) return quickest_forces(part, m_clearance);
     if (part.bodies.size() > kManyBodies) {
       FreeBodies first = part;
       first.more.clear();

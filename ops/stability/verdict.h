@@ -5,7 +5,8 @@
 
 namespace trivet {
 
-enum class Wanted { Verdict, ForcesAlone };  // forces alone: without margins and reserves
+/// Parts of a verdict that are asked for: all; without margins and reserves; who topples alone.
+enum class Wanted { Verdict, ForcesAlone, Findings };
 
 /// Verdict whether these bodies stand; see stability(). Those of the whole scene, or with all that
 /// contacts connect with them.

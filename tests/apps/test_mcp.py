@@ -41,7 +41,7 @@ class McpCase(Case):
 class Protocol(McpCase):
     def test_a_client_gets_its_version_or_the_latest(self):
         agent = self.agent()
-        for asked, given in (("2024-11-05", "2024-11-05"), ("2025-03-26", "2025-03-26"), ("1999-01-01", "2025-06-18")):
+        for asked, given in (("2024-11-05", "2024-11-05"), ("2025-03-26", "2025-03-26"), ("2025-06-18", "2025-06-18"), ("1999-01-01", "2025-11-25")):
             answer = agent.request("initialize", protocolVersion=asked, capabilities={},
                                    clientInfo={"name": "test", "version": "1"})["result"]
             self.assertEqual(answer["protocolVersion"], given)
@@ -83,6 +83,13 @@ class Protocol(McpCase):
                 keys = set(tool["inputSchema"]["properties"])
                 self.assertEqual(keys - own | {"op"}, known[tool["name"]], tool["name"])
                 self.assertLessEqual(own, keys)
+
+    def test_reasons_name_keys_that_tools_have(self):
+        agent = self.agent()
+        self.done(agent, "open")
+        for arguments, says in (({}, "required: object"), ({"object": "a", "onto": "b"}, "accepted: object, ")):
+            reason = self.not_done(agent, "push", says, **arguments)["reason"]
+            self.assertNotIn("op, ", reason)
 
     def test_lines_that_are_no_requests(self):
         agent = self.agent()

@@ -59,7 +59,7 @@ judge() {
 
 judge_demos() {
   local failed=0 demo dir
-  for demo in spoon-saucer breakfast office1 office2; do
+  for demo in spoon-saucer breakfast office1 office2 kitchen; do
     dir="$work_dir/demos/$demo"
     rm -rf "$dir"
     mkdir -p "$dir"

@@ -67,6 +67,13 @@ constexpr std::pair<const char*, Maker> kMakers[] = {
     {"hammer", make_hammer},
     {"screwdriver", make_screwdriver},
     {"toolbox", make_toolbox},
+    {"kitchen_unit", make_kitchen_unit},
+    {"cutlery_drawer", make_cutlery_drawer},
+    {"drawer_shallow", make_drawer_shallow},
+    {"drawer_deep", make_drawer_deep},
+    {"door_left", make_door_left},
+    {"door_right", make_door_right},
+    {"chopping_board", make_chopping_board},
 };
 
 }  // namespace

@@ -78,6 +78,14 @@ Model make_hammer();       // lies along x, its head at -x
 Model make_screwdriver();  // lies along x, its tip at +x
 Model make_toolbox();
 
+Model make_kitchen_unit();    // open to -y, boards at kKitchenBoards, its top at kWorktopHeight
+Model make_cutlery_drawer();  // drawers: their fronts' faces at y = 0, above kDrawerFloor
+Model make_drawer_shallow();
+Model make_drawer_deep();
+Model make_door_left();  // doors: hinged at the z axis, kDoorWidth wide
+Model make_door_right();
+Model make_chopping_board();
+
 inline constexpr double kTableHeight = 0.74;
 inline constexpr double kClothHeight = 0.7415;
 inline constexpr double kPegHeight = 1.5;
@@ -86,6 +94,10 @@ inline constexpr double kBookcaseHeight = 1.19;
 inline constexpr double kBookcaseBoards[] = {0.08, 0.45, 0.82};  // the upper sides
 inline constexpr double kShopBoards[] = {0.12, 0.47, 0.82, 1.14, 1.46};
 inline constexpr double kBenchHeight = 0.88;
+inline constexpr double kWorktopHeight = 0.90;
+inline constexpr double kKitchenBoards[] = {0.100, 0.480};
+inline constexpr double kDrawerFloor = 0.026;
+inline constexpr double kDoorWidth = 0.296;
 
 /// All of the above by name: "saucer", "plate", ..., "plant".
 std::vector<std::string> model_names();

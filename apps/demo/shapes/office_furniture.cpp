@@ -9,12 +9,6 @@ namespace {
 
 constexpr double kFurnitureOverlap = 0.001;  // how deep parts go into each other
 
-// Appends a box with bevelled edges in one material.
-void add_box(const Vec3& lower, const Vec3& upper, double bevel, Index material,
-             std::vector<Part>* parts) {
-  parts->push_back({painted(box(lower, upper, bevel), material), 40});
-}
-
 // Three drawers one over the other, a cabinet around them, a bow handle on each.
 void add_drawers(double x_low, double x_high, double top, Index board, Index front, Index metal,
                  std::vector<Part>* parts) {
@@ -24,13 +18,7 @@ void add_drawers(double x_low, double x_high, double top, Index board, Index fro
     add_box({x_low + 0.004, -0.290, bottoms[i]},
             {x_high - 0.004, -0.270 + kFurnitureOverlap, tops[i]}, 0.002, front, parts);
     const double middle = 0.5 * (x_low + x_high), z = tops[i] - 0.055;
-    const auto bow = flatten(
-        {smooth({-0.065, -kFurnitureOverlap, 0.004, 0.004}), smooth({-0.064, 0.020, 0.004, 0.004}),
-         smooth({-0.050, 0.028, 0.004, 0.004}), smooth({0.050, 0.028, 0.004, 0.004}),
-         smooth({0.064, 0.020, 0.004, 0.004}), smooth({0.065, -kFurnitureOverlap, 0.004, 0.004})},
-        0.0008);
-    const Surface upright = turned(skin(sweep(bow, 8)), Vec3::UnitX(), 90);
-    parts->push_back({painted(moved(upright, {middle, -0.290, z}), metal), 60});
+    parts->push_back({painted(moved(bow_handle(0.065), {middle, -0.290, z}), metal), 60});
   }
 }
 

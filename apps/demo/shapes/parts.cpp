@@ -5,8 +5,6 @@
 #include <numbers>
 
 namespace trivet::shapes {
-namespace {}  // namespace
-
 Surface moved(Surface surface, const Vec3& by) {
   for (Triangle& t : surface.triangles)
     for (Vec3& p : t) p += by;
@@ -48,6 +46,11 @@ Surface box(const Vec3& lower, const Vec3& upper, double bevel) {
   return moved(skin(rings), middle);
 }
 
+void add_box(const Vec3& lower, const Vec3& upper, double bevel, Index material,
+             std::vector<Part>* parts) {
+  parts->push_back({painted(box(lower, upper, bevel), material), 40});
+}
+
 std::vector<Ring> cushion(const Vec2& half_size, double radius,
                           const std::vector<CurveSample>& outline, int corner_segments) {
   std::vector<Ring> rings;
@@ -72,6 +75,16 @@ Surface rod(const Vec3& from, const Vec3& to, double radius_from, double radius_
     return out;
   };
   return skin({ring(from, radius_from), ring(to, radius_to)});
+}
+
+Surface bow_handle(double half_length) {
+  const double h = half_length, sunk = -0.001, thick = 0.004;
+  const auto path =
+      flatten({smooth({-h, sunk, thick, thick}), smooth({0.001 - h, 0.020, thick, thick}),
+               smooth({0.015 - h, 0.028, thick, thick}), smooth({h - 0.015, 0.028, thick, thick}),
+               smooth({h - 0.001, 0.020, thick, thick}), smooth({h, sunk, thick, thick})},
+              0.0008);
+  return turned(skin(sweep(path, 8)), Vec3::UnitX(), 90);
 }
 
 Part handle(const std::vector<CurveSample>& path, int segments,

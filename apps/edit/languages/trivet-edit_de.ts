@@ -7238,6 +7238,10 @@
         <source>A towel on a peg</source>
         <translation>Ein Handtuch an einem Haken</translation>
     </message>
+    <message>
+        <source>A kitchen unit with drawers and doors</source>
+        <translation>Ein Küchenschrank mit Schubladen und Türen</translation>
+    </message>
 </context>
 <context>
     <name>trivet::edit::StatusLine</name>

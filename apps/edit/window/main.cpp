@@ -28,7 +28,7 @@ void add_options(QCommandLineParser& parser) {
                                "[FILE]");
   parser.addOption(
       {"demo",
-       "Opens a demo: spoon-saucer, breakfast, office1, office2, tablecloth, desk, towel, "
+       "Opens a demo: spoon-saucer, breakfast, office1, office2, tablecloth, desk, towel, kitchen, "
        "table-for-six, tight-table, bookcase, market, office3, workshop",
        "name"});
   parser.addOption({{"detector", "backend"},

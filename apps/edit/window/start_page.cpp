@@ -38,6 +38,7 @@ QString description_of(const std::string& demo) {
   if (demo == "tablecloth") return StartPage::tr("The same table with a cloth that came down");
   if (demo == "desk") return StartPage::tr("A coat over a chair, a paper at an edge, a lead");
   if (demo == "towel") return StartPage::tr("A towel on a peg");
+  if (demo == "kitchen") return StartPage::tr("A kitchen unit with drawers and doors");
   if (demo == "table-for-six") return StartPage::tr("A table laid for six");
   if (demo == "tight-table") return StartPage::tr("The same on a smaller table");
   if (demo == "bookcase") return StartPage::tr("Books in rows, a plant and a telephone");

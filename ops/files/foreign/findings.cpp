@@ -195,6 +195,23 @@ size_t SceneVerdict::num_flush() const {
                                            [](const TouchingPair& p) { return p.gap <= 0; }));
 }
 
+namespace {
+
+// By the time, or as a part has too many objects for a proof.
+void name_what_was_left(const LayoutRun& run, SceneVerdict& out) {
+  const SceneCheck& check = run.check;
+  if (check.num_pairs_not_judged > 0)
+    out.unread.push_back(
+        say("whether pairs interpenetrate, of %1: the time is over", check.num_pairs_not_judged));
+  if (!check.not_judged.empty())
+    out.unread.push_back(say("whether objects rest, of %1, among them \"%2\": the time is over",
+                             check.not_judged.size(), check.not_judged.front()));
+  if (run.stability.status == Stability::Status::Unknown && check.crossings.empty())
+    out.unread.push_back(say("whether the whole stands: %1", Sentence(run.stability.why_unknown)));
+}
+
+}  // namespace
+
 SceneVerdict verdict_of(const LayoutRun& run, double lift) {
   SceneVerdict out;
   out.pairs = pair_classes(run.scene, run.check);
@@ -205,6 +222,7 @@ SceneVerdict verdict_of(const LayoutRun& run, double lift) {
   }
   if (!(out.clearance > 0)) out.clearance = default_clearance(run.scene);
   FindingCollector(run, lift, out).collect();
+  name_what_was_left(run, out);
   return out;
 }
 
@@ -220,6 +238,7 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& given, LayoutRun* run)
   const Stopwatch watch;
   RunOptions options = given;
   if (!(options.settle.clearance > 0)) options.settle.clearance = opened.judged.clearance;
+  options.topples_alone = true;
   LayoutRun mine;
   LayoutRun& result = run ? *run : mine;
   result.scene = opened.judged.scene;
@@ -229,7 +248,8 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& given, LayoutRun* run)
   SceneVerdict out = verdict_of(result, opened.judged.lift);
   out.path = opened.path, out.format = opened.format, out.key = opened.key;
   out.num_joints = opened.num_joints;
-  out.notes = opened.notes, out.unread = opened.unread;
+  out.notes = opened.notes;
+  out.unread.insert(out.unread.begin(), opened.unread.begin(), opened.unread.end());
   if (opened.judged.clearance > 0) note_margins(opened.judged.clearance, out);
   add_what_joints_bear(opened, opened.joints, options, result, out);
   out.milliseconds = watch.milliseconds();

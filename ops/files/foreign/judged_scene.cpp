@@ -121,18 +121,37 @@ class Builder {
     // The world's body may be the floor alone.
     if (mesh.triangles.empty()) return std::nullopt;
     object.placed = true;
-    auto model = std::make_shared<Model>(model_of_mesh(std::move(mesh)));
-    object.shape = make_shape(model->mesh);
-    object.model = std::move(model);
-    if (body.mass && (!body.fixed || body.is_link)) give(*body.mass, object);
-    return m_out.scene.add(std::move(object));
+    const std::optional<GivenMass> mass = mass_of(body);
+    const auto like = std::find_if(m_first.begin(), m_first.end(), [&](ObjectId id) {
+      return is_like(m_out.scene.at(id), mesh, mass);
+    });
+    if (like == m_first.end()) {
+      auto model = std::make_shared<Model>(model_of_mesh(std::move(mesh)));
+      object.shape = make_shape(model->mesh);
+      object.model = std::move(model);
+      if (mass) give_mass(*mass, object);
+    } else {
+      const Object& first = m_out.scene.at(*like);
+      object.model = first.model, object.shape = first.shape;
+      object.given_mass = mass;
+    }
+    const ObjectId id = m_out.scene.add(std::move(object));
+    if (like == m_first.end()) m_first.push_back(id);
+    return id;
   }
 
-  void give(const GivenMass& mass, Object& object) {
-    if (const auto why = refuse_mass(mass))
-      m_out.notes.push_back(say("the mass of \"%1\" is not used: %2", object.name, *why));
-    else
-      give_mass(mass, object);
+  static bool is_like(const Object& first, const Mesh& mesh, const std::optional<GivenMass>& mass) {
+    const Mesh& known = first.model->mesh;
+    return known.vertices == mesh.vertices && known.triangles == mesh.triangles &&
+           first.given_mass == mass;
+  }
+
+  std::optional<GivenMass> mass_of(const ForeignBody& body) {
+    if (!body.mass || (body.fixed && !body.is_link)) return std::nullopt;
+    const auto why = refuse_mass(*body.mass);
+    if (!why) return body.mass;
+    m_out.notes.push_back(say("the mass of \"%1\" is not used: %2", body.name, *why));
+    return std::nullopt;
   }
 
   static double least_friction(const ForeignBody& body) {
@@ -167,6 +186,7 @@ class Builder {
   std::vector<Plane> m_planes;
   Aabb m_box;
   const ForeignCollider* m_floor = nullptr;
+  std::vector<ObjectId> m_first;  // of each shape and mass: others that are alike share them
   JudgedScene m_out;
 };
 

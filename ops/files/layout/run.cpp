@@ -170,7 +170,7 @@ struct Verdict {
 
   // Scenes of which only single objects are kept at rest need not stand as a whole.
   bool holds(const SettleOptions& settled_by) const {
-    return check.not_at_rest.empty() &&
+    return check.whole() && check.not_at_rest.empty() &&
            (!keeps_whole_at_rest(settled_by) || stability.status != Stability::Status::Unstable);
   }
 };
@@ -181,11 +181,21 @@ void update(const RunOptions& options, double clearance, LayoutRun& run) {
   update_contacts(run.scene, clearance, run.settle);
 }
 
-Verdict judge(const RunOptions& options, const LayoutRun& run) {
-  StabilityOptions stability_options = options.stability;
-  stability_options.clearance = run.settle.clearance;
-  return {check_scene(run.scene, options.num_threads, run.settle.clearance, run.settle),
-          stability(run.scene, stability_options)};
+Verdict judge(const RunOptions& options, const LayoutRun& run, const IsOver& is_over) {
+  StabilityOptions by = options.stability;
+  by.clearance = run.settle.clearance;
+  by.is_over = is_over;
+  Verdict out;
+  out.check =
+      check_scene(run.scene, options.num_threads, run.settle.clearance, run.settle, is_over);
+  out.stability = options.topples_alone ? toppling(run.scene, by) : stability(run.scene, by);
+  return out;
+}
+
+// A wider clearance is tried where it may do, as few objects tell soon.
+bool may_hold_by(double clearance, const Verdict& narrow, const LayoutRun& run) {
+  return clearance > default_clearance(run.scene) && narrow.check.whole() &&
+         !narrow.holds(run.settle) && may_rest_by(run.scene, narrow.check, clearance, run.settle);
 }
 
 }  // namespace
@@ -194,13 +204,14 @@ void finish_run(const RunOptions& options, LayoutRun& run) {
   report_progress(options, "check", "", 0, 1);
   const ContactMemory memory;  // contacts, rest and forces ask for the same pairs
   const ProgramMemory programs;
+  const IsOver is_over =
+      options.verdict_seconds > 0 ? Deadline(options.verdict_seconds).function() : IsOver();
   const double given = options.settle.clearance;
   update(options, given, run);
-  Verdict verdict = judge(options, run);
-  if (given == 0 && !verdict.holds(run.settle) &&
-      run.largest_clearance > default_clearance(run.scene)) {
+  Verdict verdict = judge(options, run, is_over);
+  if (given == 0 && !is_time_over(is_over) && may_hold_by(run.largest_clearance, verdict, run)) {
     update(options, run.largest_clearance, run);
-    if (Verdict wider = judge(options, run); wider.holds(run.settle))
+    if (Verdict wider = judge(options, run, is_over); wider.holds(run.settle))
       verdict = std::move(wider);
     else
       update(options, given, run);

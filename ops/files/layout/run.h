@@ -19,6 +19,8 @@ struct RunOptions {
   SettleRules rules = {};  // before those that a layout or scene file states
   RunContext context;
   StabilityOptions stability;    // of the scene as a whole, at the end
+  bool topples_alone = false;    // of that: who topples, without margins and forces
+  double verdict_seconds = 0;    // for the check and the stability at the end; 0: unlimited
   int num_threads = 0;           // 0: all cores; results do not depend on it
   bool stop_at_refusal = false;  // else a refusal is recorded, and the next operation done
   ProgressCallback progress;     // may be empty
@@ -61,7 +63,8 @@ void run_operations(const Layout& layout, const RunOptions& options, LayoutRun& 
 /// Brings contacts and states up to date with the poses, checks the scene and judges its stability.
 /// An operation counts the box of what it moves, so that its clearance may have been larger than
 /// the scene's at the end: where that leaves something without its rest, the largest is tried, and
-/// kept as the settling's if all rests with it.
+/// kept as the settling's if all rests with it. What is not judged within options.verdict_seconds
+/// is named in the check, or makes the stability Unknown.
 void finish_run(const RunOptions& options, LayoutRun& run);
 
 /// Stands objects in the order of the layout, or as they are given, then does the operations, by

@@ -1,14 +1,28 @@
 // Plays an agent with the official client of the Model Context Protocol: lays a table by tool calls alone, and follows
 // the next step of every refusal.
-//   node agent.mjs TRIVET MODELS_FOLDER
+//   node agent.mjs TRIVET MODELS_FOLDER [http]
+// With http by a server that has the layout.json of the folder as its start, else over standard input and output.
 import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { writeFile } from "node:fs/promises";
+import { createInterface } from "node:readline";
 import { Client } from "@modelcontextprotocol/sdk/client/index.js";
 import { StdioClientTransport } from "@modelcontextprotocol/sdk/client/stdio.js";
+import { StreamableHTTPClientTransport } from "@modelcontextprotocol/sdk/client/streamableHttp.js";
 import Ajv from "ajv/dist/2020.js";
 
-const [trivet, models] = process.argv.slice(2);
+const [trivet, models, http] = process.argv.slice(2);
 const client = new Client({ name: "trivet-test", version: "1.0.0" });
-await client.connect(new StdioClientTransport({ command: trivet, args: ["mcp", models] }));
+let server, url, transport;
+if (http) {
+  server = spawn(trivet, ["serve", "layout.json"], { cwd: models, stdio: ["ignore", "pipe", "inherit"] });
+  for await (const line of createInterface({ input: server.stdout })) {
+    url = JSON.parse(line).serving + "/mcp";
+    break;
+  }
+  transport = new StreamableHTTPClientTransport(new URL(url));
+} else transport = new StdioClientTransport({ command: trivet, args: ["mcp", models] });
+await client.connect(transport);
 assert.equal(client.getServerVersion().name, "trivet");
 assert.match(client.getInstructions(), /never intersect/);
 
@@ -68,7 +82,12 @@ assert.equal(verdict.data.objects, 13);
 const picture = (await done("look", { view: "above", width: 160, height: 120 })).content[1];
 assert.equal(picture.mimeType, "image/png");
 assert.ok(Buffer.from(picture.data, "base64").subarray(1, 4).equals(Buffer.from("PNG")));
-await done("save", { file: "laid by an agent.glb" });
+if (http) {
+  assert.ok(!judges.has("save"));
+  const scene = await fetch(url + "/scene.glb", { headers: { "mcp-session-id": transport.sessionId } });
+  assert.equal(scene.status, 200);
+  await writeFile(models + "/laid by an agent.glb", Buffer.from(await scene.arrayBuffer()));
+} else await done("save", { file: "laid by an agent.glb" });
 await assert.rejects(client.callTool({ name: "rm", arguments: {} }), /unknown tool/);
 const abort = new AbortController();
 const stopped = client.callTool({ name: "look", arguments: { width: 1500, height: 1500 } }, undefined,
@@ -77,5 +96,10 @@ abort.abort();
 await assert.rejects(stopped);
 await client.ping();
 assert.ok(refusals >= 3, `${refusals} refusals`);
+if (http) await transport.terminateSession();
 await client.close();
+if (server) {
+  server.kill("SIGTERM");
+  assert.equal(await new Promise((resolve) => server.on("exit", resolve)), 0);
+}
 console.log(`laid: ${verdict.data.objects} objects, ${tools.length} tools, ${refusals} refusals, each with a next step`);

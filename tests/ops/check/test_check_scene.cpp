@@ -57,6 +57,39 @@ TEST(CheckScene, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
+TEST(CheckScene, NamesWhatItDidNotJudgeInTime) {
+  const Scene scene = heap(16, false);
+  const SceneCheck whole = check_scene(scene, 1, 0, test::perfect_friction());
+  EXPECT_TRUE(whole.whole());
+  const SceneCheck none = check_scene(scene, 1, 0, test::perfect_friction(), [] { return true; });
+  EXPECT_EQ(none.not_judged.size(), scene.ids().size());
+  EXPECT_GT(none.num_pairs_not_judged, 0u);
+  EXPECT_FALSE(none.ok());
+  // All pairs, and then some objects.
+  const auto after = static_cast<int>(none.num_pairs_not_judged) + 3;
+  int asked = 0;
+  const SceneCheck part =
+      check_scene(scene, 1, 0, test::perfect_friction(), [&] { return ++asked > after; });
+  EXPECT_EQ(part.num_pairs_not_judged, 0u);
+  EXPECT_EQ(part.not_judged.size(), scene.ids().size() - 3);
+  EXPECT_FALSE(part.ok());
+}
+
+TEST(CheckScene, AnotherClearanceIsAskedOfThoseThatDoNotRest) {
+  Room room;
+  ASSERT_TRUE(put(room.scene, room.object, {{}, Vec3(0, 0, 3)}).ok());
+  EXPECT_TRUE(may_rest_by(room.scene, check_scene(room.scene, 0, 1e-6), 1e-5));
+  // Across a gap of more than the narrow clearance, and less than the wide one.
+  edit_object(room.scene, room.object, [](Object& o) { o.pose.translation.z() += 2e-5; });
+  const SceneCheck narrow = check_scene(room.scene, 0, 1e-6);
+  ASSERT_FALSE(narrow.not_at_rest.empty());
+  for (const double clearance : {2e-6, 2e-5})
+    EXPECT_EQ(may_rest_by(room.scene, narrow, clearance),
+              check_scene(room.scene, 0, clearance).not_at_rest.empty())
+        << clearance;
+  EXPECT_FALSE(may_rest_by(room.scene, narrow, 2e-6));
+}
+
 TEST(CheckScene, UpdateContactsAgreesWithPut) {
   Scene scene = heap(8, false);
   const Scene before = scene;

@@ -374,5 +374,41 @@ TEST(Stability, CallsTooLargePartUnknown) {
   EXPECT_EQ(stability(pile.scene, options).status, Stability::Status::Unknown);
 }
 
+TEST(Stability, WhoTopplesIsToldWithoutForces) {
+  for (const std::vector<double>& offsets :
+       {std::vector<double>{0, 0.3, 0.1}, {0, 0.3, 0.3, 0.3}, {0, 0.6, 0.1, 0.1, 0.1}}) {
+    Pile pile = leaning_pile(offsets);
+    const Stability all = pile.judge();
+    StabilityOptions options;
+    options.friction = kSettlingFriction;
+    options.clearance = kGap;
+    const Stability found = trivet::toppling(pile.scene, options);
+    EXPECT_EQ(found.status == Stability::Status::Unstable,
+              all.status == Stability::Status::Unstable);
+    EXPECT_EQ(toppling(pile, found), toppling(pile, all));
+  }
+}
+
+// A pile that the certificate leaves open: its program is not begun, or its margin is not asked.
+TEST(Stability, PartsThatAreLeftAreNotKnown) {
+  Pile pile = leaning_pile({0, 0.6, -0.5, 0.3, 0.4});
+  ASSERT_EQ(pile.judge().method, Stability::Method::LinearProgram);
+  const bool stands = pile.judge().stable();
+  StabilityOptions options;
+  options.friction = kSettlingFriction;
+  options.clearance = kGap;
+  options.is_over = [] { return true; };
+  const Stability none = stability(pile.scene, options);
+  EXPECT_EQ(none.status, Stability::Status::Unknown);
+  EXPECT_EQ(none.why_unknown, "the time is over");
+  int asked = 0;
+  options.is_over = [&] { return ++asked > 1; };
+  const Stability part = stability(pile.scene, options);
+  EXPECT_EQ(part.stable(), stands);
+  if (stands) {
+    EXPECT_EQ(part.margin, 0);
+  }
+}
+
 }  // namespace
 }  // namespace trivet::test

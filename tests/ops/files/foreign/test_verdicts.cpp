@@ -262,5 +262,37 @@ TEST(EngineRules, UrdfHasWhatItsEngineAdds) {
                      robot(rough, "<gazebo reference='b'><mu1>0.1</mu1></gazebo>"), "r.urdf"));
 }
 
+TEST(Verdicts, WhatIsLeftWhenTheTimeIsOverIsNamed) {
+  const TemporaryFolder folder;
+  write_text(folder.file("s.xml"), boxes(box("a", "0 0 0.05") + box("b", "0 0 0.149")));
+  OpenedScene opened = open_scene(folder.file("s.xml"), {});
+  RunOptions options;
+  EXPECT_TRUE(judge(opened, options).whole());
+  options.verdict_seconds = 1e-9;
+  const SceneVerdict v = judge(opened, options);
+  EXPECT_FALSE(v.whole());
+  EXPECT_EQ(v.unread.size(), 3u);  // pairs, rest, the whole
+  EXPECT_NE(verdict_text(v).find("not judged: whether pairs interpenetrate, of 1"),
+            std::string::npos)
+      << verdict_text(v);
+  EXPECT_NE(verdict_text(v).find("(judged in part)"), std::string::npos);
+}
+
+// Facts about a shape are then found once, for however many bodies.
+TEST(Verdicts, BodiesThatAreAlikeShareTheirShape) {
+  const TemporaryFolder folder;
+  write_text(folder.file("s.xml"), boxes(box("a", "0 0 0.05") + box("b", "1 0 0.05", "mass='2'") +
+                                         box("c", "0 1 0.05", "size='0.05 0.05 0.06'") +
+                                         box("d", "1 1 0.05") + box("e", "2 1 0.05", "mass='2'")));
+  const OpenedScene opened = open_scene(folder.file("s.xml"), {});
+  const Scene& scene = opened.judged.scene;
+  const auto of = [&](const char* name) -> const Object& { return scene.at(*scene.find(name)); };
+  EXPECT_EQ(of("a").shape, of("d").shape);
+  EXPECT_EQ(of("b").shape, of("e").shape);
+  EXPECT_EQ(of("a").given_mass, of("d").given_mass);
+  for (const char* name : {"b", "c"}) EXPECT_NE(of("a").shape, of(name).shape) << name;
+  EXPECT_NE(of("a").given_mass, of("b").given_mass);
+}
+
 }  // namespace
 }  // namespace trivet
