@@ -91,6 +91,17 @@ void tell_move(const OpenedScene& opened, const SceneJoint& joint, const JointMo
   }
 }
 
+int tell_refusal(const SceneJoint& joint, const CommonOptions& common) {
+  const std::string why = in_english(held_joint(joint));
+  clear_progress_line(common);
+  if (common.json)
+    std::cout << "{\"status\":\"refused\",\"joint\":" << json_string(joint.name)
+              << ",\"reason\":" << json_string(why) << "}\n";
+  else
+    std::cout << trivet::quoted(joint.name) << ": refused: " << why << "\n";
+  return 1;
+}
+
 // Joints of a scene of Trivet's are listed alone: to move one is an operation.
 int list_own_joints(const JointArguments& arguments, const CommonOptions& common) {
   if (!arguments.joint.empty())
@@ -108,6 +119,7 @@ int move(const JointArguments& arguments, const CommonOptions& common) {
   if (arguments.joint.empty())
     return list_joints(opened.path, opened.judged.scene, opened.joints, common);
   SceneJoint& joint = joint_named(opened, arguments.joint);
+  if (!joint.held.empty()) return tell_refusal(joint, common);
   const std::unique_ptr<Detector> detector = make_detector(common);
   const RunOptions options = run_options(common, arguments.settle, detector.get());
   const double goal = goal_of(arguments, joint);

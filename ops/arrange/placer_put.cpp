@@ -2,12 +2,12 @@
 #include <algorithm>
 
 #include "core/base/quoted.h"
-#include "ops/arrange/inside.h"
 #include "ops/arrange/place_order.h"
 #include "ops/arrange/relations.h"
 #include "ops/arrange/steadiness.h"
 #include "ops/arrange/zones.h"
 #include "ops/free_places/distance_query.h"
+#include "ops/operations/inside.h"
 
 namespace trivet {
 namespace {

@@ -51,7 +51,7 @@ struct Refusal {
     Float32BelowFloor,  // objects: it
     // Motion and rest.
     AlreadyTouches,  // objects: it, the other
-    NothingBelow,    // objects: it
+    NothingBelow,    // objects: it. numbers: slides, 1 if it left what it lay on
     // A PUT that tried several starts adds the numbers tries and within (metres) to the next two:
     Topples,           // objects: it, those that would move. numbers: friction
     Wedged,            // objects: it, all between which it is wedged

@@ -159,6 +159,10 @@ class Writer {
       case Cause::AlreadyTouches:
         return say(TRIVET_SENTENCE("%1 touches %2 already"), name(0), name(1));
       case Cause::NothingBelow:
+        if (m_r.number("slides") > 0)
+          return say(
+              TRIVET_SENTENCE("%1 slides or tips off what is below it, and would fall for ever"),
+              name(0));
         return say(TRIVET_SENTENCE("nothing is below %1: it would fall for ever"), name(0));
       case Cause::Topples:
         return say(TRIVET_SENTENCE("the scene would not stand at friction %1: %2 would move"),

@@ -30,6 +30,12 @@ Aabb box_of(const Scene& scene, ObjectId id, const std::vector<ObjectId>& togeth
   return out;
 }
 
+// It lay on something, from which it slid or turned away.
+bool slides_off(const SettleOutcome& outcome) {
+  return std::any_of(outcome.steps.begin(), outcome.steps.end(),
+                     [](const SettleStep& s) { return s.kind != SettleStep::Kind::Fall; });
+}
+
 std::optional<Refusal> refuse_unsettled(const MovingGroup& group, const SettleOutcome& outcome,
                                         const SettleOptions& options) {
   const Named name = named(group.scene(), Support(group.ids()[0]));
@@ -42,7 +48,8 @@ std::optional<Refusal> refuse_unsettled(const MovingGroup& group, const SettleOu
       if (options.accept_wedged) return std::nullopt;
       return Refusal{Cause::Wedged, wedge(group, outcome.contacts)};
     case SettleOutcome::Status::FallsOut:
-      return Refusal{Cause::NothingBelow, {name}};
+      return slides_off(outcome) ? Refusal{Cause::NothingBelow, {name}, {{"slides", 1}}}
+                                 : Refusal{Cause::NothingBelow, {name}};
     case SettleOutcome::Status::TooManyMotions:
       return Refusal{Cause::TooManyMotions, {name}, {{"max_motions", double(options.max_motions)}}};
     case SettleOutcome::Status::Crossing:

@@ -7,6 +7,7 @@
 #include "ops/detect/detector.h"
 #include "ops/free_places/distance_query.h"
 #include "ops/free_places/exact_places.h"
+#include "ops/operations/inside.h"
 #include "ops/operations/put_parts.h"
 #include "ops/placement/coarseness.h"
 
@@ -34,6 +35,26 @@ class FreePlaceSearch {
   MovePlan plan() {
     // A request that cannot be met anywhere is refused before any search.
     if (auto why = refuse_request()) return refused(std::move(*why));
+    if (!is_on_drawer()) return search();
+    // What is put on a drawer lies in it, so that it closes; on its rim only if nothing else fits.
+    m_inside = true;
+    if (MovePlan done = search(); done.result.status != OperationResult::Status::Refused)
+      return done;
+    m_inside = false;
+    m_failures.clear();
+    m_num_trials = 0;
+    m_first = nullptr;
+    return search();
+  }
+
+ private:
+  bool is_on_drawer() const {
+    if (!m_on.support || !m_on.support->is_object()) return false;
+    const Object& on = m_scene.at(m_on.support->object());
+    return on.joint && !on.joint->turns() && is_container(on);
+  }
+
+  MovePlan search() {
     PlaceRequest request = this->request();
     const ExactPlaces exact(m_scene, m_id, m_carried, request, clearance());
     // The point that was asked for comes first, exactly.
@@ -62,7 +83,6 @@ class FreePlaceSearch {
     return refused(refuse_everywhere(places));
   }
 
- private:
   MovePlan refused(Refusal why) const {
     MovePlan out;
     out.op = "put";
@@ -224,6 +244,8 @@ class FreePlaceSearch {
     for (const GroupContact& touch : group.group_contacts())
       if (touch.with != *m_on.support)
         return Refusal{Cause::RestsOnOther, {m_name, named(m_scene, touch.with)}};
+    if (m_inside && !is_inside(group.bodies()[0], body_of(m_scene.at(m_on.support->object()))))
+      return Refusal{Cause::RestsOnOther, {m_name, m_on}};
     const double keep = m_operation.place->keep;
     if (!(keep > 0)) return std::nullopt;
     // Distances are measured between surfaces, of the object and of its loads.
@@ -262,6 +284,7 @@ class FreePlaceSearch {
   std::vector<ObjectId> m_carried;
   std::vector<Vec2> m_failures;
   int m_num_trials = 0;
+  bool m_inside = false;                   // only places in the support count
   std::shared_ptr<const Refusal> m_first;  // of the first trial
 };
 

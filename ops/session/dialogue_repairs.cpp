@@ -142,6 +142,8 @@ OrderedJson Dialogue::move_joint(const JsonPlace& request) {
   if (!found)
     name.refuse(known.empty() ? Sentence("none: the scene has no slides and hinges")
                               : Sentence(known));
+  if (!found->held.empty())
+    return {{"status", "refused"}, {"reason", in_english(held_joint(*found))}};
   const double goal = goal_of(request, *found);
   if (!m_opened.others) return move_own_joint(name.text(), goal);
   const JointMove move = m_opened.others->move(m_session, name.text(), goal,

@@ -48,6 +48,18 @@ class ArrangedDrawers(Case):
         self.trivet("move-joint", "closed.glb", "drawer", "--to", 0.2, "-o", "open.glb")
         self.expect_in_drawer("open.glb")
 
+    def test_what_is_put_on_a_drawer_lies_in_it(self):
+        puts = [{"op": "put", "object": fork, "on": "drawer", "at": "anywhere", "seed": i} for i, fork in enumerate(FORKS)]
+        self.layout(self.furniture + self.things, [OPEN, *puts, CLOSE], "layout.json")
+        self.trivet("run", "layout.json", "-o", "closed.glb")
+        self.assertEqual({self.holders("closed.glb")[fork][0] for fork in FORKS}, {"drawer"})
+        # On its rim what is too large, where it is open.
+        wide = {"name": "wide", "model": "wide.obj"}
+        self.write("wide.obj", box_obj(0.18, 0.1, 0.004))
+        put = {"op": "put", "object": "wide", "on": "drawer", "at": "anywhere"}
+        self.layout([*self.furniture, wide], [OPEN, put], "wide.json")
+        self.trivet("run", "wide.json", "-o", "wide.glb")
+
     def test_a_problem_has_drawers(self):
         furniture = json.loads(json.dumps(self.furniture))
         furniture[1]["joint"]["value"] = 0.3

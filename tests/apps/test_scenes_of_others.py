@@ -324,7 +324,24 @@ class Joints(ScenesCase):
         self.write("cabinet.urdf", (CASES / "cabinet.urdf").read_bytes())
         out, _ = self.trivet("joint", "cabinet.urdf")
         self.assertIn('held: it follows "door"', out)
-        self.refused("joint", "cabinet.urdf", "door", "--to", "10", says='cannot be moved: "second" follows it')
+        out, _ = self.trivet("joint", "cabinet.urdf", "door", "--to", "10", "-o", "out.urdf", status=1)
+        self.assertIn('"door": refused: the joint "door" cannot be moved: "second" follows it', out)
+        out, _ = self.trivet("joint", "cabinet.urdf", "door", "--to", "10", "--json", status=1)
+        self.assertEqual(json.loads(out)["status"], "refused")
+        self.assertNotIn("out.urdf", self.files())
+
+    def test_a_slope_that_is_too_steep(self):
+        self.write("slope.xml", """<mujoco><worldbody><geom type="plane" size="3 3 .1" euler="50 0 0"/>
+<body name="box" pos="0 0 1" euler="50 0 0"><freejoint/><geom type="box" size=".1 .1 .1" friction="0.3"/></body>
+</worldbody></mujoco>""")
+        out, _ = self.trivet("settle", "slope.xml", "-o", "out.xml", status=1)
+        self.assertIn('"box" slides or tips off what is below it', out)
+
+    def test_own_exports_are_read_without_a_note_on_margins(self):
+        self.trivet("demo", "spoon-saucer", "-o", "s.glb", "--quiet")
+        self.trivet("export", "s.glb", "-o", "s.xml", "--quiet")
+        out, _ = self.trivet("check", "s.xml")
+        self.assertNotIn("margin", out)
 
     def test_wrong_words(self):
         self.refused("joint", "drawer.xml", "door", "--to", "0", says='accepted: "slide", "lid"')

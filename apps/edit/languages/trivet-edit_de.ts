@@ -511,6 +511,10 @@
         <translation>%1 berührt schon: %2</translation>
     </message>
     <message>
+        <source>%1 slides or tips off what is below it, and would fall for ever</source>
+        <translation>%1 rutscht oder kippt von dem, was darunter ist, und fiele ohne Ende</translation>
+    </message>
+    <message>
         <source>nothing is below %1: it would fall for ever</source>
         <translation>unter %1 ist nichts: es fiele ohne Ende</translation>
     </message>

@@ -61,11 +61,13 @@ double limit_of(const JointToMove& joint, bool upper) {
             upper ? "upper" : "lower");
 }
 
+Sentence held_joint(const SceneJoint& joint) {
+  return say("the joint %1 cannot be moved: %2", trivet::quoted(joint.name), joint.held);
+}
+
 JointMove move_joint_of(OpenedScene& opened, SceneJoint& joint, double to, const OperationRun& run,
                         NewPoses& poses) {
-  if (!joint.held.empty())
-    bad_file(opened.path, "the joint %1 cannot be moved: %2", trivet::quoted(joint.name),
-             joint.held);
+  if (!joint.held.empty()) bad_file(opened.path, "%1", held_joint(joint));
   // The links move in a copy, whose rules let neighbours pass as in the other program.
   Scene driven = with_moving_links(opened.judged, opened.judged.scene);
   update_contacts(driven, run.options.clearance, run.options);

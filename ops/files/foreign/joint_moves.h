@@ -16,6 +16,9 @@ double limit_of(const JointToMove& joint, bool upper);
 /// hang in. The opened scene must have joints.
 Scene with_moving_links(const JudgedScene& judged, Scene scene);
 
+/// Why a joint that is held cannot be moved.
+Sentence held_joint(const SceneJoint& joint);
+
 /// Moves a joint as move_joint() does. Links that joints hold meet each other and all else, but for
 /// what they hang in. The scene, its joints and `poses` follow.
 /// @throws Error (BadInput): the joint is held.

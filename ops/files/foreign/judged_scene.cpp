@@ -15,6 +15,8 @@ namespace trivet {
 namespace {
 
 constexpr double kLevel = 1e-12;    // of a plane's normal
+constexpr double kBridged = 10;     // clearances, a little more than the gap of a contact
+constexpr double kPressed = 1e-6;   // metres, by which exports let weights press contacts together
 constexpr double kSlabReach = 1.5;  // of the scene's size, to each side
 
 Vec3 normal_of(const Pose& pose) { return pose.rotation.matrix().col(2); }
@@ -168,7 +170,8 @@ class Builder {
         least = std::min(least, c.bits.margin);
         most = std::max(most, c.bits.margin);
       }
-    if (!(most > 0)) return 0;
+    // Trivet's own exports bridge the gaps of contacts so: nothing is to be kept apart by it.
+    if (2 * most <= kBridged * default_clearance(m_out.scene) + kPressed) return 0;
     if (least == most && 2 * most <= clearance_range(m_out.scene).largest) return 2 * most;
     if (least == most) {
       m_out.notes.push_back(

@@ -48,7 +48,8 @@ TEST(PutRefuses, EndlessFall) {
   room.scene.floor = false;
   room.expect_refused(room.object, {{}, Vec3(5, 0, 3)}, {"nothing is below \"object\""});
   // Falls onto the table's edge first, then off it.
-  room.expect_refused(room.object, {{}, Vec3(1.1, 0, 3)}, {"nothing is below \"object\""});
+  room.expect_refused(room.object, {{}, Vec3(1.1, 0, 3)},
+                      {"\"object\" slides or tips off what is below it"});
 }
 
 TEST(Put, StandsFixedObjectOnce) {

@@ -3,13 +3,19 @@
 
 #include "core/mesh/mesh.h"
 #include "core/motion/compose.h"
-#include "ops/arrange/arrange_testing.h"
-#include "ops/arrange/inside.h"
+#include "ops/operations/inside.h"
+#include "support/random_shapes.h"
 
 namespace trivet {
 namespace {
 
 using namespace trivet::test;
+
+using Triangles = std::vector<Triangle>;
+
+Triangles box_between(const Vec3& lower, const Vec3& upper) {
+  return moved(box_triangles(0.5 * (upper - lower)), 0.5 * (lower + upper));
+}
 
 Object object_of(const Triangles& triangles, const Vec3& at) {
   Object out;
@@ -47,6 +53,13 @@ TEST(Inside, ACompartmentMayBeOpenToOneSide) {
 
 TEST(Inside, AFloorAloneIsNoContainer) {
   EXPECT_FALSE(is_inside(object_of(kSpoon, {0, 0, 0.016}), tray(0, 0, 0, 0)));
+}
+
+TEST(Inside, WallsMakeAContainer) {
+  EXPECT_TRUE(is_container(tray(0.1, 0.1, 0.1, 0.1)));
+  EXPECT_TRUE(is_container(tray(0.1, 0.1, 0.1, 0)));
+  EXPECT_FALSE(is_container(tray(0, 0, 0, 0)));
+  EXPECT_FALSE(is_container(object_of(kSpoon, Vec3::Zero())));
 }
 
 TEST(Inside, NotOnTheRim) {
