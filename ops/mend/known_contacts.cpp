@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kPointsApart = 5e-4;  // metres between contact points of a pair
 constexpr size_t kNearestOfPair = 24;
+constexpr double kWidestAgain = 0.003;     // metres: wider gaps are found once
 constexpr double kMarginOfMeeting = 1e-4;  // metres
 constexpr std::uint32_t kFloorKey = ~0u;
 
@@ -54,7 +55,7 @@ double KnownContacts::Was::way_to(const Pose& now) const {
 class KnownContacts::Search {
  public:
   Search(KnownContacts& known, const Scene& scene, const std::vector<FreeBody>& bodies, double near)
-      : m_known(known), m_scene(scene), m_near(near) {
+      : m_known(known), m_scene(scene), m_near(std::min({near, known.m_reach, kWidestAgain})) {
     for (const FreeBody& body : bodies) m_ids.push_back(body.id);
   }
 
@@ -80,15 +81,14 @@ class KnownContacts::Search {
     Pair& pair = m_known.m_pairs[{id_of(on).index, key_of(with)}];
     // A pair that has not come near is where it was carried.
     const bool is_new = !pair.is_known;
-    if (!is_new && pair.least - way_of(pair, on, with) > m_near)
-      return add(carried(pair, on, with));
-    const double reach = is_new ? m_known.m_reach : std::min(m_near, m_known.m_reach);
+    const double reach = is_new ? m_known.m_reach : m_near;
+    if (!is_new && pair.least - way_of(pair, on, with) > reach) return add(carried(pair, on, with));
     std::vector<BodyContact> touches = touches_of(on, with, points(reach));
     pair.least = reach;
     for (const BodyContact& t : touches) pair.least = std::min(pair.least, t.contact.gap);
     if (!is_new)
       for (const BodyContact& t : carried(pair, on, with))
-        if (t.contact.gap > m_near) touches.push_back(t);
+        if (t.contact.gap > reach) touches.push_back(t);
     add(touches);
     pair = {was(id_of(on)), with.is_floor() ? Was() : was(with.object()), std::move(touches),
             pair.least, true};

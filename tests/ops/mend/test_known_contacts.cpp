@@ -77,6 +77,25 @@ TEST(KnownContacts, AreAsTheyAreWhereTheyAreNear) {
   EXPECT_GT(num_where_carried, 0.7 * num_wide);
 }
 
+TEST(KnownContacts, AreNotSearchedWidelyAgain) {
+  Moving s;
+  KnownContacts known(kWide, s.clearance());
+  known.find(s.scene, s.bodies(), kWide);
+  int num_wide = 0;
+  for (int step = 0; step < 3; ++step) {
+    s.move(0.001);
+    KnownContacts same = known;
+    const std::vector<BodyContact> found = known.find(s.scene, s.bodies(), kWide);
+    const std::vector<BodyContact> near = same.find(s.scene, s.bodies(), kNear);
+    ASSERT_EQ(found.size(), near.size());
+    for (size_t k = 0; k < found.size(); ++k) {
+      EXPECT_TRUE(is_among({near[k]}, found[k], 0)) << step << ' ' << found[k].contact.gap;
+      num_wide += found[k].contact.gap > kNear;
+    }
+  }
+  EXPECT_GT(num_wide, 100);
+}
+
 // A box 10 mm over another goes 1 mm aside and 4 mm down; then the lower one turns.
 TEST(KnownContacts, GoAlongWithTheirBodies) {
   Boxes s;
