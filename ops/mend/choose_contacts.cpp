@@ -8,7 +8,7 @@
 namespace trivet {
 namespace {
 
-constexpr double kPriceOfReach = 0.1;       // of a push as heavy as what a body carries, across it
+constexpr double kPriceOfReach = 1;         // of a push as heavy as what a body carries, across it
 constexpr double kMostPrice = 4;            // of that
 constexpr double kKeptShare = 0.1;          // of its gap, that a contact costs that was needed
 constexpr double kPriceOfStuck = 30;        // times the usual one

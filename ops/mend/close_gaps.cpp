@@ -25,15 +25,17 @@ constexpr double kReachOfMotion = 2;        // times the farthest of the step be
 constexpr double kMostReachInHeap = 0.003;  // metres: wider gaps are known
 constexpr double kSoftContacts = 1e-3, kSoftIfAlone = 1e-6;  // see nearest_motions()
 constexpr double kGapClosed = 1.9;                           // clearances: enough
-constexpr double kGapOpen = 100;       // clearances: coming to rest closes less
-constexpr double kLeftByMotions = 10;  // clearances: what motions leave is stuck
-constexpr double kStillStep = 0.03;    // clearances
+constexpr double kGapOpen = 100;         // clearances: coming to rest closes less
+constexpr double kLeftByMotions = 10;    // clearances: what motions leave is stuck
+constexpr double kStillStep = 0.03;      // clearances
+constexpr double kFrictionOfTurn = 0.2;  // of a radian by which noise may have turned a normal
 // One alone, that is near its rest.
 constexpr double kAirOfNearRest = 2e-5;        // metres between it and what it is parted from
 constexpr double kReachOfNearRest = 1;         // tolerances, of gaps that may close
 constexpr double kMostReachOfNearRest = 0.04;  // metres
 constexpr double kMostStepOfNearRest = 0.006;  // metres, of closing them
 constexpr double kFirstShareOfNearRest = 0.5;
+constexpr double kFrictionOfNearRest = 0.95;  // of all, so that others hold it, too
 
 class GapCloser {
  public:
@@ -96,6 +98,17 @@ class GapCloser {
     // One alone has few contacts, and is nearer where it sees them as they are.
     KnownContacts now(reach, m_gaps.clearance);
     m_part.touches = (is_alone() ? now : known()).find(m_scene, m_part.bodies, reach);
+    for (BodyContact& t : m_part.touches) t.friction = friction_of(t);
+  }
+
+  // At the given poses what friction barely holds seems to slide where noise has made a contact
+  // steeper. Contacts far off would be closed to hold it.
+  double friction_of(const BodyContact& t) const {
+    if (is_alone()) return kFrictionOfNearRest * t.friction;
+    if (!m_near_given) return t.friction;
+    double turn = m_gaps.reach / m_part.bodies[t.on].size;
+    if (t.from != BodyContact::kGround) turn += m_gaps.reach / m_part.bodies[t.from].size;
+    return t.friction + kFrictionOfTurn * turn;
   }
 
   std::vector<SmallMotion> aims() const {

@@ -125,12 +125,13 @@ class HeapInPlace {
     return missing;
   }
 
-  // Once more from where the first time ended, if anything is missing.
+  // If anything is missing, on from there, and once more with the given poses as aims.
   Attempt attempt(double most_step) {
     m_longest_step = 0;
     m_missed.clear();
     std::vector<ObjectId> missing = close(most_step);
-    if (!missing.empty() && !m_out.is_out_of_time()) missing = close(most_step);
+    for (const bool near_given : {false, true})
+      if (!missing.empty() && !m_out.is_out_of_time()) missing = close(most_step, near_given);
     missing = let_go_missing(std::move(missing));
     return {std::move(missing), squared_ways(), any_is_far(), m_scene};
   }

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kPointsApart = 5e-4;  // metres between contact points of a pair
 constexpr size_t kNearestOfPair = 24;
-constexpr double kShareOfFriction = 0.95;  // that contacts may use, so that others hold, too
 constexpr double kMarginOfMeeting = 1e-4;  // metres
 constexpr std::uint32_t kFloorKey = ~0u;
 
@@ -131,7 +130,7 @@ class KnownContacts::Search {
     std::stable_sort(points.begin(), points.end(),
                      [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
     points.resize(std::min(points.size(), kNearestOfPair));
-    const double friction = ContactFriction{{}, kShareOfFriction}.of(m_scene, id_of(on), with);
+    const double friction = ContactFriction{}.of(m_scene, id_of(on), with);
     std::vector<BodyContact> out;
     out.reserve(points.size());
     for (const ContactPoint& p : points) out.push_back({on, index_of(with), with, friction, p});
