@@ -50,6 +50,10 @@ inline constexpr double kTouchingDepth = 0.5;
 SceneCheck check_scene(const Scene& scene, int num_threads = 0, double clearance = 0,
                        const SettleOptions& settled_by = {}, const IsOver& is_over = {});
 
+/// Files of others do not say by which clearance they were settled, and their scene may have been
+/// larger then: so many times the default is contact where everything then rests.
+inline constexpr double kOldClearances = 8;
+
 /// True if each object of check.not_at_rest rests by another clearance: the check of the scene may
 /// then find all at rest. Costs these objects alone, and ends at the first that does not.
 bool may_rest_by(const Scene& scene, const SceneCheck& check, double clearance,

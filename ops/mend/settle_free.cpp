@@ -66,6 +66,35 @@ Slots and_their_loads(const Scene& scene, Slots slots) {
   return slots;
 }
 
+// Objects that the findings name, and what they hold.
+std::vector<ObjectId> unsettled_by(const Scene& judged, const SceneCheck& check,
+                                   const SettleSceneOptions& options) {
+  const std::set<std::string> names = names_of_findings(check);
+  const std::set<std::string> only(options.only.begin(), options.only.end());
+  Slots slots;
+  for (const ObjectId id : judged.ids()) {
+    const Object& object = judged.at(id);
+    if (object.placed && is_free_alone(object) && names.count(object.name)) slots.insert(id.index);
+  }
+  slots = and_their_loads(judged, std::move(slots));
+  std::vector<ObjectId> out;
+  for (const ObjectId id : judged.ids())
+    if (slots.count(id.index) && (only.empty() || only.count(judged.at(id).name)))
+      out.push_back(id);
+  return out;
+}
+
+// By a wider clearance everything is true: the verdict then finds nothing, and nothing may move.
+bool rests_by_old_clearance(Scene scene, const SceneCheck& narrow,
+                            const SettleSceneOptions& options) {
+  const double wider = kOldClearances * default_clearance(scene);
+  if (options.settle.clearance > 0 || !narrow.whole() ||
+      !may_rest_by(scene, narrow, wider, options.settle))
+    return false;
+  update_contacts(scene, wider, options.settle, options.is_over);
+  return check_scene(scene, 0, wider, options.settle, options.is_over).ok();
+}
+
 }  // namespace
 
 double turn_between_deg(const Rotation& a, const Rotation& b) {
@@ -91,26 +120,18 @@ std::vector<ObjectId> unsettled_objects(const Scene& scene, const SettleSceneOpt
   // The judgement is on a copy, as it renews contacts.
   Scene judged = scene;
   update_contacts(judged, options.settle.clearance, options.settle, options.is_over);
-  return unsettled_by_links(judged, options);
-}
-
-std::vector<ObjectId> unsettled_by_links(const Scene& judged, const SettleSceneOptions& options) {
-  const std::set<std::string> names = names_of_findings(
-      check_scene(judged, 0, options.settle.clearance, options.settle, options.is_over));
-  const std::set<std::string> only(options.only.begin(), options.only.end());
-  Slots slots;
-  for (const ObjectId id : judged.ids()) {
-    const Object& object = judged.at(id);
-    if (object.placed && is_free_alone(object) && names.count(object.name)) slots.insert(id.index);
-  }
-  slots = and_their_loads(judged, std::move(slots));
-  std::vector<ObjectId> out;
-  for (const ObjectId id : judged.ids())
-    if (slots.count(id.index) && (only.empty() || only.count(judged.at(id).name)))
-      out.push_back(id);
+  const SceneCheck check =
+      check_scene(judged, 0, options.settle.clearance, options.settle, options.is_over);
+  std::vector<ObjectId> out = unsettled_by(judged, check, options);
+  if (!out.empty() && rests_by_old_clearance(judged, check, options)) out.clear();
   return out;
 }
 
+std::vector<ObjectId> unsettled_by_links(const Scene& judged, const SettleSceneOptions& options) {
+  return unsettled_by(
+      judged, check_scene(judged, 0, options.settle.clearance, options.settle, options.is_over),
+      options);
+}
 SettledScene settle_scene(Scene& scene, const SettleSceneOptions& given) {
   const Deadline deadline = deadline_of(given);
   SettleSceneOptions options = given;

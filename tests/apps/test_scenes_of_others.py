@@ -337,6 +337,16 @@ class Joints(ScenesCase):
         out, _ = self.trivet("settle", "slope.xml", "-o", "out.xml", status=1)
         self.assertIn('"box" slides or tips off what is below it', out)
 
+    def test_what_check_finds_true_is_not_moved(self):
+        """Ten micrometres up: contact by the wider clearance that files of others may have been settled with."""
+        ball = '<mujoco><worldbody><geom type="plane" size="3 3 .1"/>\n<body name="ball" pos="0.1 0.2 1.00001"><freejoint/>' \
+            '<geom type="sphere" size="1"/></body></worldbody></mujoco>'
+        self.write("ball.xml", ball)
+        self.assertIn("ok: ", self.trivet("check", "ball.xml")[0])
+        for verb in ("settle", "mend"):
+            self.trivet(verb, "ball.xml", "-o", verb + ".xml")
+            self.assertEqual(self.read(verb + ".xml").decode(), ball)
+
     def test_own_exports_are_read_without_a_note_on_margins(self):
         self.trivet("demo", "spoon-saucer", "-o", "s.glb", "--quiet")
         self.trivet("export", "s.glb", "-o", "s.xml", "--quiet")

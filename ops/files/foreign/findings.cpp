@@ -18,9 +18,6 @@ namespace {
 using Kind = SceneFinding::Kind;
 using NamePair = std::pair<std::string, std::string>;
 
-/// Files of others do not say by which clearance they were settled, and their scene may have been
-/// larger then: so many times the default is contact where everything then rests.
-constexpr double kOldClearances = 8;
 constexpr double kMarginSlack = 0.1;  // of a margin, by which objects may be nearer
 
 NamePair sorted_names(const std::string& a, const std::string& b) {
