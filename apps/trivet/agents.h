@@ -1,4 +1,4 @@
-// What the verbs `mcp` and `serve` give agents.
+// Options of the agents that the verbs `mcp` and `serve` let in.
 #pragma once
 
 #include "apps/mcp/workplace.h"

@@ -4254,6 +4254,18 @@
         <source>would hold %1; accepted: %2</source>
         <translation>würde %1 enthalten; erlaubt: %2</translation>
     </message>
+    <message>
+        <source>whether objects rest, of %1, among them &quot;%2&quot;: the time is over</source>
+        <translation>bei %1 Objekten, darunter „%2“, ob sie ruhen: die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>whether pairs interpenetrate, of %1: the time is over</source>
+        <translation>bei %1 Paaren, ob sie sich durchdringen: die Zeit ist um</translation>
+    </message>
+    <message>
+        <source>whether the whole stands: %1</source>
+        <translation>ob das Ganze steht: %1</translation>
+    </message>
 </context>
 <context>
     <name>results</name>
