@@ -10,6 +10,7 @@
 #include "core/motion/motion.h"
 #include "ops/check/check.h"
 #include "ops/mend/rearrange.h"
+#include "ops/placement/clearance.h"
 
 namespace trivet {
 namespace {

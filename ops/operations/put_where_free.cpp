@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/tunables.h"
+#include "core/scene/joint.h"
 #include "ops/detect/detector.h"
 #include "ops/free_places/distance_query.h"
 #include "ops/free_places/exact_places.h"
@@ -36,7 +37,7 @@ class FreePlaceSearch {
     // A request that cannot be met anywhere is refused before any search.
     if (auto why = refuse_request()) return refused(std::move(*why));
     if (!is_on_drawer()) return search();
-    // An object put on a drawer lies in it, so that it closes; on its rim only if nothing else fits.
+    // An object put on a drawer lies in it, so that it closes; on its rim if nothing else fits.
     m_inside = true;
     if (MovePlan done = search(); done.result.status != OperationResult::Status::Refused)
       return done;

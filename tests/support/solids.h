@@ -35,6 +35,10 @@ inline Triangles moved(Triangles triangles, const Vec3& by) {
   return triangles;
 }
 
+inline Triangles box_between(const Vec3& lower, const Vec3& upper) {
+  return moved(box_triangles(0.5 * (upper - lower)), 0.5 * (lower + upper));
+}
+
 inline Triangles joined(Triangles a, const Triangles& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;

@@ -14,10 +14,6 @@
 
 namespace trivet::test {
 
-inline Triangles box_between(const Vec3& lower, const Vec3& upper) {
-  return moved(box_triangles(0.5 * (upper - lower)), 0.5 * (lower + upper));
-}
-
 /// Names, poses and what is placed, as one number.
 inline std::uint64_t state_of(const Scene& scene) {
   Hash hash;

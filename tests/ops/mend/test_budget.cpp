@@ -22,7 +22,7 @@ Boxes tilted_boards() {
     const Rotation lean = Rotation::about_axis(Vec3(0.2 * (i % 3), 1, 0).normalized(),
                                                (i % 2 == 0 ? 1 : -1) * (0.3 + 0.02 * i));
     s.add("board " + std::to_string(i), {0.004, 0.03, 0.05},
-          {0.025 * (i % 8), 0.04 * (i / 8), 0.051}, false, lean);
+          {0.025 * (i % 8), i < 8 ? 0 : 0.04, 0.051}, false, lean);
   }
   update_contacts(s.scene);
   return s;

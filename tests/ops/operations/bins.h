@@ -12,19 +12,15 @@
 
 namespace trivet::test {
 
-inline Triangles box_at(const Vec3& lower, const Vec3& upper) {
-  return moved(box_triangles((upper - lower) / 2), (upper + lower) / 2);
-}
-
 /// A box open above: inner edges of `edge`, walls of `wall`; its floor is as thick.
 inline Triangles bin(double edge, double height, double wall) {
   const double in = edge / 2, out = in + wall;
-  Triangles all = box_at({-out, -out, 0}, {out, out, wall});
+  Triangles all = box_between({-out, -out, 0}, {out, out, wall});
   for (const auto& [lower, upper] : {std::pair{Vec3(-out, -out, wall), Vec3(out, -in, height)},
                                      {Vec3(-out, in, wall), Vec3(out, out, height)},
                                      {Vec3(-out, -in, wall), Vec3(-in, in, height)},
                                      {Vec3(in, -in, wall), Vec3(out, in, height)}})
-    all = joined(all, box_at(lower, upper));
+    all = joined(all, box_between(lower, upper));
   return all;
 }
 

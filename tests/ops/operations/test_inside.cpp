@@ -4,18 +4,12 @@
 #include "core/mesh/mesh.h"
 #include "core/motion/compose.h"
 #include "ops/operations/inside.h"
-#include "support/random_shapes.h"
+#include "support/solids.h"
 
 namespace trivet {
 namespace {
 
 using namespace trivet::test;
-
-using Triangles = std::vector<Triangle>;
-
-Triangles box_between(const Vec3& lower, const Vec3& upper) {
-  return moved(box_triangles(0.5 * (upper - lower)), 0.5 * (lower + upper));
-}
 
 Object object_of(const Triangles& triangles, const Vec3& at) {
   Object out;

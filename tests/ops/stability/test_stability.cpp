@@ -357,7 +357,7 @@ TEST(Stability, FindsThinArchUnstableAtNarrowJoints) {
       pile.place("wedge" + std::to_string(i), wedge, Vec3(0, 0, 2 * kNarrow));
       edit_object(pile.scene, pile.ids.back(), [&](Object& object) {
         object.pose.rotation =
-            Rotation::about_axis(Vec3::UnitY(), std::tan((i - (kWedges - 1) / 2) * half));
+            Rotation::about_axis(Vec3::UnitY(), std::tan((i - 0.5 * (kWedges - 1)) * half));
       });
     }
     return judged_at(pile, 0.5);
