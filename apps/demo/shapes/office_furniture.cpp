@@ -70,7 +70,7 @@ Model make_bookcase() {
 
 namespace {
 
-constexpr Index kFabric = 0, kPlastic = 1, kSteel = 2;
+constexpr Index kPlastic = 1, kSteel = 2;  // after the fabric
 
 // One of the five feet: an arm that falls off outwards, and a castor under its end.
 void add_foot(double angle_deg, std::vector<Part>* parts) {
