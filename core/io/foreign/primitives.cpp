@@ -1,6 +1,8 @@
 #include "core/io/foreign/primitives.h"
 
+#include <Eigen/LU>
 #include <cmath>
+#include <utility>
 
 #include "core/io/foreign/scene.h"
 #include "core/mesh/hull.h"
@@ -8,8 +10,8 @@
 namespace trivet {
 namespace {
 
-// Sides of a circle: multiples of 4, so that its four outermost points are exact.
-constexpr int kRoundSides = 408, kBallSides = 128;
+// A multiple of 4, so that the four outermost points of a circle are exact.
+constexpr int kRoundSides = 408;
 
 /// Points of a unit circle from the angle 0 on, quarters alike.
 std::vector<Vec2> circle(int sides) {
@@ -40,6 +42,7 @@ class Revolution {
     m_last = first;
     m_last_is_pole = pole;
   }
+  size_t num_vertices() const { return m_mesh.vertices.size(); }
   Mesh take() { return std::move(m_mesh); }
 
  private:
@@ -86,30 +89,28 @@ Mesh box_mesh(const Vec3& half) {
   return out;
 }
 
-Mesh ellipsoid_mesh(const Vec3& radii) {
-  // The northern half mirrors the southern: heights are the same bits.
-  Revolution body(kBallSides);
-  const std::vector<Vec2> south = southern_profile(kBallSides);
-  for (const Vec2& p : south) body.add(p.x(), p.y());
-  for (size_t k = south.size() - 1; k-- > 0;) body.add(south[k].x(), -south[k].y());
-  Mesh out = body.take();
-  for (Vec3& v : out.vertices) v = v.cwiseProduct(radii);
-  return out;
-}
-
 Mesh cylinder_mesh(double radius, double half) {
   Revolution body(kRoundSides);
   body.add(0, -half), body.add(radius, -half), body.add(radius, half), body.add(0, half);
   return body.take();
 }
 
-Mesh capsule_mesh(double radius, double half) {
-  Revolution body(kBallSides);
-  const std::vector<Vec2> south = southern_profile(kBallSides);
-  for (const Vec2& p : south) body.add(radius * p.x(), radius * p.y() - half);
-  for (size_t k = south.size(); k-- > 0;)
-    body.add(radius * south[k].x(), half - radius * south[k].y());
-  return body.take();
+Mesh round_mesh(const RoundShape& shape, int sides) {
+  // The northern half mirrors the southern: heights are the same bits. A capsule has two equators.
+  const std::vector<Vec2> south = southern_profile(sides);
+  const size_t num_north = south.size() - (shape.half > 0 ? 0 : 1);
+  Revolution body(sides);
+  for (const Vec2& p : south) body.add(p.x(), p.y());
+  const size_t num_southern = body.num_vertices();
+  for (size_t k = num_north; k-- > 0;) body.add(south[k].x(), -south[k].y());
+  Mesh out = body.take();
+  for (size_t i = 0; i < out.vertices.size(); ++i) {
+    const Vec3 cap(0, 0, i < num_southern ? -shape.half : shape.half);
+    out.vertices[i] = shape.linear * (out.vertices[i].cwiseProduct(shape.radii) + cap);
+  }
+  if (shape.linear.determinant() < 0)
+    for (Index3& t : out.triangles) std::swap(t[1], t[2]);
+  return out;
 }
 
 Mesh hull_mesh(std::span<const Vec3> points) {

@@ -1,6 +1,7 @@
 #include "core/io/foreign/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/bad_input.h"
 
@@ -8,6 +9,7 @@ namespace trivet {
 namespace {
 
 constexpr size_t kMostNotes = 100, kMostFaces = 8'000'000;
+constexpr double kMostRoundFaces = 4e6;  // of round shapes that are made finer
 
 const std::vector<std::pair<std::string, EngineRules>>& rules_by_name() {
   static const std::vector<std::pair<std::string, EngineRules>> out = {
@@ -63,6 +65,29 @@ void count_faces(const Mesh& mesh, ForeignScene& scene) {
   scene.num_faces += mesh.triangles.size();
   if (scene.num_faces > kMostFaces)
     bad_file(scene.files.at(0).path, "has too many faces that collide; accepted: %1", kMostFaces);
+}
+
+void refine_round_shapes(ForeignScene& scene) {
+  std::vector<ForeignCollider*> round;
+  for (ForeignBody& body : scene.bodies)
+    for (ForeignCollider& collider : body.colliders)
+      if (collider.round && (!body.fixed || collider.round->half == 0)) round.push_back(&collider);
+  if (round.empty()) return;
+  // A shape of n sides has about n * n faces.
+  const double sides = std::sqrt(kMostRoundFaces / static_cast<double>(round.size()));
+  const int whole = std::clamp(static_cast<int>(sides) / 4 * 4, kFewestBallSides, kMostBallSides);
+  if (whole == kFewestBallSides) return;
+  std::vector<const ForeignCollider*> different;
+  for (ForeignCollider* const collider : round) {
+    const auto like = std::find_if(different.begin(), different.end(), [&](const auto* known) {
+      return known->round == collider->round;
+    });
+    if (like == different.end())
+      collider->mesh = std::make_shared<const Mesh>(round_mesh(*collider->round, whole));
+    else
+      collider->mesh = (*like)->mesh;
+    if (like == different.end()) different.push_back(collider);
+  }
 }
 
 }  // namespace trivet

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/sentence.h"
+#include "core/io/foreign/primitives.h"
 #include "core/io/foreign/xml_text.h"
 #include "core/mesh/given_mass.h"
 #include "core/mesh/mesh.h"
@@ -40,6 +41,7 @@ struct ForeignCollider {
   std::string name;
   Pose pose;                         // in the body's frame
   std::shared_ptr<const Mesh> mesh;  // in its own frame, metres; null: the half-space z <= 0
+  std::optional<RoundShape> round;   // of which `mesh` is made; see refine_round_shapes()
   ContactBits bits;
 };
 
@@ -145,5 +147,9 @@ void apply_rules(EngineRules rules, ForeignScene& scene);
 
 /// Counts faces of colliders: scenes are not trusted. @throws Error (BadInput): too many.
 void count_faces(const Mesh& mesh, ForeignScene& scene);
+
+/// Gives round colliders more sides, the more the fewer there are: with 128 a ball that lies
+/// exactly hovers for the verdict. Capsules of fixed bodies stay as they are: robots have many.
+void refine_round_shapes(ForeignScene& scene);
 
 }  // namespace trivet

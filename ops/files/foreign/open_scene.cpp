@@ -59,8 +59,8 @@ bool has_extension_of(const SceneFormat& format, const std::string& path) {
 }
 
 // XML by its first element, whatever the file is called.
-ForeignScene read_scene_file(const std::string& path, const ForeignOptions& options,
-                             const MeshSource& meshes) {
+ForeignScene read_as_it_is(const std::string& path, const ForeignOptions& options,
+                           const MeshSource& meshes) {
   if (is_binary_usd(path))
     bad_file(path, "is binary USD; accepted: USD as text (usdcat %1 -o scene.usda)", path);
   for (const SceneFormat& format : scene_formats_of_others())
@@ -71,6 +71,13 @@ ForeignScene read_scene_file(const std::string& path, const ForeignOptions& opti
   for (const SceneFormat& format : scene_formats_of_others())
     if (tag == format.tag) return format.read(path, options, meshes);
   bad_file(path, "begins with <%1>; accepted: %2", tag, kSceneTags);
+}
+
+ForeignScene read_scene_file(const std::string& path, const ForeignOptions& options,
+                             const MeshSource& meshes) {
+  ForeignScene out = read_as_it_is(path, options, meshes);
+  refine_round_shapes(out);
+  return out;
 }
 
 // Where a file of the scene goes when the main one is written as `out`. What the scene names must

@@ -1,7 +1,9 @@
 // Scenes of other programs judged: known findings, depths and heights.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/io/foreign/foreign_testing.h"
@@ -51,6 +53,25 @@ TEST(Verdicts, AFloatingBoxHasItsHeight) {
   ASSERT_EQ(v.findings.size(), 1u) << verdict_text(v);
   EXPECT_EQ(v.findings[0].kind, Kind::Floats);
   EXPECT_NEAR(v.findings[0].metres, 0.01, 1e-6);
+}
+
+// Three balls that touch, and one on them.
+TEST(Verdicts, BallsThatLieExactlyAreOkHoweverTheyAreTurned) {
+  const double r = 0.035, d = 2 * r / std::sqrt(3);
+  std::string bodies;
+  const auto add = [&](const Vec3& at, const char* quat) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "<body pos='" << at.x() << ' ' << at.y() << ' ' << at.z() << "' quat='" << quat
+         << "'><freejoint/><geom type='sphere' size='0.035'/></body>";
+    bodies += text.str();
+  };
+  add({d, 0, r}, "1 2 3 4");
+  add({-d / 2, r, r}, "0.3 -2 1 0.4");
+  add({-d / 2, -r, r}, "-1 0.1 0.7 2");
+  add({0, 0, r + std::sqrt(4 * r * r - d * d)}, "0.2 1 -1 0.5");
+  const SceneVerdict v = verdict_of_text(boxes(bodies));
+  EXPECT_TRUE(v.ok()) << verdict_text(v);
 }
 
 TEST(Verdicts, APlaneAnywhereIsTheFloor) {
