@@ -24,9 +24,9 @@ struct RoundShape {
   friend bool operator==(const RoundShape&, const RoundShape&) = default;
 };
 
-/// Sides of a great circle, multiples of 4: with the most, an edge is 1e-5 of the size of the box
-/// around a sphere below its surface, with the fewest nine times as much.
-inline constexpr int kFewestBallSides = 128, kMostBallSides = 376;
+/// Sides of great circles through the poles, multiples of 4. With the most, no point of a face is
+/// farther than 1.2e-4 of the radius below the surface of a sphere, with the fewest 6e-4.
+inline constexpr int kFewestBallSides = 164, kMostBallSides = 376;
 Mesh round_mesh(const RoundShape& shape, int sides = kFewestBallSides);
 
 /// The hull of points, seen from outside. Empty if they have no solid hull.

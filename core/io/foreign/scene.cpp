@@ -9,7 +9,7 @@ namespace trivet {
 namespace {
 
 constexpr size_t kMostNotes = 100, kMostFaces = 8'000'000;
-constexpr double kMostRoundFaces = 4e6;  // of round shapes that are made finer
+constexpr double kMostRoundFaces = 2e6;  // of round shapes that are made finer
 
 const std::vector<std::pair<std::string, EngineRules>>& rules_by_name() {
   static const std::vector<std::pair<std::string, EngineRules>> out = {
@@ -73,8 +73,8 @@ void refine_round_shapes(ForeignScene& scene) {
     for (ForeignCollider& collider : body.colliders)
       if (collider.round && (!body.fixed || collider.round->half == 0)) round.push_back(&collider);
   if (round.empty()) return;
-  // A shape of n sides has about n * n faces.
-  const double sides = std::sqrt(kMostRoundFaces / static_cast<double>(round.size()));
+  // A shape of n sides has n * n / 2 faces.
+  const double sides = std::sqrt(2 * kMostRoundFaces / static_cast<double>(round.size()));
   const int whole = std::clamp(static_cast<int>(sides) / 4 * 4, kFewestBallSides, kMostBallSides);
   if (whole == kFewestBallSides) return;
   std::vector<const ForeignCollider*> different;

@@ -148,8 +148,9 @@ void apply_rules(EngineRules rules, ForeignScene& scene);
 /// Counts faces of colliders: scenes are not trusted. @throws Error (BadInput): too many.
 void count_faces(const Mesh& mesh, ForeignScene& scene);
 
-/// Gives round colliders more sides, the more the fewer there are: with 128 a ball that lies
-/// exactly hovers for the verdict. Capsules of fixed bodies stay as they are: robots have many.
+/// Gives round colliders more sides, the more the fewer there are: with the fewest, a ball that
+/// lies exactly hovers for the verdict. Capsules of fixed bodies stay as they are: robots have
+/// many.
 void refine_round_shapes(ForeignScene& scene);
 
 }  // namespace trivet

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "core/io/foreign/primitives.h"
@@ -26,8 +27,7 @@ RoundShape ball(double radius) { return {Vec3::Constant(radius)}; }
 
 size_t num_faces(const ForeignBody& body) { return body.colliders[0].mesh->triangles.size(); }
 
-// Rings of two triangles a side between two poles.
-size_t faces_of_sides(int n) { return static_cast<size_t>(n) * static_cast<size_t>(n - 2); }
+size_t faces_of_sides(int n) { return static_cast<size_t>(n) * static_cast<size_t>(n) / 2; }
 
 double volume(const Mesh& mesh) {
   double six = 0;
@@ -37,21 +37,36 @@ double volume(const Mesh& mesh) {
   return six / 6;
 }
 
+// How far a face with its corners on a unit sphere lies below the surface.
+double depth_of(const Triangle& t) {
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+  return 1 - std::abs(normal.dot(t[0]));
+}
+
 TEST(RoundShapes, AreNoFartherBelowTheSurfaceThanStated) {
-  const Mesh mesh = round_mesh(ball(1), kMostBallSides);
-  double least = 1;
-  for (const Index3& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      const Vec3& a = mesh.vertices[static_cast<size_t>(t[static_cast<size_t>(k)])];
-      const Vec3& b = mesh.vertices[static_cast<size_t>(t[static_cast<size_t>((k + 1) % 3)])];
-      EXPECT_LE(a.norm(), 1 + 1e-15);
-      // Edges of circles: along a ring, or along a meridian.
-      const bool ring = a.z() == b.z(), meridian = std::abs(a.x() * b.y() - a.y() * b.x()) < 1e-14;
-      if (ring || meridian) least = std::min(least, (0.5 * (a + b)).norm());
-    }
-  // The box around the ball is 2 sqrt(3) across.
-  EXPECT_GT(1 - least, 0.9e-5 * 2 * std::sqrt(3));
-  EXPECT_LT(1 - least, 1.01e-5 * 2 * std::sqrt(3));
+  for (const auto& [sides, most] : {std::pair(kMostBallSides, 1e-4), {kFewestBallSides, 6e-4}}) {
+    const Mesh mesh = round_mesh(ball(1), sides);
+    for (const Vec3& v : mesh.vertices) ASSERT_NEAR(v.norm(), 1, 1e-15);
+    double deepest = 0;
+    for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f)
+      deepest = std::max(deepest, depth_of(mesh.triangle(f)));
+    EXPECT_LT(deepest, most);
+    EXPECT_GT(deepest, 0.9 * most);
+  }
+}
+
+TEST(RoundShapes, AreClosedAndTheirOutermostPointsExact) {
+  RoundShape capsule = ball(2);
+  capsule.half = 1;
+  for (const RoundShape& shape : {ball(2), capsule}) {
+    const Mesh mesh = round_mesh(shape);
+    EXPECT_EQ(mesh.box().upper, Vec3(2, 2, 2 + shape.half));
+    EXPECT_EQ(mesh.box().lower, Vec3(-2, -2, -2 - shape.half));
+    std::set<std::pair<Index, Index>> edges;
+    for (const Index3& t : mesh.triangles)
+      for (size_t k = 0; k < 3; ++k) EXPECT_TRUE(edges.emplace(t[k], t[(k + 1) % 3]).second);
+    for (const auto& [a, b] : edges) EXPECT_EQ(edges.count({b, a}), 1u);
+  }
 }
 
 TEST(RoundShapes, LookOutwards) {
@@ -64,7 +79,7 @@ TEST(RoundShapes, LookOutwards) {
 }
 
 TEST(RoundShapes, AreFinerTheFewerBallsThereAre) {
-  for (const auto& [num_balls, sides] : {std::pair(1, 376), {28, 376}, {100, 200}, {400, 128}}) {
+  for (const auto& [num_balls, sides] : {std::pair(1, 376), {28, 376}, {100, 200}, {400, 164}}) {
     ForeignScene scene;
     for (int i = 0; i < num_balls; ++i) scene.bodies.push_back(body_of(ball(1 + i)));
     refine_round_shapes(scene);
