@@ -37,7 +37,7 @@ double volume(const Mesh& mesh) {
   return six / 6;
 }
 
-// How far a face with its corners on a unit sphere lies below the surface.
+// Greatest distance of a face from the unit sphere on which its corners lie.
 double depth_of(const Triangle& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
   return 1 - std::abs(normal.dot(t[0]));
