@@ -4266,6 +4266,10 @@
         <source>whether the whole stands: %1</source>
         <translation>ob das Ganze steht: %1</translation>
     </message>
+    <message>
+        <source>no body of the file collides</source>
+        <translation>kein Körper der Datei kollidiert</translation>
+    </message>
 </context>
 <context>
     <name>results</name>

@@ -247,6 +247,7 @@ SceneVerdict judge(OpenedScene& opened, const RunOptions& given, LayoutRun* run)
   out.num_joints = opened.num_joints;
   out.notes = opened.notes;
   out.unread.insert(out.unread.begin(), opened.unread.begin(), opened.unread.end());
+  if (out.num_objects == 0) out.notes.push_back(Sentence("no body of the file collides"));
   if (opened.judged.clearance > 0) note_margins(opened.judged.clearance, out);
   add_what_joints_bear(opened, opened.joints, options, result, out);
   out.milliseconds = watch.milliseconds();

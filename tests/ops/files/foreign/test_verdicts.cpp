@@ -40,6 +40,13 @@ TEST(Verdicts, ABoxFlushOnThePlaneIsOk) {
   EXPECT_EQ(v.num_free, 1u);
 }
 
+TEST(Verdicts, AFileWithoutCollidersSaysSo) {
+  const SceneVerdict v = verdict_of_text("<mujoco/>");
+  EXPECT_TRUE(v.ok());
+  ASSERT_EQ(v.notes.size(), 1u);
+  EXPECT_EQ(v.notes[0].text, "no body of the file collides");
+}
+
 TEST(Verdicts, ASunkBoxHasItsDepth) {
   const SceneVerdict v = verdict_of_text(boxes(box("a", "0 0 0.047")));
   ASSERT_EQ(v.findings.size(), 1u) << verdict_text(v);
