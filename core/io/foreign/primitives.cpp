@@ -1,8 +1,6 @@
 #include "core/io/foreign/primitives.h"
 
-#include <Eigen/LU>
 #include <cmath>
-#include <utility>
 
 #include "core/io/foreign/scene.h"
 #include "core/mesh/hull.h"
@@ -10,71 +8,81 @@
 namespace trivet {
 namespace {
 
-// A multiple of 4, so that the four outermost points of a circle are exact.
-constexpr int kRoundSides = 408;
+// Sides of a circle: multiples of 4, so that its four outermost points are exact.
+constexpr int kRoundSides = 408, kCapSides = 128;
 
-/// Point of a unit circle. Angles go by rotations without libm: the same on every machine.
-Vec2 at_angle(double degrees) {
-  const Rotation r = turn_about(Vec3::UnitZ(), degrees);
-  return {r.w * r.w - r.z * r.z, 2 * r.w * r.z};
-}
-
-/// Points of a unit circle from the angle 0 on, `per_quarter` in each quarter, all quarters alike.
-std::vector<Vec2> circle(int per_quarter) {
+/// Points of a unit circle from the angle 0 on, quarters alike.
+std::vector<Vec2> circle(int sides) {
   std::vector<Vec2> out;
-  for (int k = 0; k < per_quarter; ++k) out.push_back(at_angle(90.0 * k / per_quarter));
-  for (size_t k = 0; k < 3 * static_cast<size_t>(per_quarter); ++k)
-    out.emplace_back(-out[k].y(), out[k].x());
+  for (int k = 0; k < sides; ++k) {
+    // Angles go by rotations without libm: the same points on every machine.
+    const Rotation r = turn_about(Vec3::UnitZ(), 360.0 * k / sides);
+    out.emplace_back(r.w * r.w - r.z * r.z, 2 * r.w * r.z);
+  }
   return out;
 }
 
-/// The southern half of a unit sphere: a pole, then rings of 4, 8, 12, ... points up to the
-/// equator. That takes half as many triangles as rings that are all alike.
-class Hemisphere {
+/// A body of revolution about z, from rings or poles of the radius and height of `profile`, the
+/// lowest first.
+class Revolution {
  public:
-  explicit Hemisphere(int num_rings) {
-    m_mesh.vertices.push_back(-Vec3::UnitZ());
-    Index below = 0;
-    for (int k = 1; k <= num_rings; ++k) {
-      const auto ring = static_cast<Index>(m_mesh.vertices.size());
-      // The equator is exact, whatever the last angle rounds to.
-      const Vec2 profile = k == num_rings ? Vec2(0, 1) : at_angle(90.0 * k / num_rings);
-      for (const Vec2& p : circle(k))
-        m_mesh.vertices.emplace_back(profile.y() * p.x(), profile.y() * p.y(), -profile.x());
-      connect(below, ring, k);
-      below = ring;
-    }
-    m_equator = below;
+  explicit Revolution(int sides) : m_circle(circle(sides)) {}
+
+  void add(double radius, double z) {
+    const auto first = static_cast<Index>(m_mesh.vertices.size());
+    const bool pole = radius == 0;
+    if (pole)
+      m_mesh.vertices.emplace_back(0, 0, z);
+    else
+      for (const Vec2& p : m_circle)
+        m_mesh.vertices.emplace_back(radius * p.x(), radius * p.y(), z);
+    if (m_last >= 0) connect(m_last, m_last_is_pole, first, pole);
+    m_last = first;
+    m_last_is_pole = pole;
   }
-  const Mesh& mesh() const { return m_mesh; }
-  /// First vertex of the ring at height 0.
-  Index equator() const { return m_equator; }
+  Mesh take() { return std::move(m_mesh); }
 
  private:
-  // A ring of `k` sides a quarter with the one below it, which has one fewer.
-  void connect(Index below, Index ring, Index k) {
-    for (Index quarter = 0; quarter < 4; ++quarter)
-      for (Index j = 0; j < k; ++j) {
-        const auto low = [&](Index i) {
-          return k == 1 ? below : below + (quarter * (k - 1) + i) % (4 * (k - 1));
-        };
-        const auto high = [&](Index i) { return ring + (quarter * k + i) % (4 * k); };
-        m_mesh.triangles.push_back({low(j), high(j + 1), high(j)});
-        if (j + 1 < k) m_mesh.triangles.push_back({low(j), low(j + 1), high(j + 1)});
-      }
+  void connect(Index low, bool low_is_pole, Index high, bool high_is_pole) {
+    // A ring meets the next one by two triangles a side, a pole by one.
+    const auto n = static_cast<Index>(m_circle.size());
+    for (Index k = 0; k < n; ++k) {
+      const Index next = (k + 1) % n;
+      if (!low_is_pole)
+        m_mesh.triangles.push_back({low + k, low + next, high + (high_is_pole ? 0 : k)});
+      if (!high_is_pole)
+        m_mesh.triangles.push_back({low + (low_is_pole ? 0 : next), high + next, high + k});
+    }
   }
 
+  std::vector<Vec2> m_circle;
   Mesh m_mesh;
-  Index m_equator = 0;
+  Index m_last = -1;
+  bool m_last_is_pole = false;
 };
 
-// Between two rings of as many points, the lower one first.
-void add_band(Index low, Index high, Index num_points, Mesh& mesh) {
-  for (Index k = 0; k < num_points; ++k) {
-    const Index next = (k + 1) % num_points;
-    mesh.triangles.push_back({low + k, low + next, high + k});
-    mesh.triangles.push_back({low + next, high + next, high + k});
+// From the south pole up to the equator: radius and height of a unit sphere.
+std::vector<Vec2> southern_profile(int sides) {
+  std::vector<Vec2> out;
+  const std::vector<Vec2> points = circle(sides);
+  for (int k = 0; k <= sides / 4; ++k) {
+    const Vec2& p = points[static_cast<size_t>(k)];
+    out.emplace_back(k == 0 ? 0 : p.y(), -p.x());
   }
+  // The equator is exact, whatever the last angle rounds to.
+  out.back() = Vec2(1, 0);
+  return out;
+}
+
+// The northern half mirrors the southern: heights are the same bits.
+Mesh ellipsoid_of_sides(const Vec3& radii, int sides) {
+  Revolution body(sides);
+  const std::vector<Vec2> south = southern_profile(sides);
+  for (const Vec2& p : south) body.add(p.x(), p.y());
+  for (size_t k = south.size() - 1; k-- > 0;) body.add(south[k].x(), -south[k].y());
+  Mesh out = body.take();
+  for (Vec3& v : out.vertices) v = v.cwiseProduct(radii);
+  return out;
 }
 
 }  // namespace
@@ -89,46 +97,25 @@ Mesh box_mesh(const Vec3& half) {
   return out;
 }
 
-Mesh cylinder_mesh(double radius, double half) {
-  const std::vector<Vec2> points = circle(kRoundSides / 4);
-  const auto n = static_cast<Index>(points.size());
-  Mesh out;
-  for (const double z : {-half, half})
-    for (const Vec2& p : points) out.vertices.emplace_back(radius * p.x(), radius * p.y(), z);
-  add_band(0, n, n, out);
-  out.vertices.emplace_back(0, 0, -half), out.vertices.emplace_back(0, 0, half);
-  for (Index k = 0; k < n; ++k) {
-    const Index next = (k + 1) % n;
-    out.triangles.push_back({2 * n, next, k});
-    out.triangles.push_back({2 * n + 1, n + k, n + next});
-  }
-  return out;
+Mesh ellipsoid_mesh(const Vec3& radii) { return ellipsoid_of_sides(radii, kCapSides); }
+
+Mesh ball_mesh(double radius, int sides) {
+  return ellipsoid_of_sides(Vec3::Constant(radius), sides);
 }
 
-Mesh round_mesh(const RoundShape& shape, int sides) {
-  const Hemisphere south(sides / 4);
-  Mesh out = south.mesh();
-  const auto num_southern = static_cast<Index>(out.vertices.size());
-  // The northern half mirrors the southern: heights are the same bits. It begins with its pole, and
-  // has an equator of its own in a capsule.
-  const Index num_shared = shape.half > 0 ? 0 : num_southern - south.equator();
-  const auto mirrored = [&](Index v) {
-    return v >= num_southern - num_shared ? v : num_southern + v;
-  };
-  for (Index v = 0; v < num_southern - num_shared; ++v)
-    out.vertices.push_back(out.vertices[static_cast<size_t>(v)].cwiseProduct(Vec3(1, 1, -1)));
-  for (const Index3& t : south.mesh().triangles)
-    out.triangles.push_back({mirrored(t[0]), mirrored(t[2]), mirrored(t[1])});
-  if (num_shared == 0)
-    add_band(south.equator(), mirrored(south.equator()), num_southern - south.equator(), out);
-  for (Index v = 0; v < static_cast<Index>(out.vertices.size()); ++v) {
-    Vec3& p = out.vertices[static_cast<size_t>(v)];
-    const Vec3 cap(0, 0, v < num_southern ? -shape.half : shape.half);
-    p = shape.linear * (p.cwiseProduct(shape.radii) + cap);
-  }
-  if (shape.linear.determinant() < 0)
-    for (Index3& t : out.triangles) std::swap(t[1], t[2]);
-  return out;
+Mesh cylinder_mesh(double radius, double half) {
+  Revolution body(kRoundSides);
+  body.add(0, -half), body.add(radius, -half), body.add(radius, half), body.add(0, half);
+  return body.take();
+}
+
+Mesh capsule_mesh(double radius, double half) {
+  Revolution body(kCapSides);
+  const std::vector<Vec2> south = southern_profile(kCapSides);
+  for (const Vec2& p : south) body.add(radius * p.x(), radius * p.y() - half);
+  for (size_t k = south.size(); k-- > 0;)
+    body.add(radius * south[k].x(), half - radius * south[k].y());
+  return body.take();
 }
 
 Mesh hull_mesh(std::span<const Vec3> points) {

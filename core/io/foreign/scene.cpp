@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/bad_input.h"
+#include "core/io/foreign/primitives.h"
 
 namespace trivet {
 namespace {
 
 constexpr size_t kMostNotes = 100, kMostFaces = 8'000'000;
-constexpr double kMostRoundFaces = 2e6;  // of round shapes that are made finer
+constexpr double kMostBallFaces = 4e6;  // of balls that are made finer
 
 const std::vector<std::pair<std::string, EngineRules>>& rules_by_name() {
   static const std::vector<std::pair<std::string, EngineRules>> out = {
@@ -67,26 +69,21 @@ void count_faces(const Mesh& mesh, ForeignScene& scene) {
     bad_file(scene.files.at(0).path, "has too many faces that collide; accepted: %1", kMostFaces);
 }
 
-void refine_round_shapes(ForeignScene& scene) {
-  std::vector<ForeignCollider*> round;
+void refine_balls(ForeignScene& scene) {
+  std::vector<ForeignCollider*> balls;
   for (ForeignBody& body : scene.bodies)
     for (ForeignCollider& collider : body.colliders)
-      if (collider.round && (!body.fixed || collider.round->half == 0)) round.push_back(&collider);
-  if (round.empty()) return;
-  // A shape of n sides has n * n / 2 faces.
-  const double sides = std::sqrt(2 * kMostRoundFaces / static_cast<double>(round.size()));
+      if (collider.ball_radius > 0) balls.push_back(&collider);
+  if (balls.empty()) return;
+  // A ball of n sides has about n * n faces.
+  const double sides = std::sqrt(kMostBallFaces / static_cast<double>(balls.size()));
   const int whole = std::clamp(static_cast<int>(sides) / 4 * 4, kFewestBallSides, kMostBallSides);
   if (whole == kFewestBallSides) return;
-  std::vector<const ForeignCollider*> different;
-  for (ForeignCollider* const collider : round) {
-    const auto like = std::find_if(different.begin(), different.end(), [&](const auto* known) {
-      return known->round == collider->round;
-    });
-    if (like == different.end())
-      collider->mesh = std::make_shared<const Mesh>(round_mesh(*collider->round, whole));
-    else
-      collider->mesh = (*like)->mesh;
-    if (like == different.end()) different.push_back(collider);
+  std::map<double, std::shared_ptr<const Mesh>> by_radius;
+  for (ForeignCollider* const ball : balls) {
+    auto& mesh = by_radius[ball->ball_radius];
+    if (!mesh) mesh = std::make_shared<const Mesh>(ball_mesh(ball->ball_radius, whole));
+    ball->mesh = mesh;
   }
 }
 

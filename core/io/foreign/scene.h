@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/base/sentence.h"
-#include "core/io/foreign/primitives.h"
 #include "core/io/foreign/xml_text.h"
 #include "core/mesh/given_mass.h"
 #include "core/mesh/mesh.h"
@@ -41,7 +40,7 @@ struct ForeignCollider {
   std::string name;
   Pose pose;                         // in the body's frame
   std::shared_ptr<const Mesh> mesh;  // in its own frame, metres; null: the half-space z <= 0
-  std::optional<RoundShape> round;   // of which `mesh` is made; see refine_round_shapes()
+  double ball_radius = 0;            // > 0: `mesh` is this ball; see refine_balls()
   ContactBits bits;
 };
 
@@ -148,9 +147,8 @@ void apply_rules(EngineRules rules, ForeignScene& scene);
 /// Counts faces of colliders: scenes are not trusted. @throws Error (BadInput): too many.
 void count_faces(const Mesh& mesh, ForeignScene& scene);
 
-/// Gives round colliders more sides, the more the fewer there are: with the fewest, a ball that
-/// lies exactly hovers for the verdict. Capsules of fixed bodies stay as they are: robots have
-/// many.
-void refine_round_shapes(ForeignScene& scene);
+/// Gives balls more sides, the more the fewer there are: with the fewest, one that lies exactly
+/// hovers for the verdict. Ellipsoids and capsules keep theirs: with more they would rest on tips.
+void refine_balls(ForeignScene& scene);
 
 }  // namespace trivet

@@ -38,19 +38,16 @@ class SdfCollision {
     return mjcf::z_to(normal);
   }
 
-  std::optional<RoundShape> round_of(const XmlNode& shape) const {
-    if (shape.tag == "ellipsoid") return RoundShape{vec3(shape, "radii", Vec3::Ones())};
-    if (shape.tag != "sphere" && shape.tag != "capsule") return std::nullopt;
-    RoundShape out{Vec3::Constant(number(shape, "radius", 1))};
-    if (shape.tag == "capsule") out.half = number(shape, "length", 1) / 2;
-    return out;
-  }
+  double radius_of(const XmlNode& shape) const { return number(shape, "radius", 1); }
 
   // Empty: it is not read.
   Mesh mesh_of(const XmlNode& shape) const {
     if (shape.tag == "box") return box_mesh(0.5 * vec3(shape, "size", Vec3::Ones()));
-    if (shape.tag == "cylinder")
-      return cylinder_mesh(number(shape, "radius", 1), number(shape, "length", 1) / 2);
+    const double radius = radius_of(shape), half = number(shape, "length", 1) / 2;
+    if (shape.tag == "sphere") return ball_mesh(radius);
+    if (shape.tag == "ellipsoid") return ellipsoid_mesh(vec3(shape, "radii", Vec3::Ones()));
+    if (shape.tag == "cylinder") return cylinder_mesh(radius, half);
+    if (shape.tag == "capsule") return capsule_mesh(radius, half);
     return shape.tag == "mesh" && !shape.child("submesh") ? file_mesh(shape) : Mesh{};
   }
 
@@ -102,10 +99,10 @@ void add_sdf_collision(const XmlNode& collision, const Pose& pose, const SdfMesh
     if (body.fixed) return body.colliders.push_back(std::move(collider));
   }
   try {
-    collider.round = from.round_of(shape);
-    Mesh mesh = collider.round ? round_mesh(*collider.round) : from.mesh_of(shape);
+    Mesh mesh = from.mesh_of(shape);
     if (mesh.triangles.empty()) return skip_sdf(shape, Sentence("is not read"), scene);
     collider.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    if (shape.tag == "sphere") collider.ball_radius = from.radius_of(shape);
     count_faces(*collider.mesh, scene);
     body.colliders.push_back(std::move(collider));
   } catch (const Error& error) {

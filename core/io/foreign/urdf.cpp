@@ -283,9 +283,8 @@ class UrdfReader {
     collider.pose = composed(in_body, origin_of(node));
     collider.bits.friction = friction;
     try {
-      collider.round = round_of(shape);
-      collider.mesh = std::make_shared<const Mesh>(collider.round ? round_mesh(*collider.round)
-                                                                  : mesh_of(shape));
+      collider.mesh = std::make_shared<const Mesh>(mesh_of(shape));
+      if (shape.tag == "sphere") collider.ball_radius = number(shape, "radius");
     } catch (const Error& error) {
       note_once(m_scene.unread, say("%1: %2", place(shape).text(), error.sentence()));
       return;
@@ -300,21 +299,17 @@ class UrdfReader {
     return numbers_in(attribute(shape, key), key, place(shape), 1, 1)[0];
   }
 
-  std::optional<RoundShape> round_of(const XmlNode& shape) const {
-    if (shape.tag != "sphere" && shape.tag != "capsule") return std::nullopt;
-    RoundShape out{Vec3::Constant(number(shape, "radius"))};
-    if (shape.tag == "capsule") out.half = number(shape, "length") / 2;
-    return out;
-  }
-
   Mesh mesh_of(const XmlNode& shape) const {
     if (shape.tag == "box") {
       const std::vector<double> n =
           numbers_in(attribute(shape, "size"), "size", place(shape), 3, 3);
       return box_mesh(0.5 * Vec3(n[0], n[1], n[2]));
     }
+    if (shape.tag == "sphere") return ball_mesh(number(shape, "radius"));
     if (shape.tag == "cylinder")
       return cylinder_mesh(number(shape, "radius"), number(shape, "length") / 2);
+    if (shape.tag == "capsule")
+      return capsule_mesh(number(shape, "radius"), number(shape, "length") / 2);
     return shape.tag == "mesh" ? file_mesh(shape) : Mesh{};
   }
 

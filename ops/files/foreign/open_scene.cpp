@@ -76,7 +76,7 @@ ForeignScene read_as_it_is(const std::string& path, const ForeignOptions& option
 ForeignScene read_scene_file(const std::string& path, const ForeignOptions& options,
                              const MeshSource& meshes) {
   ForeignScene out = read_as_it_is(path, options, meshes);
-  refine_round_shapes(out);
+  refine_balls(out);
   return out;
 }
 

@@ -11,7 +11,6 @@ namespace {
 struct Solid {
   std::shared_ptr<const Mesh> mesh;
   SolidMoments moments;
-  std::optional<RoundShape> round;
 };
 
 /// Half sizes or radii, of which a fromto replaces the length; and the pose by it.
@@ -54,12 +53,7 @@ void check_size(const Attributes& a, const Vec3& size, int least) {
 // Empty: it is no primitive of this kind. Without its mesh where that does not collide.
 std::optional<Solid> primitive(const Attributes& a, const Extent& e, bool collides) {
   const auto made = [&](const auto& make_mesh, const SolidMoments& moments) {
-    return Solid{collides ? std::make_shared<const Mesh>(make_mesh()) : nullptr, moments, {}};
-  };
-  const auto made_round = [&](const RoundShape& shape, const SolidMoments& moments) {
-    Solid out = made([&] { return round_mesh(shape); }, moments);
-    out.round = shape;
-    return out;
+    return Solid{collides ? std::make_shared<const Mesh>(make_mesh()) : nullptr, moments};
   };
   const Vec3& s = e.size;
   if (e.type == "box") {
@@ -69,17 +63,17 @@ std::optional<Solid> primitive(const Attributes& a, const Extent& e, bool collid
   if (e.type == "sphere") {
     check_size(a, s, 1);
     const Vec3 radii = Vec3::Constant(s.x());
-    return made_round({radii}, ellipsoid_moments(radii));
+    return made([&] { return ball_mesh(s.x()); }, ellipsoid_moments(radii));
   }
   if (e.type == "ellipsoid") {
     check_size(a, s, 3);
-    return made_round({s}, ellipsoid_moments(s));
+    return made([&] { return ellipsoid_mesh(s); }, ellipsoid_moments(s));
   }
   if (e.type == "cylinder" || e.type == "capsule") {
     check_size(a, s, 2);
     return e.type == "cylinder"
                ? made([&] { return cylinder_mesh(s.x(), s.y()); }, cylinder_moments(s.x(), s.y()))
-               : made_round({Vec3::Constant(s.x()), s.y()}, capsule_moments(s.x(), s.y()));
+               : made([&] { return capsule_mesh(s.x(), s.y()); }, capsule_moments(s.x(), s.y()));
   }
   return std::nullopt;
 }
@@ -181,7 +175,7 @@ void read_geom(const Attributes& a, const Pose& frame, const Settings& settings,
   if (!geom.collides) return;
   count_faces(*solid.mesh, scene);
   geom.collider.mesh = std::move(solid.mesh);
-  geom.collider.round = solid.round;
+  if (extent.type == "sphere") geom.collider.ball_radius = extent.size.x();
   body.geoms.push_back(std::move(geom));
 }
 

@@ -23,6 +23,8 @@ double size_of(const UsdaPrim& prim, const char* property, double otherwise) {
   return usda_number(prim, property).value_or(otherwise);
 }
 
+double radius_of_sphere(const UsdaPrim& prim) { return size_of(prim, "radius", 1); }
+
 /// Turns z to the axis of the prim.
 Rotation turn_to_axis(const UsdaPrim& prim) {
   const std::string axis = usda_word(prim.find("axis"));
@@ -40,9 +42,16 @@ Mesh turned_to_axis(const UsdaPrim& prim, const Mesh& mesh) {
 std::optional<Mesh> cube_of(const UsdaPrim& prim, Sentence&) {
   return box_mesh(Vec3::Constant(size_of(prim, "size", 2) / 2));
 }
+std::optional<Mesh> sphere_of(const UsdaPrim& prim, Sentence&) {
+  return ball_mesh(radius_of_sphere(prim));
+}
 std::optional<Mesh> cylinder_of(const UsdaPrim& prim, Sentence&) {
   return turned_to_axis(prim,
                         cylinder_mesh(size_of(prim, "radius", 1), size_of(prim, "height", 2) / 2));
+}
+std::optional<Mesh> capsule_of(const UsdaPrim& prim, Sentence&) {
+  return turned_to_axis(prim,
+                        capsule_mesh(size_of(prim, "radius", 0.5), size_of(prim, "height", 1) / 2));
 }
 std::optional<Mesh> cone_of(const UsdaPrim& prim, Sentence&) {
   // The foot is the lower half of a cylinder's; its upper ring becomes the tip.
@@ -122,16 +131,9 @@ std::optional<Mesh> mesh_of_prim(const UsdaPrim& prim, Sentence& why) {
 
 const std::map<std::string, ShapeMaker>& shape_makers() {
   static const std::map<std::string, ShapeMaker> makers = {
-      {"Cone", cone_of}, {"Cube", cube_of}, {"Cylinder", cylinder_of}, {"Mesh", mesh_of_prim}};
+      {"Capsule", capsule_of},   {"Cone", cone_of},      {"Cube", cube_of},
+      {"Cylinder", cylinder_of}, {"Mesh", mesh_of_prim}, {"Sphere", sphere_of}};
   return makers;
-}
-
-std::optional<RoundShape> round_of(const UsdaPrim& prim, const Mat3& linear) {
-  if (prim.type == "Sphere")
-    return RoundShape{Vec3::Constant(size_of(prim, "radius", 1)), 0, linear};
-  if (prim.type != "Capsule") return std::nullopt;
-  return RoundShape{Vec3::Constant(size_of(prim, "radius", 0.5)), size_of(prim, "height", 1) / 2,
-                    linear * turn_to_axis(prim).matrix()};
 }
 
 // The mesh as the file's engines collide it.
@@ -184,8 +186,7 @@ bool usda_flag(const UsdaPrim& prim, std::string_view property, bool otherwise) 
 }
 
 bool is_usda_shape(const std::string& type) {
-  return type == "Plane" || type == "Sphere" || type == "Capsule" ||
-         shape_makers().count(type) != 0;
+  return type == "Plane" || shape_makers().count(type) != 0;
 }
 
 std::optional<ForeignCollider> usda_collider(const UsdaPrim& prim, const UsdaFrame& in_body,
@@ -197,11 +198,6 @@ std::optional<ForeignCollider> usda_collider(const UsdaPrim& prim, const UsdaFra
     out.pose.rotation = (out.pose.rotation * turn_to_axis(prim)).normalized();
     return out;
   }
-  out.round = round_of(prim, in_body.linear);
-  if (out.round) {
-    out.mesh = std::make_shared<const Mesh>(round_mesh(*out.round));
-    return out;
-  }
   Sentence why("is not read");
   const auto maker = shape_makers().find(prim.type);
   std::optional<Mesh> mesh =
@@ -211,6 +207,8 @@ std::optional<ForeignCollider> usda_collider(const UsdaPrim& prim, const UsdaFra
     note_once(unread, say("%1: %2", prim.path, why));
     return std::nullopt;
   }
+  const std::optional<double> scale = uniform_scale(in_body.linear);
+  if (prim.type == "Sphere" && scale) out.ball_radius = *scale * radius_of_sphere(prim);
   for (Vec3& v : mesh->vertices) v = in_body.linear * v;
   if (in_body.linear.determinant() < 0)
     for (Index3& t : mesh->triangles) std::swap(t[1], t[2]);

@@ -13,27 +13,26 @@
 namespace trivet {
 namespace {
 
-ForeignBody body_of(const RoundShape& shape, bool fixed = false) {
+ForeignBody ball(double radius) {
   ForeignBody body;
-  body.fixed = fixed;
   ForeignCollider collider;
-  collider.round = shape;
-  collider.mesh = std::make_shared<const Mesh>(round_mesh(shape));
+  collider.ball_radius = radius;
+  collider.mesh = std::make_shared<const Mesh>(ball_mesh(radius));
   body.colliders.push_back(std::move(collider));
   return body;
 }
 
-RoundShape ball(double radius) { return {Vec3::Constant(radius)}; }
-
 size_t num_faces(const ForeignBody& body) { return body.colliders[0].mesh->triangles.size(); }
 
-size_t faces_of_sides(int n) { return static_cast<size_t>(n) * static_cast<size_t>(n) / 2; }
+// Rings of two triangles a side between two poles.
+size_t faces_of_sides(int n) { return static_cast<size_t>(n) * static_cast<size_t>(n - 2); }
 
 double volume(const Mesh& mesh) {
   double six = 0;
-  for (const Index3& t : mesh.triangles)
-    six += mesh.vertices[static_cast<size_t>(t[0])].dot(
-        mesh.vertices[static_cast<size_t>(t[1])].cross(mesh.vertices[static_cast<size_t>(t[2])]));
+  for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f) {
+    const Triangle t = mesh.triangle(f);
+    six += t[0].dot(t[1].cross(t[2]));
+  }
   return six / 6;
 }
 
@@ -44,8 +43,8 @@ double depth_of(const Triangle& t) {
 }
 
 TEST(RoundShapes, AreNoFartherBelowTheSurfaceThanStated) {
-  for (const auto& [sides, most] : {std::pair(kMostBallSides, 1e-4), {kFewestBallSides, 6e-4}}) {
-    const Mesh mesh = round_mesh(ball(1), sides);
+  for (const auto& [sides, most] : {std::pair(kMostBallSides, 7e-5), {kFewestBallSides, 6e-4}}) {
+    const Mesh mesh = ball_mesh(1, sides);
     for (const Vec3& v : mesh.vertices) ASSERT_NEAR(v.norm(), 1, 1e-15);
     double deepest = 0;
     for (Index f = 0; f < static_cast<Index>(mesh.triangles.size()); ++f)
@@ -55,58 +54,61 @@ TEST(RoundShapes, AreNoFartherBelowTheSurfaceThanStated) {
   }
 }
 
-TEST(RoundShapes, AreClosedAndTheirOutermostPointsExact) {
-  RoundShape capsule = ball(2);
-  capsule.half = 1;
-  for (const RoundShape& shape : {ball(2), capsule}) {
-    const Mesh mesh = round_mesh(shape);
-    EXPECT_EQ(mesh.box().upper, Vec3(2, 2, 2 + shape.half));
-    EXPECT_EQ(mesh.box().lower, Vec3(-2, -2, -2 - shape.half));
-    std::set<std::pair<Index, Index>> edges;
-    for (const Index3& t : mesh.triangles)
-      for (size_t k = 0; k < 3; ++k) EXPECT_TRUE(edges.emplace(t[k], t[(k + 1) % 3]).second);
-    for (const auto& [a, b] : edges) EXPECT_EQ(edges.count({b, a}), 1u);
+void expect_closed(const Mesh& mesh) {
+  std::set<std::pair<Index, Index>> edges;
+  for (const Index3& t : mesh.triangles)
+    for (size_t k = 0; k < 3; ++k) EXPECT_TRUE(edges.emplace(t[k], t[(k + 1) % 3]).second);
+  for (const auto& [a, b] : edges) EXPECT_EQ(edges.count({b, a}), 1u);
+}
+
+TEST(RoundShapes, AreClosedAndReachAsFarAsTheirRadii) {
+  const std::pair<Mesh, Vec3> shapes[] = {{ball_mesh(2), Vec3(2, 2, 2)},
+                                          {ellipsoid_mesh({1, 2, 3}), Vec3(1, 2, 3)},
+                                          {capsule_mesh(2, 1), Vec3(2, 2, 3)},
+                                          {cylinder_mesh(2, 1), Vec3(2, 2, 1)}};
+  for (const auto& [mesh, upper] : shapes) {
+    // Heights are exact, points of circles up to rounding.
+    EXPECT_EQ(mesh.box().upper.z(), upper.z());
+    EXPECT_EQ(mesh.box().lower.z(), -upper.z());
+    EXPECT_LT((mesh.box().upper - upper).norm(), 1e-15);
+    EXPECT_LT((mesh.box().lower + upper).norm(), 1e-15);
+    expect_closed(mesh);
   }
 }
 
 TEST(RoundShapes, LookOutwards) {
-  RoundShape mirrored{Vec3(1, 2, 3)};
-  mirrored.linear = Vec3(1, 1, -1).asDiagonal();
-  EXPECT_NEAR(volume(round_mesh(mirrored)), 8 * M_PI, 0.03);
-  RoundShape capsule = ball(1);
-  capsule.half = 2;
-  EXPECT_NEAR(volume(round_mesh(capsule)), (4.0 / 3 + 4) * M_PI, 0.02);
+  EXPECT_NEAR(volume(ellipsoid_mesh({1, 2, 3})), 8 * M_PI, 0.03);
+  EXPECT_NEAR(volume(capsule_mesh(1, 2)), (4.0 / 3 + 4) * M_PI, 0.02);
+  EXPECT_NEAR(volume(cylinder_mesh(1, 2)), 4 * M_PI, 0.01);
 }
 
-TEST(RoundShapes, AreFinerTheFewerBallsThereAre) {
-  for (const auto& [num_balls, sides] : {std::pair(1, 376), {28, 376}, {100, 200}, {400, 164}}) {
+TEST(Balls, AreFinerTheFewerThereAre) {
+  for (const auto& [num_balls, sides] : {std::pair(1, 376), {28, 376}, {100, 200}, {400, 128}}) {
     ForeignScene scene;
-    for (int i = 0; i < num_balls; ++i) scene.bodies.push_back(body_of(ball(1 + i)));
-    refine_round_shapes(scene);
+    for (int i = 0; i < num_balls; ++i) scene.bodies.push_back(ball(1 + i));
+    refine_balls(scene);
     for (const ForeignBody& body : scene.bodies)
       ASSERT_EQ(num_faces(body), faces_of_sides(sides)) << num_balls;
   }
 }
 
-TEST(RoundShapes, ShareAMeshWhereAlike) {
+TEST(Balls, ShareAMeshWhereAlike) {
   ForeignScene scene;
-  for (const double radius : {1.0, 2.0, 1.0}) scene.bodies.push_back(body_of(ball(radius)));
-  refine_round_shapes(scene);
+  for (const double radius : {1.0, 2.0, 1.0}) scene.bodies.push_back(ball(radius));
+  refine_balls(scene);
   const auto mesh = [&](size_t i) { return scene.bodies[i].colliders[0].mesh; };
   EXPECT_EQ(mesh(0), mesh(2));
   EXPECT_NE(mesh(0), mesh(1));
 }
 
-TEST(RoundShapes, StayAsTheyAreInFixedCapsules) {
-  RoundShape capsule = ball(1);
-  capsule.half = 1;
+TEST(Balls, AloneAreMadeFiner) {
   ForeignScene scene;
-  scene.bodies = {body_of(capsule, true), body_of(ball(1), true), body_of(capsule)};
-  const size_t before = num_faces(scene.bodies[0]);
-  refine_round_shapes(scene);
-  EXPECT_EQ(num_faces(scene.bodies[0]), before);
-  EXPECT_GT(num_faces(scene.bodies[1]), before);
-  EXPECT_GT(num_faces(scene.bodies[2]), before);
+  scene.bodies = {ball(1)};
+  const auto given = std::make_shared<const Mesh>(ellipsoid_mesh({1, 1, 2}));
+  scene.bodies[0].colliders.push_back({"egg", {}, given, {}, 0});
+  refine_balls(scene);
+  EXPECT_EQ(scene.bodies[0].colliders[1].mesh, given);
+  EXPECT_GT(num_faces(scene.bodies[0]), given->triangles.size());
 }
 
 }  // namespace

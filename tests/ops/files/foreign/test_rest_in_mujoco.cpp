@@ -77,6 +77,22 @@ TEST(RestInMujoco, ALaidTable) {
   }
 }
 
+// Meshes that are finer than today's let eggs rest on their tips, from which MuJoCo tips them.
+TEST(RestInMujoco, EggsCapsulesAndBalls) {
+  const char* const text = R"(<mujoco><worldbody>
+    <geom type="plane" size="3 3 0.1"/>
+    <body name="egg" pos="0 0 0.0968"><freejoint/>
+      <geom type="ellipsoid" size="0.033 0.03 0.05"/></body>
+    <body name="capsule" pos="0.3 0 0.09"><freejoint/><geom type="capsule" size="0.02 0.03"/></body>
+    <body name="ball" pos="0.6 0 0.1" quat="1 2 3 4"><freejoint/><geom size="0.035"/></body>
+    </worldbody></mujoco>)";
+  const BeforeAndAfter scene(text, [](Scene& s) { return settle_scene(s, {}); });
+  for (const char* name : {"egg", "capsule", "ball"}) {
+    EXPECT_GT(moved_in_mujoco(scene.before, name), 0.03) << name;
+    EXPECT_LT(moved_in_mujoco(scene.after, name), 1e-3) << name;
+  }
+}
+
 TEST(RestInMujoco, MendedNeighboursStay) {
   const char* const text = R"(<mujoco><worldbody>
     <geom type="plane" size="3 3 0.1"/>
