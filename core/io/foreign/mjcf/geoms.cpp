@@ -81,9 +81,8 @@ std::optional<Solid> primitive(const Attributes& a, const Extent& e, bool collid
 Solid of_mesh(const Attributes& a, const std::string& type, bool collides,
               const ForeignOptions& options, Assets& assets, Sentence& trouble) {
   const MeshAsset* const asset = assets.find(a.text("mesh"));
-  if (!asset) trouble = say("no mesh is named \"%1\"", a.text("mesh"));
-  if (asset && !asset->trouble.empty()) trouble = asset->trouble;
-  if (!trouble.empty()) return {};
+  trouble = asset ? asset->trouble : say("no mesh is named \"%1\"", a.text("mesh"));
+  if (!asset || !trouble.empty()) return {};
   Solid out;
   // The mass is that of the mesh, also where its hull collides.
   const bool shell = a.text("shellinertia") == "true";
