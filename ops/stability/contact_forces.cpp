@@ -5,39 +5,24 @@
 #include <utility>
 
 #include "ops/stability/force_program.h"
+#include "ops/stability/priced_forces.h"
 #include "ops/stability/unbalanced.h"
 
 namespace trivet {
 namespace {
 
-constexpr double kJoinGain = 1e-6;        // of a force that joins; CLP knows 1e-7
-constexpr int kJoinAtOnce = 4;            // touches of a pair
 constexpr double kRoomOfBalance = 100;    // of a limit of the objective: for rounding and scaling
 constexpr double kNearlyWorst = 1e-4;     // of a margin: other orders of pivots differ by less
 constexpr double kClearlyMissing = 1e-2;  // weights: more than CLP's rounding
 
-// Takes the best candidate of each pair that would lower the cost. @return whether there are any.
+// Takes the best candidates of each pair that would lower the cost. @return whether there are any.
 template <class Gain>
 bool join_best(FreeBodies& part, const Gain& gain) {
   // Gains are worked out before anything joins, so that the order of candidates does not matter.
   std::vector<double> gains;
   for (const BodyContact& t : part.more) gains.push_back(gain(t));
   std::vector<char> joins(part.more.size(), 0);
-  for (size_t first = 0, end = 0; first < part.more.size(); first = end) {
-    // Candidates of one pair of bodies are neighbours in the list.
-    const BodyContact& t = part.more[first];
-    while (end < part.more.size() && part.more[end].on == t.on &&
-           part.more[end].partner == t.partner)
-      ++end;
-    // A few join at a time: the program stays small, and different places of a large face take
-    // part.
-    for (int n = 0; n < kJoinAtOnce; ++n) {
-      size_t best = first;
-      for (size_t k = first; k < end; ++k)
-        if (joins[best] || (!joins[k] && gains[k] > gains[best])) best = k;
-      if (!joins[best] && gains[best] > kJoinGain) joins[best] = 1;
-    }
-  }
+  for (const size_t k : touches_that_join(part.more, gains)) joins[k] = 1;
   std::vector<BodyContact> left;
   for (size_t k = 0; k < joins.size(); ++k)
     (joins[k] ? part.touches : left).push_back(part.more[k]);

@@ -99,21 +99,9 @@ PartForces PricedForces::find(std::span<const double> prices) {
 }
 
 bool PricedForces::join_best(std::span<const double> gains) {
-  const size_t before = m_joined.size();
-  for (size_t first = 0, end = 0; first < gains.size(); first = end) {
-    // Touches of one pair of bodies are neighbours in the list.
-    const BodyContact& t = m_part.touches[first];
-    std::vector<size_t> order;
-    for (; end < gains.size() && m_part.touches[end].on == t.on &&
-           m_part.touches[end].partner == t.partner;
-         ++end)
-      if (gains[end] > kGainThatJoins) order.push_back(end);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](size_t a, size_t b) { return gains[a] > gains[b]; });
-    order.resize(std::min(order.size(), kMostThatJoin));
-    for (const size_t k : order) join(k);
-  }
-  return m_joined.size() > before;
+  const std::vector<size_t> joining = touches_that_join(m_part.touches, gains);
+  for (const size_t k : joining) join(k);
+  return !joining.empty();
 }
 
 PartForces PricedForces::of_all_touches(PartForces forces) const {
@@ -121,6 +109,23 @@ PartForces PricedForces::of_all_touches(PartForces forces) const {
   for (size_t j = 0; j < m_joined.size(); ++j) all[m_joined[j]] = forces.forces[j];
   forces.forces = std::move(all);
   return forces;
+}
+
+std::vector<size_t> touches_that_join(std::span<const BodyContact> touches,
+                                      std::span<const double> gains) {
+  std::vector<size_t> out;
+  for (size_t first = 0, end = 0; first < gains.size(); first = end) {
+    const BodyContact& t = touches[first];
+    std::vector<size_t> order;
+    for (; end < gains.size() && touches[end].on == t.on && touches[end].partner == t.partner;
+         ++end)
+      if (gains[end] > kGainThatJoins) order.push_back(end);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return gains[a] > gains[b]; });
+    order.resize(std::min(order.size(), kMostThatJoin));
+    out.insert(out.end(), order.begin(), order.end());
+  }
+  return out;
 }
 
 }  // namespace trivet

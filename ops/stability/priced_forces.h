@@ -57,4 +57,10 @@ class PricedForces {
   std::vector<size_t> m_columns_of;  // of each that has joined, in the last program
 };
 
+/// A few of each pair of bodies whose forces would lower the cost most, by their gains: so a
+/// program stays small, and different places of a large face take part. Touches of one pair are
+/// neighbours in the list.
+std::vector<size_t> touches_that_join(std::span<const BodyContact> touches,
+                                      std::span<const double> gains);
+
 }  // namespace trivet
