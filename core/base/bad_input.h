@@ -17,6 +17,10 @@ template <class First, class... Parts>
   bad_input(say(pattern, std::forward<First>(first), std::forward<Parts>(parts)...));
 }
 
+inline void require(bool holds, const Sentence& otherwise) {
+  if (!holds) bad_input(otherwise);
+}
+
 /// "path: reason".
 [[noreturn]] inline void bad_file(const std::string& path, Sentence reason) {
   bad_input("%1: %2", path, std::move(reason));

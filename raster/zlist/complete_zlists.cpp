@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 #include "core/base/parallel.h"
 #include "raster/zlist/depth_map.h"
 
@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kEdgeOn = 1e-9;  // sine of the angle to a face seen edge-on
 constexpr size_t kEntriesBetweenChecks = 1 << 16;
-
-void require(bool holds, const Sentence& text) {
-  if (!holds) throw Error(Error::Kind::BadInput, text);
-}
 
 std::vector<Index> all_of(std::span<const Body> bodies) {
   std::vector<Index> out(bodies.size());

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 
 namespace trivet {
 namespace {
@@ -14,10 +14,6 @@ namespace {
 constexpr int kLargestImage = 8192;
 constexpr double kSmallestPixel =
     1e-9;  // of the largest coordinate: still distinguishable in double
-
-void require_option(bool holds, const Sentence& text) {
-  if (!holds) throw Error(Error::Kind::BadInput, text);
-}
 
 std::string number(double x) {
   char text[32];
@@ -27,20 +23,18 @@ std::string number(double x) {
 
 void check(const ProjectionOptions& o) {
   const double length = o.direction.norm();
-  require_option(length > 0 && length < kInfinity,
-                 say("direction of z-lists is %1 %2 %3; accepted: finite and not 0 0 0",
-                     number(o.direction.x()), number(o.direction.y()), number(o.direction.z())));
-  require_option(
-      o.resolution >= 1 && o.resolution <= kLargestImage,
-      say("resolution of z-lists is %1; accepted: 1 to %2", o.resolution, kLargestImage));
-  require_option(
-      o.num_threads >= 0,
-      say("number of threads of z-lists is %1; accepted: 0 (all) or more", o.num_threads));
+  require(length > 0 && length < kInfinity,
+          say("direction of z-lists is %1 %2 %3; accepted: finite and not 0 0 0",
+              number(o.direction.x()), number(o.direction.y()), number(o.direction.z())));
+  require(o.resolution >= 1 && o.resolution <= kLargestImage,
+          say("resolution of z-lists is %1; accepted: 1 to %2", o.resolution, kLargestImage));
+  require(o.num_threads >= 0,
+          say("number of threads of z-lists is %1; accepted: 0 (all) or more", o.num_threads));
   if (!o.region) return;
   const Vec2 size = o.region->upper - o.region->lower;
-  require_option(size.minCoeff() > 0 && size.maxCoeff() < kInfinity,
-                 say("region of z-lists is %1 m wide and %2 m high; accepted: above 0",
-                     number(size.x()), number(size.y())));
+  require(size.minCoeff() > 0 && size.maxCoeff() < kInfinity,
+          say("region of z-lists is %1 m wide and %2 m high; accepted: above 0", number(size.x()),
+              number(size.y())));
 }
 
 // Looking along `direction` with the head up.
@@ -83,10 +77,9 @@ void set_window(const Aabb& extent, const ProjectionOptions& options, Projection
   const Vec2 size = upper - lower;
   out.pixel = size.maxCoeff() / options.resolution;
   if (options.region)
-    require_option(out.pixel >= least,
-                   say("region of z-lists has pixels of %1 m; accepted: %2 m or more, "
-                       "for coordinates of this size",
-                       number(out.pixel), number(least)));
+    require(out.pixel >= least, say("region of z-lists has pixels of %1 m; accepted: %2 m or more, "
+                                    "for coordinates of this size",
+                                    number(out.pixel), number(least)));
   out.pixel = std::max(out.pixel, least);
   const auto count = [&](double length) {
     return std::clamp(static_cast<int>(std::ceil(length / out.pixel - 1e-9)), 1,

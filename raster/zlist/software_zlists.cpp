@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/arena.h"
-#include "core/base/error.h"
+#include "core/base/bad_input.h"
 #include "raster/zlist/search.h"
 
 namespace trivet {
@@ -13,9 +13,6 @@ namespace {
 constexpr int kLargestResolution = 4096;
 
 SoftwareZListOptions checked(SoftwareZListOptions options) {
-  const auto require = [](bool holds, const Sentence& text) {
-    if (!holds) throw Error(Error::Kind::BadInput, text);
-  };
   require(options.resolution >= 0 && options.resolution <= kLargestResolution,
           say("resolution of z-lists is %1; accepted: 0 (automatic) to %2", options.resolution,
               kLargestResolution));
