@@ -38,7 +38,7 @@ class UrdfReader {
     refuse_xacro();
     collect(root);
     for (const auto& [name, link] : m_links)
-      if (!m_joint_of.count(name)) walk(name, Pose{}, -1, {});
+      if (!m_joint_of.count(name)) walk(name);
     if (m_num_placed != m_links.size())
       bad_file(m_path, "has joints in a circle; accepted: trees of links");
     m_scene.values_file = joint_values_path(m_path);
@@ -97,9 +97,27 @@ class UrdfReader {
         if (!m_links.count(name)) place(*joint.node).refuse("link", name, "the name of a link");
   }
 
+  struct Child {
+    const JointNode* joint;
+    Pose parent;
+    int target;  // the body of the parent
+    int depth;   // of the parent
+  };
+
+  void walk(const std::string& root) {
+    // Without recursion: rows of links may be long.
+    std::vector<Child> open;
+    enter(root, Pose{}, -1, {}, 0, open);
+    while (!open.empty()) {
+      const Child next = open.back();
+      open.pop_back();
+      enter_child(next, open);
+    }
+  }
+
   // @param target  the body that the link is part of; -1: one of its own.
-  void walk(const std::string& name, const Pose& pose, int target, const PosePlace& where,
-            int depth = 0) {
+  void enter(const std::string& name, const Pose& pose, int target, const PosePlace& where,
+             int depth, std::vector<Child>& open) {
     if (depth > kMostInARow)
       bad_file(m_path, "has too many links in a row; accepted: %1", kMostInARow);
     if (++m_num_placed > m_links.size()) bad_file(m_path, "has joints in a circle");
@@ -109,21 +127,25 @@ class UrdfReader {
       m_scene.bodies.push_back(new_body(name, pose, where));
     }
     add_content(*m_links.at(name), pose, m_scene.bodies[static_cast<size_t>(target)]);
-    for (const std::string& child : m_children[name]) walk_child(child, pose, target, depth);
+    const std::vector<std::string>& children = m_children[name];
+    for (size_t k = children.size(); k-- > 0;)
+      open.push_back({&m_joint_of.at(children[k]), pose, target, depth});
   }
 
-  void walk_child(const std::string& child, const Pose& pose, int target, int depth) {
-    const JointNode& joint = m_joint_of.at(child);
-    const Pose at = composed(pose, origin_of(*joint.node));
+  void enter_child(const Child& child, std::vector<Child>& open) {
+    const JointNode& joint = *child.joint;
+    const Pose at = composed(child.parent, origin_of(*joint.node));
     const Pose its = {at.rotation.normalized(), at.translation};
-    if (joint.type == "fixed") return walk(child, its, target, {}, depth + 1);
-    const bool hangs = m_hangs.count(static_cast<size_t>(target)) != 0;
-    if (joint.type == "floating" && !hangs)
-      return walk(child, its, -1, place_of(joint.node->child("origin"), pose), depth + 1);
+    const int depth = child.depth + 1;
+    if (joint.type == "fixed") return enter(joint.child, its, child.target, {}, depth, open);
+    const auto parent = static_cast<size_t>(child.target);
+    if (joint.type == "floating" && m_hangs.count(parent) == 0)
+      return enter(joint.child, its, -1, place_of(joint.node->child("origin"), child.parent), depth,
+                   open);
     m_hangs.insert(m_scene.bodies.size());
     ++m_scene.num_joints;
-    m_tree.push_back(tree_joint(joint, its, static_cast<size_t>(target)));
-    walk(child, its, -1, {}, depth + 1);
+    m_tree.push_back(tree_joint(joint, its, parent));
+    enter(joint.child, its, -1, {}, depth, open);
   }
 
   TreeJoint tree_joint(const JointNode& joint, const Pose& at, size_t parent) {
