@@ -133,6 +133,7 @@ std::vector<ObjectId> unsettled_by_links(const Scene& judged, const SettleSceneO
       judged, check_scene(judged, 0, options.settle.clearance, options.settle, options.is_over),
       options);
 }
+
 SettledScene settle_scene(Scene& scene, const SettleSceneOptions& given) {
   const Deadline deadline = deadline_of(given);
   SettleSceneOptions options = given;

@@ -148,7 +148,8 @@ void apply_rules(EngineRules rules, ForeignScene& scene);
 void count_faces(const Mesh& mesh, ForeignScene& scene);
 
 /// Gives balls more sides, the more the fewer there are: with the fewest, one that lies exactly
-/// hovers for the verdict. Ellipsoids and capsules keep theirs: with more they would rest on tips.
+/// hovers for the verdict. Ellipsoids and capsules keep theirs: finer ones that were tried rested
+/// on tips.
 void refine_balls(ForeignScene& scene);
 
 }  // namespace trivet

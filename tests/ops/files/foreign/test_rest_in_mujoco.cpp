@@ -77,7 +77,7 @@ TEST(RestInMujoco, ALaidTable) {
   }
 }
 
-// Meshes that are finer than today's let eggs rest on their tips, from which MuJoCo tips them.
+// Finer meshes of ellipsoids that were tried came to rest on tips, from which MuJoCo tips them.
 TEST(RestInMujoco, EggsCapsulesAndBalls) {
   const char* const text = R"(<mujoco><worldbody>
     <geom type="plane" size="3 3 0.1"/>
