@@ -91,10 +91,16 @@ class UrdfReader {
     for (const XmlNode& node : root.children)
       if (const std::string* const link = node.tag == "gazebo" ? node.find("reference") : nullptr)
         if (const XmlNode* const mu = node.child("mu1"))
-          m_gazebo_friction[*link] = numbers_in(mu->text, "mu1", place(*mu), 1, 1)[0];
+          m_gazebo_friction[*link] = number_of_gazebo(*mu);
     for (const auto& [child, joint] : m_joint_of)
       for (const std::string& name : {child, joint.parent})
         if (!m_links.count(name)) place(*joint.node).refuse("link", name, "the name of a link");
+  }
+
+  // As text, or in the attribute of earlier releases of Gazebo, which it still reads.
+  double number_of_gazebo(const XmlNode& node) const {
+    const std::string* const value = node.find("value");
+    return numbers_in(value ? *value : node.text, node.tag, place(node), 1, 1)[0];
   }
 
   struct Child {

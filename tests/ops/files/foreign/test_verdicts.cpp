@@ -286,8 +286,9 @@ TEST(EngineRules, UrdfHasWhatItsEngineAdds) {
   const std::string rough = "<contact><lateral_friction value='0.7'/></contact>";
   EXPECT_TRUE(holds(EngineRules::OfFormat, robot(rough, ""), "r.urdf"));
   EXPECT_TRUE(holds(EngineRules::Bullet, robot(rough, ""), "r.urdf"));
-  EXPECT_FALSE(holds(EngineRules::Gazebo,
-                     robot(rough, "<gazebo reference='b'><mu1>0.1</mu1></gazebo>"), "r.urdf"));
+  for (const std::string smooth : {"<mu1>0.1</mu1>", "<mu1 value='0.1'/>"})
+    EXPECT_FALSE(holds(EngineRules::Gazebo,
+                       robot(rough, "<gazebo reference='b'>" + smooth + "</gazebo>"), "r.urdf"));
 }
 
 TEST(Verdicts, WhatIsLeftWhenTheTimeIsOverIsNamed) {
