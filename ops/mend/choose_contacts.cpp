@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ops/stability/priced_forces.h"
 
@@ -97,7 +98,8 @@ class ContactChoice {
   void find_forces() {
     std::vector<double> prices = m_prices;
     for (double& p : prices) p *= kPriceOfReach / m_options.reach;
-    const PartForces forces = m_forces.find(prices);
+    PartForces forces = m_forces.find(prices);
+    m_now.falls = std::move(forces.motions);
     m_now.num_missing = 0;
     m_now.missing.assign(m_part.bodies.size(), 1);
     for (size_t i = 0; i < m_part.bodies.size(); ++i)

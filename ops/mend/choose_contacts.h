@@ -23,6 +23,7 @@ struct ChosenContacts {
   std::vector<char> needed;   // each touch: carries
   std::vector<char> missing;  // each body: nothing within reach holds it
   size_t num_missing = 0;
+  std::vector<VirtualMotion> falls;  // each body, as it falls where something is missing
   std::vector<MotionRow> rows;       // of each touch
   std::vector<SmallMotion> motions;  // nearest to the aims
   double open = 0, widest = 0;  // metres, of gaps that the motions leave of needed ones: sum, most

@@ -25,17 +25,11 @@ constexpr double kReachOfMotion = 2;        // times the farthest of the step be
 constexpr double kMostReachInHeap = 0.003;  // metres: wider gaps are known
 constexpr double kSoftContacts = 1e-3, kSoftIfAlone = 1e-6;  // see nearest_motions()
 constexpr double kGapClosed = 1.9;                           // clearances: enough
-constexpr double kGapOpen = 100;         // clearances: coming to rest closes less
-constexpr double kLeftByMotions = 10;    // clearances: what motions leave is stuck
-constexpr double kStillStep = 0.03;      // clearances
-constexpr double kFrictionOfTurn = 0.2;  // of a radian by which noise may have turned a normal
-// One alone, that is near its rest.
-constexpr double kAirOfNearRest = 2e-5;        // metres between it and what it is parted from
-constexpr double kReachOfNearRest = 1;         // tolerances, of gaps that may close
-constexpr double kMostReachOfNearRest = 0.04;  // metres
-constexpr double kMostStepOfNearRest = 0.006;  // metres, of closing them
-constexpr double kFirstShareOfNearRest = 0.5;
-constexpr double kFrictionOfNearRest = 0.95;  // of all, so that others hold it, too
+constexpr double kGapOpen = 100;              // clearances: coming to rest closes less
+constexpr double kLeftByMotions = 10;         // clearances: what motions leave is stuck
+constexpr double kStillStep = 0.03;           // clearances
+constexpr double kFrictionOfTurn = 0.2;       // of a radian by which noise may have turned a normal
+constexpr double kFrictionOfOneAlone = 0.95;  // of all, so that others hold it, too
 
 class GapCloser {
  public:
@@ -63,7 +57,7 @@ class GapCloser {
         for (size_t i = 0; i < m_ids.size(); ++i) m_missed[i] |= m_choice.missing[i];
       const bool is_last = step == kStepsOfClosing || m_num_missed >= kMostMissed ||
                            (m_gaps.is_over && m_gaps.is_over());
-      if (is_done() || is_last || !pull_harder_if_stuck()) return {not_held(), missed(), m_longest};
+      if (is_done() || is_last || !pull_harder_if_stuck()) return closed();
       const double gone = go(reach);
       const double most = is_alone() ? m_gaps.reach : std::min(kMostReachInHeap, m_gaps.reach);
       reach = std::clamp(kReachOfMotion * gone, kLeastReach * m_gaps.clearance, most);
@@ -104,7 +98,7 @@ class GapCloser {
   // At the given poses what friction barely holds seems to slide where noise has made a contact
   // steeper. Contacts far off would be closed to hold it.
   double friction_of(const BodyContact& t) const {
-    if (is_alone()) return kFrictionOfNearRest * t.friction;
+    if (is_alone()) return kFrictionOfOneAlone * t.friction;
     if (!m_near_given) return t.friction;
     double turn = m_gaps.reach / m_part.bodies[t.on].size;
     if (t.from != BodyContact::kGround) turn += m_gaps.reach / m_part.bodies[t.from].size;
@@ -204,6 +198,20 @@ class GapCloser {
     return out;
   }
 
+  ClosedGaps closed() const {
+    ClosedGaps out{not_held(), {}, missed(), m_longest};
+    for (const ObjectId id : out.not_held) out.falls.push_back(fall_of(id));
+    return out;
+  }
+
+  SmallMotion fall_of(ObjectId id) const {
+    const auto at = static_cast<size_t>(std::find(m_ids.begin(), m_ids.end(), id) - m_ids.begin());
+    SmallMotion out = SmallMotion::Zero();
+    if (at < m_choice.falls.size())
+      out << m_choice.falls[at].velocity, 0.5 * m_part.bodies[at].size * m_choice.falls[at].spin;
+    return out;
+  }
+
   // Across a gap that stays open the one that carries less is not held.
   std::vector<ObjectId> not_held() const {
     std::vector<char> missing = m_choice.missing;
@@ -247,30 +255,6 @@ class GapCloser {
 
 ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps) {
   return GapCloser(scene, given, gaps).run();
-}
-
-std::optional<Pose> rest_near(Scene& scene, const Placement& given, double tolerance,
-                              double clearance, const std::function<bool()>& is_over) {
-  const std::vector<Placement> members{given};
-  const std::vector<Placement> parted = part_by_turns(scene, members, kAirOfNearRest, is_over);
-  // A body that is still in another has no contacts that could close.
-  if (!crossings_of(scene, parted).empty()) return std::nullopt;
-  const Pose was = scene.at(given.id).pose;
-  const auto place = [&](const Pose& pose, bool placed) {
-    edit_object(scene, given.id, [&](Object& o) {
-      o.pose = pose;
-      o.placed = placed;
-    });
-  };
-  place(parted[0].pose, true);
-  const double reach = std::min(kReachOfNearRest * tolerance, kMostReachOfNearRest);
-  const bool is_held = close_gaps(scene, members,
-                                  {clearance, reach, kMostStepOfNearRest, true, is_over, nullptr,
-                                   kFirstShareOfNearRest})
-                           .not_held.empty();
-  const Pose rest = scene.at(given.id).pose;
-  place(was, false);
-  return is_held ? std::optional(rest) : std::nullopt;
 }
 
 }  // namespace trivet

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "ops/mend/known_contacts.h"
@@ -22,6 +21,7 @@ struct GapsToClose {
 
 struct ClosedGaps {
   std::vector<ObjectId> not_held;  // nothing within reach holds it, or only across an open gap
+  std::vector<SmallMotion> falls;  // of each of these; the fastest point of all goes a metre
   std::vector<ObjectId> missed;    // nothing held it at a step that aimed at the given poses
   double longest_step = 0;         // metres, of those asked for: a higher bound changes nothing
 };
@@ -36,13 +36,5 @@ struct ClosedGaps {
 ///
 /// @param given  the objects, and the poses that they are to stay near.
 ClosedGaps close_gaps(Scene& scene, const std::vector<Placement>& given, const GapsToClose& gaps);
-
-/// The pose near the given one at which contacts can hold the object as it lies, leaning or between
-/// others: parted from what it is in, then moved until these are closed (close_gaps.h). Nothing: no
-/// contacts within the tolerance would hold it.
-/// @param given  not placed; it is not placed afterwards, either. @param tolerance, clearance
-/// metres. @param is_over  see GapsToClose.
-std::optional<Pose> rest_near(Scene& scene, const Placement& given, double tolerance,
-                              double clearance, const std::function<bool()>& is_over);
 
 }  // namespace trivet

@@ -13,6 +13,7 @@
 #include "ops/mend/close_gaps.h"
 #include "ops/mend/part_by_turns.h"
 #include "ops/mend/rearrange.h"
+#include "ops/mend/rest_near.h"
 #include "ops/mend/rows.h"
 #include "ops/mend/starts.h"
 #include "ops/mend/starts_in_place.h"
@@ -306,9 +307,9 @@ class HeapInPlace {
   }
 
   std::optional<Pose> rest_as_given(ObjectId id) {
-    return rest_near(m_scene, {id, m_out.given(id)}, tolerance(),
-                     clearance_of(m_scene, m_out.options().settle),
-                     [this] { return m_out.is_out_of_time(); });
+    return rest_near_or_beside(m_scene, {id, m_out.given(id)}, tolerance(),
+                               clearance_of(m_scene, m_out.options().settle),
+                               [this] { return m_out.is_out_of_time(); });
   }
   std::vector<Pose> starts_from(ObjectId id, const std::optional<Pose>& rest,
                                 const Pose& free) const {

@@ -12,7 +12,10 @@ namespace trivet {
 namespace {
 
 constexpr double kPointsApart = 5e-4;  // metres between contact points of a pair
-constexpr size_t kNearestOfPair = 24;
+constexpr size_t kMostOfPair = 24;
+constexpr size_t kDenseOfPair = 6;      // that may be as near to each other as that
+constexpr double kOthersApart = 0.004;  // metres, of the others that have the same normal
+constexpr double kSameNormalOfPair = 0.97;
 constexpr double kWidestAgain = 0.003;     // metres: wider gaps are found once
 constexpr double kMarginOfMeeting = 1e-4;  // metres
 constexpr std::uint32_t kFloorKey = ~0u;
@@ -30,6 +33,20 @@ struct Gone {
 double share_of_on(ContactFeatures features) {
   if (features == ContactFeatures::VertexFace) return 1;
   return features == ContactFeatures::FaceVertex ? 0 : 0.5;
+}
+
+// The nearest would often be those of one place alone, and the pair touch at another, too.
+std::vector<ContactPoint> spread(const std::vector<ContactPoint>& nearest_first) {
+  std::vector<ContactPoint> out;
+  for (const ContactPoint& p : nearest_first) {
+    if (out.size() == kMostOfPair) break;
+    const bool is_beside = std::any_of(out.begin(), out.end(), [&](const ContactPoint& kept) {
+      return (p.point - kept.point).norm() < kOthersApart &&
+             p.normal.dot(kept.normal) > kSameNormalOfPair;
+    });
+    if (out.size() < kDenseOfPair || !is_beside) out.push_back(p);
+  }
+  return out;
 }
 
 void carry(ContactPoint& c, const Gone& on, const Gone& from) {
@@ -129,7 +146,7 @@ class KnownContacts::Search {
     std::vector<ContactPoint> points = merged(found, kPointsApart);
     std::stable_sort(points.begin(), points.end(),
                      [](const ContactPoint& a, const ContactPoint& b) { return a.gap < b.gap; });
-    points.resize(std::min(points.size(), kNearestOfPair));
+    points = spread(points);
     const double friction = ContactFriction{}.of(m_scene, id_of(on), with);
     std::vector<BodyContact> out;
     out.reserve(points.size());

@@ -127,6 +127,32 @@ TEST(KnownContacts, GoAlongWithTheirBodies) {
   }
 }
 
+// A comb of 36 teeth is 0.1 mm over the floor, and its only other foot 0.5 mm.
+TEST(KnownContacts, OfAPairAreNotAllAtItsNearestPlace) {
+  std::vector<Triangle> triangles;
+  const auto add = [&](const Vec3& half, const Vec3& at) {
+    const Mesh box = box_of(half);
+    for (size_t f = 0; f < box.num_faces(); ++f) {
+      Triangle t = box.triangle(f);
+      for (Vec3* corner : {&t.a, &t.b, &t.c}) *corner += at;
+      triangles.push_back(t);
+    }
+  };
+  for (int i = 0; i < 36; ++i)
+    add(Vec3(2e-4, 2e-4, 1e-3), Vec3(2e-3 * (i % 6), 2e-3 * (i / 6), 1.1e-3));
+  const double foot = 0.06;
+  add(Vec3(1e-3, 1e-3, 1e-3), Vec3(foot, 0, 1.5e-3));
+  Boxes s;
+  const std::vector<ObjectId> ids{s.add("comb", weld(triangles), Vec3::Zero())};
+  KnownContacts known(kWide, default_clearance(s.scene));
+  const std::vector<BodyContact> found =
+      known.find(s.scene, linked_bodies(s.scene, ids, {}).bodies, kWide);
+  EXPECT_LE(found.size(), 24u);
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const BodyContact& t) {
+    return std::abs(t.contact.point.x() - foot) < 2e-3;
+  }));
+}
+
 bool meet(const Moving& s, size_t i, size_t j) {
   const auto here = [&](size_t k) {
     const Object& object = s.scene.at(s.ids[k]);
