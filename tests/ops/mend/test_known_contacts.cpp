@@ -129,19 +129,13 @@ TEST(KnownContacts, GoAlongWithTheirBodies) {
 
 // A comb of 36 teeth is 0.1 mm over the floor, and its only other foot 0.5 mm.
 TEST(KnownContacts, OfAPairAreNotAllAtItsNearestPlace) {
-  std::vector<Triangle> triangles;
-  const auto add = [&](const Vec3& half, const Vec3& at) {
-    const Mesh box = box_of(half);
-    for (size_t f = 0; f < box.num_faces(); ++f) {
-      Triangle t = box.triangle(f);
-      for (Vec3* corner : {&t.a, &t.b, &t.c}) *corner += at;
-      triangles.push_back(t);
-    }
+  const auto box = [](double half, const Vec3& at) {
+    return box_between(at - Vec3(half, half, 1e-3), at + Vec3(half, half, 1e-3));
   };
-  for (int i = 0; i < 36; ++i)
-    add(Vec3(2e-4, 2e-4, 1e-3), Vec3(2e-3 * (i % 6), 2e-3 * (i / 6), 1.1e-3));
   const double foot = 0.06;
-  add(Vec3(1e-3, 1e-3, 1e-3), Vec3(foot, 0, 1.5e-3));
+  Triangles triangles = box(1e-3, Vec3(foot, 0, 1.5e-3));
+  for (int i = 0; i < 36; ++i)
+    triangles = joined(triangles, box(2e-4, Vec3(2e-3 * (i % 6), 2e-3 * (i / 6), 1.1e-3)));
   Boxes s;
   const std::vector<ObjectId> ids{s.add("comb", weld(triangles), Vec3::Zero())};
   KnownContacts known(kWide, default_clearance(s.scene));

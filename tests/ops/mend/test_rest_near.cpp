@@ -1,7 +1,6 @@
 // One object's nearest rest among others that stand still.
 #include <gtest/gtest.h>
 
-#include "core/motion/compose.h"
 #include "ops/mend/boxes.h"
 #include "ops/mend/rest_near.h"
 #include "ops/placement/clearance.h"
@@ -11,41 +10,58 @@ namespace {
 
 using namespace trivet::test;
 
-constexpr double kTolerance = 0.006, kHalf = 0.003;
-constexpr double kSlope = 22, kSteepSlope = 30;  // degrees; friction holds up to 26.6
-const Vec3 kEdge(0, 0, 0.05);
+constexpr double kTableTolerance = 0.006;
+// Of 22 and of 30 degrees; friction holds up to 26.6.
+constexpr double kTanOfSlope = 0.404026, kTanOfSteepSlope = 0.577350;
+constexpr double kEdgeHeight = 0.04, kSlopeLength = 0.02, kApart = 0.05, kFoot = 0.03;
 
-Vec3 down(double degrees) { return turn_about(Vec3::UnitY(), degrees).matrix() * Vec3::UnitX(); }
+/// Along y, with its edge over x = 0: the upper slope is on the side of -x.
+Triangles roof() {
+  return prism({{-kSlopeLength, 0},
+                {kSlopeLength, 0},
+                {kSlopeLength, kEdgeHeight - kSlopeLength * kTanOfSteepSlope},
+                {0, kEdgeHeight},
+                {-kSlopeLength, kEdgeHeight + kSlopeLength * kTanOfSlope}},
+               0.05);
+}
 
-/// A roof of two slopes with a small box on it, taken out.
-struct OnRoof : Boxes {
-  ObjectId box;
+/// Its point is at the origin.
+Triangles foot() {
+  const double half = 0.002;
+  const Vec3 point = Vec3::Zero(), a(-half, -half, kFoot), b(half, -half, kFoot),
+             c(half, half, kFoot), d(-half, half, kFoot);
+  return outward(
+      {{point, b, a}, {point, c, b}, {point, d, c}, {point, a, d}, {a, b, c}, {a, c, d}});
+}
+
+/// A table, taken out, with four pointed feet on two roofs.
+struct OnRoofs : Boxes {
+  ObjectId table;
   Placement given;
 
-  /// @param beyond  metres from the edge of both slopes to the box's middle, down the steep one.
-  explicit OnRoof(double beyond) {
-    const Vec3 top = kEdge - 0.04 * down(kSlope), foot = kEdge + 0.04 * down(kSteepSlope);
-    add("roof",
-        weld(prism(
-            {{top.x(), 0}, {foot.x(), 0}, {foot.x(), foot.z()}, {0, kEdge.z()}, {top.x(), top.z()}},
-            0.05)),
-        Vec3::Zero(), true);
-    const Rotation steep = turn_about(Vec3::UnitY(), kSteepSlope);
-    const Vec3 normal = steep.matrix() * Vec3::UnitZ();
-    box = add("box", Vec3(kHalf, kHalf, kHalf),
-              kEdge + beyond * down(kSteepSlope) + (kHalf + 1e-4) * normal, false, steep);
-    given = {box, scene.at(box).pose};
-    edit_object(scene, box, [](Object& o) { o.placed = false; });
+  /// @param beyond  metres from the edges to the feet, down the steep slopes.
+  explicit OnRoofs(double beyond) {
+    Triangles roofs,
+        feet = moved(box_between(Vec3(-0.01, -0.03, 0), Vec3(kApart + 0.01, 0.03, 0.004)),
+                     Vec3(0, 0, kFoot - 1e-4));
+    for (const double x : {0.0, kApart}) {
+      roofs = joined(roofs, moved(roof(), Vec3(x, 0, 0)));
+      for (const double y : {-0.02, 0.02}) feet = joined(feet, moved(foot(), Vec3(x, y, 0)));
+    }
+    add("roofs", weld(roofs), Vec3::Zero(), true);
+    const double slope = beyond > 0 ? kTanOfSteepSlope : kTanOfSlope;
+    table = add("table", weld(feet), Vec3(beyond, 0, kEdgeHeight - slope * beyond + 1e-4));
+    given = {table, scene.at(table).pose};
+    edit_object(scene, table, [](Object& o) { o.placed = false; });
   }
 
-  std::optional<Pose> rest() { return rest_near(scene, given, kTolerance, clearance(), {}); }
-  std::optional<Pose> rest_or_beside() {
-    return rest_near_or_beside(scene, given, kTolerance, clearance(), {});
-  }
   double clearance() const { return default_clearance(scene); }
-
+  std::optional<Pose> rest() { return rest_near(scene, given, kTableTolerance, clearance(), {}); }
+  std::optional<Pose> rest_or_beside() {
+    return rest_near_or_beside(scene, given, kTableTolerance, clearance(), {});
+  }
   bool rests_at(const Pose& pose) {
-    edit_object(scene, box, [&](Object& o) {
+    edit_object(scene, table, [&](Object& o) {
       o.pose = pose;
       o.placed = true;
     });
@@ -54,24 +70,25 @@ struct OnRoof : Boxes {
 };
 
 TEST(RestNear, WhatSlidesIsHeldALittleUpTheSlope) {
-  OnRoof s(0.004);
+  OnRoofs s(0.001);
   EXPECT_FALSE(s.rest());
   const std::optional<Pose> rest = s.rest_or_beside();
   ASSERT_TRUE(rest);
-  EXPECT_LT((rest->translation - s.given.pose.translation).norm(), 1.5 * kTolerance);
-  EXPECT_FALSE(s.scene.at(s.box).placed);
-  EXPECT_EQ(s.at(s.box), s.given.pose.translation);
+  EXPECT_LT((rest->translation - s.given.pose.translation).norm(), 1.5 * kTableTolerance);
+  EXPECT_LT(rest->translation.x(), 0);
+  EXPECT_FALSE(s.scene.at(s.table).placed);
+  EXPECT_EQ(s.at(s.table), s.given.pose.translation);
   EXPECT_TRUE(s.rests_at(*rest));
 }
 
 TEST(RestNear, FarFromTheEdgeNothingHoldsIt) {
-  OnRoof s(0.025);
+  OnRoofs s(0.01);
   EXPECT_FALSE(s.rest());
   EXPECT_FALSE(s.rest_or_beside());
 }
 
 TEST(RestNear, WhatIsHeldAsItLiesIsNotTakenBeside) {
-  OnRoof s(-0.02);
+  OnRoofs s(-0.004);
   const std::optional<Pose> rest = s.rest(), beside = s.rest_or_beside();
   ASSERT_TRUE(rest && beside);
   EXPECT_EQ(rest->translation, beside->translation);
