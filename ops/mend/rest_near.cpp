@@ -16,7 +16,7 @@ constexpr double kMostStepOfNearRest = 0.006;  // metres, of closing them
 constexpr double kFirstShareOfNearRest = 0.5;
 constexpr double kBesideNearRest[] = {-0.5, 0.5, -1, 1};  // tolerances, along its fall
 
-/// Of one object, not placed before and afterwards.
+/// One object is looked at, which is not placed before and afterwards.
 class NearRest {
  public:
   NearRest(Scene& scene, ObjectId id, double tolerance, double clearance,

@@ -134,8 +134,9 @@ TEST(KnownContacts, OfAPairAreNotAllAtItsNearestPlace) {
   };
   const double foot = 0.06;
   Triangles triangles = box(1e-3, Vec3(foot, 0, 1.5e-3));
-  for (int i = 0; i < 36; ++i)
-    triangles = joined(triangles, box(2e-4, Vec3(2e-3 * (i % 6), 2e-3 * (i / 6), 1.1e-3)));
+  for (int x = 0; x < 6; ++x)
+    for (int y = 0; y < 6; ++y)
+      triangles = joined(triangles, box(2e-4, Vec3(2e-3 * x, 2e-3 * y, 1.1e-3)));
   Boxes s;
   const std::vector<ObjectId> ids{s.add("comb", weld(triangles), Vec3::Zero())};
   KnownContacts known(kWide, default_clearance(s.scene));

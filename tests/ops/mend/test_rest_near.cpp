@@ -11,7 +11,7 @@ namespace {
 using namespace trivet::test;
 
 constexpr double kTableTolerance = 0.006;
-// Of 22 and of 30 degrees; friction holds up to 26.6.
+// The slopes have 22 and 30 degrees; friction holds up to 26.6.
 constexpr double kTanOfSlope = 0.404026, kTanOfSteepSlope = 0.577350;
 constexpr double kEdgeHeight = 0.04, kSlopeLength = 0.02, kApart = 0.05, kFoot = 0.03;
 
