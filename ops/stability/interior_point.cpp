@@ -12,6 +12,7 @@ namespace trivet {
 namespace {
 
 constexpr int kMostSteps = 100;
+constexpr int kStepsOfRounding = 40;   // then it counts in parts of what is missing
 constexpr double kPartOfWay = 0.995;   // to the nearest bound
 constexpr double kLeastGap = 1e-9;     // between both objectives, weights
 constexpr double kGapOfMotion = 0.01;  // the same, in parts of the lower one
@@ -49,7 +50,7 @@ class InteriorPoint {
     return sum - kPushLimit * m_w.sum();
   }
   /// True if the equations of both held before the last step, up to rounding.
-  bool is_feasible() const { return m_error <= kPriceRounding; }
+  bool is_feasible(double scale) const { return m_error <= scale * kPriceRounding; }
 
   void step() {
     Residual r{m_program.b(), m_program.costs() - m_program.transposed_product(m_y) - m_z};
@@ -208,7 +209,10 @@ PartForces forces_by_interior_point(const FreeBodies& part, double clearance, do
     point.step();
     if (program.are_proof(point.x())) return balanced_forces(program, point);
     const double gap = point.missing() - point.proven();
-    const bool is_optimum = point.is_feasible() && gap <= kLeastGap;
+    // Where many weights are missing, rounding may keep the equations from holding any better. The
+    // motion is proved all the same.
+    const double scale = n < kStepsOfRounding ? 1 : std::max(1.0, point.missing());
+    const bool is_optimum = point.is_feasible(scale) && gap <= scale * kLeastGap;
     const bool is_near = sought == Sought::Motion && gap <= kGapOfMotion * point.proven();
     if (!is_optimum && !is_near) continue;
     // The motion is the proof; it is asked again, as other programs' motions are.

@@ -246,6 +246,43 @@ TEST(InteriorPoint, DecidesWhereHardlyAnythingIsMissing) {
   }
 }
 
+// Balls at random places in each other, as in a scene that nobody has settled; pairs touch at
+// points that are nearly alike.
+FreeBodies balls_in_each_other(int count, Random& random) {
+  FreeBodies out;
+  const auto at = [&] { return random.uniform(0, 12 * kRadius); };
+  for (int i = 0; i < count; ++i)
+    out.bodies.push_back({{}, Vec3(at(), at(), at()), random.uniform(0.1, 10), 2 * kRadius});
+  const auto touch_around = [&](Index i, Index j, const Vec3& point, const Vec3& normal) {
+    for (const Vec3& aside : tangents(normal))
+      for (const double way : {-0.3, -0.29999, -1e-5, 1e-5, 0.29999, 0.3})
+        touch(out, i, j, point + way * kRadius * aside, normal, 0.5);
+  };
+  for (Index i = 0; i < count; ++i) {
+    const Vec3& here = out.bodies[i].centre;
+    if (here.z() < kRadius)
+      touch_around(i, BodyContact::kGround, Vec3(here.x(), here.y(), 0), Vec3::UnitZ());
+    for (Index j = i + 1; j < count; ++j) {
+      const Vec3 between = here - out.bodies[j].centre;
+      if (between.norm() < 2 * kRadius)
+        touch_around(i, j, here - between / 2, between.normalized());
+    }
+  }
+  return out;
+}
+
+TEST(InteriorPoint, EndsWhereManyWeightsAreMissing) {
+  for (const int seed : {1, 2}) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const FreeBodies balls = balls_in_each_other(300, random);
+    const PartForces found = forces_by_interior_point(balls, kClearance);
+    ASSERT_TRUE(found.solved);
+    EXPECT_GT(found.residual, 100);
+    EXPECT_TRUE(proves_lack_of_balance(found.motions, balls, kClearance));
+  }
+}
+
 // Much weight on a feather: rows are in parts of what each body carries.
 TEST(InteriorPoint, FindsWhatSimplexFindsWhereWeightsDifferByAThousand) {
   for (const double heavy : {1e-3, 1e3})
