@@ -43,7 +43,7 @@ class NearRest {
     return std::nullopt;
   }
 
-  /// By which it fell in vain last.
+  /// The motion by which it falls where nothing held it last.
   const SmallMotion& fall() const { return m_fall; }
 
  private:

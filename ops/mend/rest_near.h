@@ -16,8 +16,8 @@ namespace trivet {
 std::optional<Pose> rest_near(Scene& scene, const Placement& given, double tolerance,
                               double clearance, const std::function<bool()>& is_over);
 
-/// If there is none, that of poses a little before and behind, along the motion by which it falls:
-/// noise may have taken it to a slope that is a little too steep, or across an edge.
+/// The same; if there is none, that of poses a little before and behind, along the motion by which
+/// it falls. Noise may have taken it to a slope that is a little too steep, or across an edge.
 std::optional<Pose> rest_near_or_beside(Scene& scene, const Placement& given, double tolerance,
                                         double clearance, const std::function<bool()>& is_over);
 

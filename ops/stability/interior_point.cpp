@@ -12,7 +12,7 @@ namespace trivet {
 namespace {
 
 constexpr int kMostSteps = 100;
-constexpr int kStepsOfRounding = 40;   // then it counts in parts of what is missing
+constexpr int kStepsOfRounding = 40;   // then rounding counts in parts of what is missing
 constexpr double kPartOfWay = 0.995;   // to the nearest bound
 constexpr double kLeastGap = 1e-9;     // between both objectives, weights
 constexpr double kGapOfMotion = 0.01;  // the same, in parts of the lower one
@@ -49,7 +49,7 @@ class InteriorPoint {
     for (size_t i = 0; i < m_y.size(); ++i) sum += m_program.b()[i].dot(m_y[i]);
     return sum - kPushLimit * m_w.sum();
   }
-  /// True if the equations of both held before the last step, up to rounding.
+  /// True if the equations of both held before the last step, up to rounding times `scale`.
   bool is_feasible(double scale) const { return m_error <= scale * kPriceRounding; }
 
   void step() {
@@ -209,7 +209,7 @@ PartForces forces_by_interior_point(const FreeBodies& part, double clearance, do
     point.step();
     if (program.are_proof(point.x())) return balanced_forces(program, point);
     const double gap = point.missing() - point.proven();
-    // Where many weights are missing, rounding may keep the equations from holding any better. The
+    // Rounding may keep the equations from holding any better if many weights are missing. The
     // motion is proved all the same.
     const double scale = n < kStepsOfRounding ? 1 : std::max(1.0, point.missing());
     const bool is_optimum = point.is_feasible(scale) && gap <= scale * kLeastGap;

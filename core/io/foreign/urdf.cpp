@@ -97,7 +97,7 @@ class UrdfReader {
         if (!m_links.count(name)) place(*joint.node).refuse("link", name, "the name of a link");
   }
 
-  // As text, or in the attribute of earlier releases of Gazebo, which it still reads.
+  // Gazebo reads an attribute, too, and that first.
   double number_of_gazebo(const XmlNode& node) const {
     const std::string* const value = node.find("value");
     return numbers_in(value ? *value : node.text, node.tag, place(node), 1, 1)[0];

@@ -15,7 +15,7 @@ constexpr double kTableTolerance = 0.006;
 constexpr double kTanOfSlope = 0.404026, kTanOfSteepSlope = 0.577350;
 constexpr double kEdgeHeight = 0.04, kSlopeLength = 0.02, kApart = 0.05, kFoot = 0.03;
 
-/// Along y, with its edge over x = 0: the upper slope is on the side of -x.
+/// It lies along y, with its edge over x = 0; the upper slope is on the side of -x.
 Triangles roof() {
   return prism({{-kSlopeLength, 0},
                 {kSlopeLength, 0},
